@@ -1,0 +1,133 @@
+# Builds dist/ from wasm/ (C, by emcc) and web/ (JavaScript, by esbuild), and checks it. Tools that are missing are installed first.
+# `make help` lists the targets.
+
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: all test check tidy bench demo format clean help tools
+
+ENTRIES := index slim gallery
+WASM := $(wildcard wasm/*.c)
+WEB := $(shell find web -name '*.js')
+NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
+NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch])
+BIN := node_modules/.bin
+NPM := node_modules/.package-lock.json
+
+# One set of flags for every compiler. No contraction into fused operations: the same bits everywhere.
+CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP
+EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -msimd128 -mbulk-memory -DNDEBUG
+NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
+SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
+    -Wl,--export-table -Wl,--growable-table
+
+# What each goal needs beyond Node and npm, as probe:package.
+TOOLS := emcc:emscripten
+ifneq ($(filter test bench,$(MAKECMDGOALS)),)
+TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
+endif
+ifneq ($(filter test check format,$(MAKECMDGOALS)),)
+TOOLS += clang-format:clang-format
+endif
+ifneq ($(filter tidy,$(MAKECMDGOALS)),)
+TOOLS += clang-tidy:clang-tidy
+endif
+ifneq ($(filter test,$(MAKECMDGOALS)),)
+TOOLS += chromium:chromium
+endif
+
+all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
+
+test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
+	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
+
+check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
+	@$(BIN)/biome check --colors=off --error-on-warnings
+	@$(BIN)/tsc -p tests
+	@$(BIN)/tsc -p demo
+	@clang-format --dry-run -Werror $(C_FILES)
+
+tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
+	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
+
+bench: all build/native/core.o ## run the benchmarks
+	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
+
+demo: all ## build, serve the page on a free loopback port and print its address
+	@node demo/serve.js
+
+format: $(NPM) | tools ## format every source
+	@$(BIN)/biome check --write --log-level=warn
+	@clang-format -i $(C_FILES)
+
+clean: ## remove what was built
+	@rm -rf build dist
+
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10
+
+tools:
+	@tests/helpers/install.sh $(TOOLS)
+
+# The packages' own install scripts are not needed, and newer npm does not run them.
+$(NPM): package-lock.json | tools
+	@echo 'installing with npm: what package-lock.json lists'
+	@npm ci --ignore-scripts --include=dev --no-audit --no-fund --loglevel=error </dev/null >/dev/null
+	@touch $@
+
+# WebAssembly
+
+build/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(EMCC) -c $< -o $@
+
+dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+	@echo $@
+	@mkdir -p $(@D)
+	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+
+# JavaScript and types
+
+dist/wasm.js: dist/surfpath.wasm
+	@{ printf '// Generated: the bytes of surfpath.wasm. No data: URL, which a strict CSP refuses, and no Buffer, which browsers lack.\n'; \
+	printf "const text =\n  '%s';\n" "$$(base64 <$< | tr -d '\n')"; \
+	printf 'export default Uint8Array.from(atob(text), (character) => character.charCodeAt(0));\n'; } >$@
+
+dist/wasm.d.ts: Makefile
+	@mkdir -p $(@D)
+	@printf 'declare const bytes: Uint8Array<ArrayBuffer>;\nexport default bytes;\n' >$@
+
+$(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
+	@echo $@
+	@$(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+
+dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
+	@echo $(@D)
+	@rm -rf $(@D)
+	@$(BIN)/tsc -p .
+	@touch $@
+
+# Native builds of the same C: with sanitizers for the tests; optimised, one object, for benchmarks and the symbol check.
+
+build/sanitized/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(SANITIZED) -c $< -o $@
+
+build/sanitized/tests/%.o: tests/native/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(SANITIZED) -c $< -o $@
+
+build/sanitized/%_test: build/sanitized/tests/%_test.o $(NATIVE_HELPERS) $(WASM:%.c=build/sanitized/%.o)
+	@$(SANITIZED) $^ -lm -o $@
+
+build/native/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(NATIVE) -c $< -o $@
+
+build/native/core.o: $(WASM:%.c=build/native/%.o)
+	@ld -r $^ -o $@
+
+-include $(wildcard build/*/*.d build/*/*/*.d)

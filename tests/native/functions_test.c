@@ -1,0 +1,161 @@
+/* The elementary functions against the high-precision table of tests/data/functions.csv (its making is described in make-functions.py), and
+ * the two lanes against each other. Each bound is what wasm/functions.h promises. */
+#include "check.h"
+#include "functions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    double bound; /* ulp */
+} functions[SP_FUNCTION_COUNT] = {
+    [SP_SIN] = {"sin", 1},     [SP_COS] = {"cos", 1},       [SP_TAN] = {"tan", 2.5},   [SP_ASIN] = {"asin", 2.5}, [SP_ACOS] = {"acos", 2.5},
+    [SP_ATAN] = {"atan", 2.5}, [SP_ATAN2] = {"atan2", 2.5}, [SP_SINH] = {"sinh", 2.5}, [SP_COSH] = {"cosh", 2.5}, [SP_TANH] = {"tanh", 2.5},
+    [SP_EXP] = {"exp", 1},     [SP_LOG] = {"log", 1},       [SP_CBRT] = {"cbrt", 2.5}, [SP_POW] = {"pow", 2.5},
+};
+
+/* A line of the table: the result is value + rest ulp(value). */
+struct entry {
+    int function;
+    double x, y, value, rest;
+};
+
+static uint64_t bits_of(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static double from_bits(uint64_t bits) {
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The same number: all NaN count as one, zeros differ by sign. */
+static int same(double a, double b) { return bits_of(a) == bits_of(b) || (isnan(a) && isnan(b)); }
+
+static sp_pair apply(int function, sp_pair x, sp_pair y) {
+    switch (function) {
+    case SP_SIN:
+        return sp_sin(x);
+    case SP_COS:
+        return sp_cos(x);
+    case SP_TAN:
+        return sp_tan(x);
+    case SP_ASIN:
+        return sp_asin(x);
+    case SP_ACOS:
+        return sp_acos(x);
+    case SP_ATAN:
+        return sp_atan(x);
+    case SP_ATAN2:
+        return sp_atan2(x, y);
+    case SP_SINH:
+        return sp_sinh(x);
+    case SP_COSH:
+        return sp_cosh(x);
+    case SP_TANH:
+        return sp_tanh(x);
+    case SP_EXP:
+        return sp_exp(x);
+    case SP_LOG:
+        return sp_log(x);
+    case SP_CBRT:
+        return sp_cbrt(x);
+    default:
+        return sp_pow(x, y);
+    }
+}
+
+static double error_in_ulp(double result, const struct entry *entry) {
+    double ulp = fabs(from_bits(bits_of(entry->value) ^ 1) - entry->value);
+    return fabs((result - entry->value) / ulp - entry->rest);
+}
+
+/* Zeros, infinities and NaN have to be met exactly; a result that underflows may also be the smallest number. Returns the error in ulp. */
+static double check_entry(const struct entry *entry) {
+    const char *name = functions[entry->function].name;
+    double bound = functions[entry->function].bound, result = sp_apply_function(entry->function, entry->x, entry->y);
+    int exact = !isfinite(entry->value) || (entry->value == 0 && entry->rest == 0) || result == 0;
+    if (exact) {
+        CHECK(same(result, entry->value), "%s(%a, %a) = %a, not %a", name, entry->x, entry->y, result, entry->value);
+        return 0;
+    }
+    double error = error_in_ulp(result, entry);
+    CHECK(error <= bound, "%s(%a, %a) = %a, not %a: %.3f ulp", name, entry->x, entry->y, result, entry->value, error);
+    return error;
+}
+
+/* Lane 0 must not depend on lane 1, nor a result on its lane. */
+static void check_lanes(const struct entry *entry) {
+    static const double others[] = {0.0, 1.0, -0.3, 1e-310, 1e10, 1e300, INFINITY, NAN};
+    double expected = sp_apply_function(entry->function, entry->x, entry->y);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        sp_pair x = {entry->x, others[i]}, y = {entry->y, -others[i]};
+        double first = apply(entry->function, x, y)[0], second = apply(entry->function, sp_swap(x), sp_swap(y))[1];
+        CHECK(same(first, expected) && same(second, expected), "%s(%a, %a) beside %a: %a and %a, not %a", functions[entry->function].name,
+              entry->x, entry->y, others[i], first, second, expected);
+    }
+}
+
+static void check_sincos(double x) {
+    sp_pair cosine, sine = sp_sincos((sp_pair){x, -x}, &cosine);
+    CHECK(same(sine[0], sp_sin(sp_splat(x))[0]) && same(sine[1], sp_sin(sp_splat(-x))[0]), "sine of sincos(%a)", x);
+    CHECK(same(cosine[0], sp_cos(sp_splat(x))[0]) && same(cosine[1], sp_cos(sp_splat(-x))[0]), "cosine of sincos(%a)", x);
+}
+
+/* Reads `name,x,y,value,rest`; an empty y is read as 0. Returns false on anything else. */
+static int read_entry(char *line, struct entry *entry) {
+    double numbers[4];
+    char *at = strchr(line, ',');
+    if (!at) return 0;
+    *at = 0;
+    for (entry->function = 0; entry->function < SP_FUNCTION_COUNT; entry->function++)
+        if (!strcmp(functions[entry->function].name, line)) break;
+    for (int i = 0; i < 4; i++) {
+        if (!at || (i > 0 && *at != ',')) return 0;
+        numbers[i] = strtod(at + 1, &at);
+        if (i == 1 && *at != ',') at = strchr(at, ',');
+    }
+    *entry = (struct entry){entry->function, numbers[0], numbers[1], numbers[2], numbers[3]};
+    return entry->function < SP_FUNCTION_COUNT && *at == '\n';
+}
+
+static void check_table(FILE *table) {
+    static char line[256];
+    int counts[SP_FUNCTION_COUNT] = {0};
+    double worst[SP_FUNCTION_COUNT] = {0};
+    CHECK(fgets(line, sizeof line, table) && !strcmp(line, "function,x,y,value,rest\n"), "heading");
+    while (fgets(line, sizeof line, table)) {
+        struct entry entry;
+        if (!read_entry(line, &entry)) {
+            CHECK(0, "unreadable line of the table: %s", line);
+            return;
+        }
+        double error = check_entry(&entry);
+        counts[entry.function]++;
+        if (error > worst[entry.function]) worst[entry.function] = error;
+        check_lanes(&entry);
+        if (entry.function == SP_SIN) check_sincos(entry.x);
+    }
+    for (int i = 0; i < SP_FUNCTION_COUNT; i++) {
+        CHECK(counts[i] >= 1000, "%s: %d entries", functions[i].name, counts[i]);
+        printf("%-5s %4d entries, at most %.2f ulp\n", functions[i].name, counts[i], worst[i]);
+    }
+}
+
+int main(int count, char **arguments) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/functions.csv", count > 1 ? arguments[1] : "tests/data");
+    FILE *table = fopen(path, "r");
+    CHECK(table, "no table at %s", path);
+    if (table) {
+        check_table(table);
+        fclose(table);
+    }
+    CHECK(isnan(sp_apply_function(-1, 0.5, 0.5)) && isnan(sp_apply_function(SP_FUNCTION_COUNT, 0.5, 0.5)), "unknown number");
+    return checks_failed();
+}

@@ -1,0 +1,156 @@
+/* Whole solves through the exported functions: known lengths, reversal to the bit, saddles left, arenas of every size, hostile numbers. */
+#include "check.h"
+#include "surfaces.h"
+#include "surfpath.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct sp_arena arena;
+
+static struct sp_result solve(const struct sp_surface *surface, struct sp_request request, struct sp_options options) {
+    struct sp_result result;
+    arena.used = 0;
+    sp_solve_path(surface, &request, &options, &arena, &result);
+    return result;
+}
+
+static struct sp_options options_of(int32_t points, double gradient_tolerance) {
+    struct sp_options options;
+    sp_default_options(&options);
+    options.point_count = points, options.gradient_tolerance = gradient_tolerance;
+    return options;
+}
+
+/* A polyline with K inner points on a great circle of angle a has length 2 (K + 1) sin(a/(2 (K + 1))), equally spaced. */
+static void check_great_circle(const struct sp_surface *surface, struct sp_request request, double angle) {
+    for (int32_t points = 1; points <= 300; points = points * 3 / 2 + 1) {
+        struct sp_result result = solve(surface, request, options_of(points, 0));
+        double expected = 2 * (points + 1) * sin(angle / (2 * (points + 1)));
+        CHECK(result.status == SP_CONVERGED && result.index == 0, "K = %d: status %d, index %d", points, result.status, result.index);
+        CHECK(fabs(result.length - expected) <= 1e-12 * expected, "K = %d: length %.17g, not %.17g", points, result.length, expected);
+        CHECK(fabs(result.length + result.length_error - angle) <= 2 * pow(angle / (points + 1), 4), "K = %d: error estimate %g of %g",
+              points, result.length_error, angle - result.length);
+    }
+}
+
+/* A great circle beyond the antipode is a saddle of the energy: Newton leaves it for the short way round. */
+static void check_escape(void) {
+    double start[3 * 41];
+    for (int i = 0; i <= 40; i++) {
+        double angle = 1.4 * 3.141592653589793 * i / 40;
+        start[3 * i] = cos(angle), start[3 * i + 1] = sin(angle), start[3 * i + 2] = 0;
+    }
+    struct sp_request request = {{1, 0, 0}, {start[120], start[121], 0}, start, 41, 0};
+    struct sp_result result = solve(&sphere_surface, request, options_of(40, 0));
+    CHECK(result.status == SP_CONVERGED && result.index == 0, "status %d, index %d", result.status, result.index);
+    CHECK(fabs(result.length - 0.6 * 3.141592653589793) < 1e-3, "length %g", result.length);
+    struct sp_options paper = options_of(40, 0);
+    paper.algorithm = SP_PAPER;
+    result = solve(&sphere_surface, request, paper);
+    CHECK(result.status == SP_SADDLE && result.index == 1, "paper: status %d, index %d", result.status, result.index);
+}
+
+/* Exchanging the ends reverses every bit. */
+static void check_reversal(const struct sp_surface *surface, uint64_t *seed) {
+    int dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
+    struct sp_request there = {0}, back;
+    for (int j = 0; j < dimension; j++)
+        there.from[j] = 2 * random_unit(seed) - 1, there.to[j] = 2 * random_unit(seed) - 1;
+    if (dimension == 3) there.from[0] += 4, there.to[0] += 4, there.to[1] += 1;
+    back = there;
+    memcpy(back.from, there.to, sizeof there.to), memcpy(back.to, there.from, sizeof there.from);
+    int32_t points = 1 + (int32_t)(60 * random_unit(seed)), count = 3 * (points + 2);
+    struct sp_result first = solve(surface, there, options_of(points, 0));
+    double *kept = malloc(sizeof(double) * (size_t)count);
+    if (first.points) memcpy(kept, first.points, sizeof(double) * (size_t)count);
+    struct sp_result second = solve(surface, back, options_of(points, 0));
+    CHECK(first.status == second.status && memcmp(&first.length, &second.length, sizeof(double)) == 0, "status %d, %d; length %.17g, %.17g",
+          first.status, second.status, first.length, second.length);
+    for (int32_t i = 0; first.points && i < count; i++) {
+        int32_t mirrored = 3 * (points + 1 - i / 3) + i % 3;
+        CHECK(kept[i] == second.points[mirrored], "number %d differs", i);
+    }
+    free(kept);
+}
+
+/* The arena of exactly the promised size is enough; every smaller one is refused, or enough too. */
+static void check_arena(const struct sp_surface *surface, struct sp_request request, int32_t record) {
+    struct sp_options options = options_of(7, 0);
+    options.record = record, options.max_iterations = 20;
+    size_t bytes = (size_t)sp_solve_bytes(surface->kind, &options, request.start_count);
+    for (size_t size = 0; size <= bytes; size += 16) {
+        struct sp_arena small = {aligned_alloc(16, size + 16), size, 0};
+        struct sp_result result;
+        int32_t status = sp_solve_path(surface, &request, &options, &small, &result);
+        CHECK(status == SP_CONVERGED || status == SP_OUT_OF_MEMORY, "size %zu: status %d", size, status);
+        CHECK(size < bytes || status == SP_CONVERGED, "the promised size is not enough");
+        CHECK(status == SP_CONVERGED || (!result.points && isnan(result.length)), "size %zu: a path without memory", size);
+        free(small.base);
+    }
+}
+
+/* Surfaces that return nothing usable: a status, never a trap or NaN called a path. */
+static double hostile_value;
+static void hostile_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    (void)in;
+    for (int32_t i = 0; i < count * SP_PARAMETRIC_JET; i++)
+        out[i] = sp_splat(hostile_value);
+}
+static void hostile_value_only(int32_t count, const sp_pair *in, sp_pair *out) {
+    (void)in;
+    for (int32_t i = 0; i < count * SP_IMPLICIT_VALUES; i++)
+        out[i] = sp_splat(hostile_value);
+}
+
+static void check_hostile(void) {
+    double values[] = {0, 1, -1, NAN, INFINITY, -INFINITY, 1e308, 5e-324, 1e-200};
+    for (int i = 0; i < 9; i++)
+        for (int kind = 0; kind < 2; kind++)
+            for (int32_t points = 1; points < 8; points++) {
+                hostile_value = values[i];
+                struct sp_surface surface = {hostile_jet, hostile_value_only, kind, 0, {-1, -1}, {1, 1}, kind ? 3 : 0};
+                struct sp_request request = {{0.1, 0.2, 0.3}, {0.5, -0.5, 0.1}, NULL, 0, 0};
+                struct sp_result result = solve(&surface, request, options_of(points, 0));
+                CHECK(result.status < 0 && !result.points, "value %g, kind %d: status %d", values[i], kind, result.status);
+            }
+}
+
+static void check_projection(uint64_t *seed) {
+    for (int i = 0; i < 200; i++) {
+        double point[3], place[3], length = 0;
+        for (int j = 0; j < 3; j++)
+            point[j] = place[j] = 2 * random_unit(seed) - 1, length += point[j] * point[j];
+        int32_t status = sp_project_point(&sphere_surface, point, place);
+        CHECK(status == SP_CONVERGED, "sphere: status %d", status);
+        for (int j = 0; j < 3; j++)
+            CHECK(fabs(place[j] - point[j] / sqrt(length)) <= 1e-12, "sphere: %g", place[j] - point[j] / sqrt(length));
+        double u = random_unit(seed) - 0.5, v = random_unit(seed) - 0.5, up = 0.05 * random_unit(seed),
+               normal = sqrt(1 + 4 * u * u + 4 * v * v);
+        double above[3] = {u - 2 * u * up / normal, v + 2 * v * up / normal, u * u - v * v + up / normal}, found[3] = {u + 0.2, v - 0.1, 0};
+        status = sp_project_point(&saddle_surface, above, found);
+        CHECK(status == SP_CONVERGED && fabs(found[0] - u) <= 1e-9 && fabs(found[1] - v) <= 1e-9, "saddle: status %d, %g %g", status,
+              found[0] - u, found[1] - v);
+    }
+}
+
+int main(void) {
+    arena = (struct sp_arena){aligned_alloc(16, 1 << 22), 1 << 22, 0};
+    uint64_t seed = 77;
+    struct sp_request on_globe = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0}, on_sphere = {{1, 0, 0}, {0, 1, 0}, NULL, 0, 0};
+    check_great_circle(&globe_surface, on_globe, acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));
+    check_great_circle(&sphere_surface, on_sphere, acos(0.0));
+    check_escape();
+    const struct sp_surface *surfaces[] = {&saddle_surface, &bumpy_surface, &globe_surface, &torus_surface};
+    for (int i = 0; i < 400; i++)
+        check_reversal(surfaces[i % 4], &seed);
+    double start[6] = {0.1, -0.7, 1, 0, 1.4, 0.9};
+    check_arena(&globe_surface, on_globe, 0);
+    check_arena(&sphere_surface, on_sphere, 1);
+    check_arena(&globe_surface, (struct sp_request){{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0}, 1);
+    check_hostile();
+    check_projection(&seed);
+    free(arena.base);
+    return checks_failed();
+}

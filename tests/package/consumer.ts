@@ -1,0 +1,27 @@
+// A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
+import { ExpressionError, load } from 'surfpath';
+import { load as loadSlim } from 'surfpath/slim';
+
+const surfpath = await load();
+const torus = surfpath.implicit({ f: '(sqrt(x^2 + y^2) - R)^2 + z^2 - 1', parameters: { R: 3 } });
+const path = torus.shortestPath([4, 0, 0], [0, 3, 1], { points: 100, start: 'straight' });
+const length: number = path.length;
+const points: Float64Array = path.points;
+const converged: boolean = path.converged;
+const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
+slim.dispose();
+
+try {
+  surfpath.parametric({ x: 'u', y: 'v', z: 'sin u', u: [0, 1], v: [0, 1] });
+} catch (error) {
+  if (error instanceof ExpressionError) console.log(error.source, error.index.toFixed());
+}
+
+// @ts-expect-error: no such status
+export const impossible = path.status === 'perfect';
+// @ts-expect-error: a point is numbers
+torus.shortestPath('4, 0, 0', [0, 3, 1]);
+// @ts-expect-error: an implicit surface needs f
+surfpath.implicit({ bounds: [[-1, 1], [-1, 1], [-1, 1]] });
+
+export { converged, length, points };

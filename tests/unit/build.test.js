@@ -1,0 +1,65 @@
+// What was built keeps its promises: sizes, imports, exports, symbols, dependencies.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { build } from 'esbuild';
+import inlined from '../../dist/wasm.js';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const wasm = readFileSync(`${root}/dist/surfpath.wasm`);
+const module = new WebAssembly.Module(wasm);
+
+test('surfpath.wasm is at most 60 KB', () => {
+  assert.ok(wasm.length <= 60 * 1024, `${wasm.length} bytes`);
+});
+
+test('the JavaScript without the wasm is at most 20 KB gzipped', async () => {
+  const { outputFiles } = await build({
+    absWorkingDir: root,
+    entryPoints: ['web/index.js'],
+    external: ['*/dist/wasm.js', 'node:*'],
+    bundle: true,
+    minify: true,
+    format: 'esm',
+    write: false,
+  });
+  const bytes = gzipSync(outputFiles[0].contents, { level: 9 }).length;
+  assert.ok(bytes <= 20 * 1024, `${bytes} bytes`);
+});
+
+test('surfpath.wasm imports nothing but the news of memory growth', () => {
+  const imports = WebAssembly.Module.imports(module).map((entry) => `${entry.module}.${entry.name}`);
+  assert.deepEqual(
+    imports.filter((name) => name !== 'env.emscripten_notify_memory_growth'),
+    [],
+  );
+});
+
+test('surfpath.wasm exports the names in surfpath.exports, its memory and its table', () => {
+  const exported = WebAssembly.Module.exports(module).map((entry) => entry.name);
+  const wanted = readFileSync(`${root}/wasm/surfpath.exports`, 'utf8').trim().split('\n');
+  const others = ['_initialize', 'memory', '__indirect_function_table'];
+  const missing = [...wanted, ...others].filter((name) => !exported.includes(name));
+  assert.deepEqual(missing, []);
+});
+
+test('the inlined bytes are surfpath.wasm', () => {
+  assert.ok(wasm.equals(inlined));
+});
+
+test('the core calls no library function but memcpy, memmove and memset, so no libm', () => {
+  const core = `${root}/build/native/core.o`;
+  const names = execFileSync('nm', ['--undefined-only', '--format=just-symbols', core], { encoding: 'utf8' }).trim().split('\n');
+  const foreign = names.filter((name) => !/^(memcpy|memmove|memset|_GLOBAL_OFFSET_TABLE_|)$/.test(name));
+  assert.deepEqual(foreign, []);
+});
+
+test('there are no run-time dependencies', () => {
+  const { dependencies, peerDependencies = {}, peerDependenciesMeta = {} } = JSON.parse(readFileSync(`${root}/package.json`, 'utf8'));
+  assert.equal(dependencies, undefined);
+  const required = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
+  assert.deepEqual(required, []);
+});

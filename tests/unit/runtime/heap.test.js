@@ -1,0 +1,25 @@
+/** The layout of structs in web/runtime/heap.js against the offsets that the compiler asserts in wasm/surfpath.h, and the status words against wasm/status.h. */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { STATUS } from '../../../web/path.js';
+import { LAYOUT } from '../../../web/runtime/heap.js';
+
+const read = (/** @type {string} */ name) => readFileSync(new URL(`../../../wasm/${name}`, import.meta.url), 'utf8');
+
+test('structs lie where the compiler puts them', () => {
+  /** @type {Record<string, Record<string, number>>} */
+  const asserted = {};
+  for (const [, name, bytes] of read('surfpath.h').matchAll(/^SP_SIZE\((\w+), (\d+)\);/gm)) asserted[name] = { bytes: Number(bytes) };
+  for (const [, name, field, offset] of read('surfpath.h').matchAll(/^SP_AT\((\w+), (\w+), (\d+)\);/gm))
+    asserted[name][field] = Number(offset);
+  assert.deepEqual(LAYOUT, asserted);
+});
+
+test('statuses have the numbers and the words of the core', () => {
+  const words = [...read('status.h').matchAll(/SP_(\w+) = (-?\d+)/g)].map(([, word, code]) => [
+    Number(code),
+    word.toLowerCase().replaceAll('_', '-'),
+  ]);
+  assert.deepEqual(new Map([...STATUS].sort()), new Map(/** @type {[number, any][]} */ (words).sort()));
+});

@@ -1,0 +1,47 @@
+/* What the solver knows of a surface near a node, whatever its kind: a second-order chart, and how to move along it.
+ *
+ * The chart of a node is S(a) = X + B_1 a_1 + B_2 a_2 + (S_11 a_1^2 + 2 S_12 a_1 a_2 + S_22 a_2^2)/2 + …: parametric, a = (du, dv);
+ * implicit, a = coordinates in an orthonormal tangent frame, S_ab along the normal. `place` is what is stored of a node: u v or x y z.
+ * Adding a kind of surface means one more struct sp_kind. */
+#ifndef SURFPATH_CHART_H
+#define SURFPATH_CHART_H
+
+#include "surface.h"
+#include "vector.h"
+
+/* Layout of a chart, in sp_pair: X, B_1, B_2, S_11, S_12, S_22, three each. */
+enum { SP_CHART_X = 0, SP_CHART_1 = 3, SP_CHART_2 = 6, SP_CHART_11 = 9, SP_CHART_12 = 12, SP_CHART_22 = 15, SP_CHART = 18 };
+
+struct sp_kind {
+    int32_t dimension; /* numbers of a place */
+
+    /* Writes the charts of `pair_count` pairs of places. */
+    void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts);
+
+    /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
+     * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
+     * then not to be used. */
+    int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *steps,
+                const sp_mask *straight, double scale, sp_pair *moved);
+};
+
+extern const struct sp_kind sp_parametric_kind;
+extern const struct sp_kind sp_implicit_kind;
+
+static inline const struct sp_kind *sp_kind_of(const struct sp_surface *surface) {
+    return surface->kind == SP_IMPLICIT ? &sp_implicit_kind : &sp_parametric_kind;
+}
+
+/* B_1 x B_2, normal to the surface. */
+static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
+    return sp_cross(sp_load(chart + SP_CHART_1), sp_load(chart + SP_CHART_2));
+}
+
+/* Implicit: moves points onto f = 0 by Eq. 37, X <- X - f grad f / |grad f|^2, until the step is lost in rounding, at most 12 times.
+ * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
+int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
+
+/* Parametric: places moved into the closed rectangle. */
+void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);
+
+#endif

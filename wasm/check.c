@@ -1,0 +1,180 @@
+/* Chords against the surface: sheets, singular curves, length. Independent of how the path was found. MATH.md, "Checks". */
+#include "check.h"
+
+/* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
+static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
+enum { BISECTIONS = 60 };
+
+/* Two neighbouring nodes, scalar: their places, positions and normals. */
+struct chord {
+    double place[2][3], at[2][3], normal[2][3];
+};
+
+static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double distance(const double a[3], const double b[3]) {
+    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return root(dot(d, d));
+}
+
+static void read_node(const struct sp_polyline *line, int32_t i, struct chord *chord, int end) {
+    int32_t pair = sp_fold_pair(line->fold, i);
+    int lane = sp_fold_lane(line->fold, i), dimension = line->kind->dimension;
+    const sp_pair *chart = line->nodes.charts + SP_CHART * pair;
+    struct sp_vector normal = sp_chart_normal(chart);
+    for (int j = 0; j < dimension; j++)
+        chord->place[end][j] = line->nodes.places[dimension * pair + j][lane];
+    for (int j = 0; j < 3; j++)
+        chord->at[end][j] = chart[j][lane];
+    chord->normal[end][0] = normal.x[lane], chord->normal[end][1] = normal.y[lane], chord->normal[end][2] = normal.z[lane];
+}
+
+static enum sp_status check_implicit(const struct sp_polyline *line, const struct chord *chord, double scale) {
+    double length = distance(chord->at[0], chord->at[1]);
+    double cosine =
+        dot(chord->normal[0], chord->normal[1]) / root(dot(chord->normal[0], chord->normal[0]) * dot(chord->normal[1], chord->normal[1]));
+    sp_pair middle[3];
+    double half[3], settled[3];
+    for (int j = 0; j < 3; j++)
+        half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = sp_splat(half[j]);
+    if (!(cosine >= LEAST_COSINE) || !sp_implicit_settle(line->surface, 1, middle, scale)) return SP_SHEET_JUMP;
+    for (int j = 0; j < 3; j++)
+        settled[j] = middle[j][0];
+    return distance(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
+}
+
+/* The chart of one point of a parametric surface, and its normal. */
+static void chart_at(const struct sp_polyline *line, double u, double v, sp_pair *chart, double normal[3]) {
+    sp_pair place[2] = {sp_splat(u), sp_splat(v)};
+    line->kind->charts(line->surface, 1, place, chart);
+    struct sp_vector n = sp_chart_normal(chart);
+    normal[0] = n.x[0], normal[1] = n.y[0], normal[2] = n.z[0];
+}
+
+/* The normal turns over between two nodes: is it zero where it does? Bisection on the sign of N . N_0. */
+static enum sp_status check_fold(const struct sp_polyline *line, const struct chord *chord) {
+    double low = 0, high = 1, first = root(dot(chord->normal[0], chord->normal[0])), second = root(dot(chord->normal[1], chord->normal[1]));
+    double least = first < second ? first : second, largest = first > second ? first : second;
+    for (int i = 0; i < BISECTIONS; i++) {
+        double t = 0.5 * (low + high), normal[3];
+        sp_pair chart[SP_CHART];
+        chart_at(line, chord->place[0][0] + t * (chord->place[1][0] - chord->place[0][0]),
+                 chord->place[0][1] + t * (chord->place[1][1] - chord->place[0][1]), chart, normal);
+        double length = root(dot(normal, normal));
+        if (length < least) least = length;
+        if (dot(normal, chord->normal[0]) > 0)
+            low = t;
+        else
+            high = t;
+    }
+    return least <= VANISHING * largest ? SP_SINGULAR_METRIC : SP_STALLED;
+}
+
+/* |S_u u + S_v v|^2 in one lane of a chart. */
+static double chart_speed_squared(const sp_pair *chart, int lane, double u, double v) {
+    double velocity[3];
+    for (int j = 0; j < 3; j++)
+        velocity[j] = chart[SP_CHART_1 + j][lane] * u + chart[SP_CHART_2 + j][lane] * v;
+    return dot(velocity, velocity);
+}
+
+static double speed_squared(const struct sp_polyline *line, int32_t i, double u, double v) {
+    return chart_speed_squared(line->nodes.charts + SP_CHART * sp_fold_pair(line->fold, i), sp_fold_lane(line->fold, i), u, v);
+}
+
+/* S_u and S_v are parallel, up to rounding, whatever the units of u and v; at the ends of a path (a pole) this is harmless. */
+static int is_degenerate(const struct sp_polyline *line, int32_t i, const struct chord *chord) {
+    double e = speed_squared(line, i, 1, 0), g = speed_squared(line, i, 0, 1);
+    return i > 0 && !(dot(chord->normal[0], chord->normal[0]) > DEGENERATE * e * g);
+}
+
+/* The middle of the parameter segment must be near the middle of the chord, and the segment about as long as the chord: else it goes around
+ * somewhere. */
+static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i, const struct chord *chord, double scale) {
+    if (is_degenerate(line, i, chord)) return SP_SINGULAR_METRIC;
+    if (dot(chord->normal[0], chord->normal[1]) < 0) return check_fold(line, chord);
+    double u = chord->place[1][0] - chord->place[0][0], v = chord->place[1][1] - chord->place[0][1], normal[3], half[3], middle[3];
+    sp_pair chart[SP_CHART];
+    chart_at(line, 0.5 * (chord->place[0][0] + chord->place[1][0]), 0.5 * (chord->place[0][1] + chord->place[1][1]), chart, normal);
+    for (int j = 0; j < 3; j++)
+        half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
+    double length = distance(chord->at[0], chord->at[1]), rounding = 1e-14 * scale;
+    double along =
+        (root(speed_squared(line, i, u, v)) + 4 * root(chart_speed_squared(chart, 0, u, v)) + root(speed_squared(line, i + 1, u, v))) / 6;
+    if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
+    if (distance(half, middle) > LARGEST_SAGITTA * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
+    return SP_CONVERGED;
+}
+
+enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
+    enum sp_status worst = SP_CONVERGED;
+    struct chord chord;
+    read_node(line, 0, &chord, 0);
+    for (int32_t i = 0; i <= line->fold.inner; i++) {
+        read_node(line, i + 1, &chord, 1);
+        enum sp_status status =
+            line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
+        if (status < 0) return status;
+        if (status > worst) worst = status;
+        for (int j = 0; j < 3; j++)
+            chord.place[0][j] = chord.place[1][j], chord.at[0][j] = chord.at[1][j], chord.normal[0][j] = chord.normal[1][j];
+    }
+    return worst;
+}
+
+double sp_check_length(const struct sp_polyline *line) {
+    sp_pair sum = sp_splat(0.0);
+    const sp_pair *charts = line->nodes.charts;
+    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
+        struct sp_vector chord = sp_subtract(sp_load(charts + SP_CHART * k), sp_load(charts + SP_CHART * (k - 1)));
+        sum += sp_square_root(sp_dot(chord, chord));
+    }
+    double length = sum[0] + sum[1];
+    if (line->fold.odd) return length;
+    struct sp_vector here = sp_load(charts + SP_CHART * line->fold.both), middle = sp_subtract(here, sp_swap_vector(here));
+    return length + root(sp_dot(middle, middle)[0]);
+}
+
+/* (2 a^2 - a b + 2 b^2)/30 of the chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
+ */
+static double angle_correction(const struct chord *chord) {
+    double length = distance(chord->at[0], chord->at[1]), angle[2];
+    if (!(length > 0)) return 0;
+    for (int end = 0; end < 2; end++) {
+        double along[3];
+        for (int j = 0; j < 3; j++)
+            along[j] = chord->at[1][j] - chord->at[0][j];
+        double normal = root(dot(chord->normal[end], chord->normal[end]));
+        angle[end] = normal > 0 ? dot(along, chord->normal[end]) / (normal * length) : 0;
+    }
+    return length * (2 * angle[0] * angle[0] - angle[0] * angle[1] + 2 * angle[1] * angle[1]) / 30;
+}
+
+/* A third of what the polyline through every second node is shorter. */
+static double halving_error(const struct sp_polyline *line, double length) {
+    double sum = 0, before[3], here[3];
+    int32_t last = line->fold.inner + 1;
+    for (int32_t i = 0; i <= last; i += i + 2 > last && i < last ? 1 : 2) {
+        for (int32_t j = 0; j < 3; j++)
+            here[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
+        sum += i ? distance(here, before) : 0;
+        for (int j = 0; j < 3; j++)
+            before[j] = here[j];
+    }
+    return (length - sum) / 3;
+}
+
+double sp_check_length_error(const struct sp_polyline *line, int touches) {
+    struct chord chord;
+    double length = sp_check_length(line), error = 0, least = 4e-15 * length;
+    read_node(line, 0, &chord, 0);
+    for (int32_t i = 0; i <= line->fold.inner; i++) {
+        read_node(line, i + 1, &chord, 1);
+        error += angle_correction(&chord);
+        for (int j = 0; j < 3; j++)
+            chord.at[0][j] = chord.at[1][j], chord.normal[0][j] = chord.normal[1][j];
+    }
+    double halved = touches ? halving_error(line, length) : 0;
+    if (halved > error) error = halved;
+    return error > least ? error : least;
+}

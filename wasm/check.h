@@ -1,0 +1,21 @@
+/* Does the polyline tell the truth about the surface under its chords? Every chord is looked at in its middle. MATH.md, "Checks". */
+#ifndef SURFPATH_CHECK_H
+#define SURFPATH_CHECK_H
+
+#include "polyline.h"
+#include "status.h"
+
+/* SP_CONVERGED if every chord follows the surface; else SP_SHEET_JUMP (implicit: a chord leads to another sheet), SP_SINGULAR_METRIC
+ * (parametric: the path crosses a curve where S_u x S_v vanishes), SP_STALLED (parametric: a chord is too long to tell, or jumps where the
+ * surface overlaps itself), SP_NOT_FINITE. */
+enum sp_status sp_check_chords(const struct sp_polyline *line, double scale);
+
+/* Estimate of |length of the chords - length of the geodesic|, from the angles between chords and tangent planes; on a path that touches a
+ * wall
+ * (`touches`) also from the polyline through every second node. At least 4e-15 of the length. */
+double sp_check_length_error(const struct sp_polyline *line, int touches);
+
+/* Sum of the chords. */
+double sp_check_length(const struct sp_polyline *line);
+
+#endif

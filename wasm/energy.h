@@ -1,0 +1,30 @@
+/* The discrete energy of a polyline, E = (n + 1) sum |X_i+1 - X_i|^2 (the paper's Eq. 19), its exact gradient and Hessian. MATH.md,
+ * "Energy".
+ *
+ * Everything here is divided by 2 (n + 1): half the sum of squared chords, whose gradient at a node is B'(2 X_i - X_i-1 - X_i+1). */
+#ifndef SURFPATH_ENERGY_H
+#define SURFPATH_ENERGY_H
+
+#include "blocks.h"
+
+/* The Hessian's curvature term at a node. */
+enum sp_hessian {
+    SP_COVARIANT, /* (D.N)(S_ab.N)/(N.N): Riemannian, the derivative along geodesics of the surface */
+    SP_COORDINATE /* D.S_ab: along straight lines of the parameters */
+};
+
+struct sp_energy {
+    double squares;          /* sum of squared chords: E = (n + 1) squares */
+    double gradient_squared; /* sum of squares of the scaled gradient, active coordinates left out */
+    int32_t active;          /* coordinates held at a wall */
+};
+
+/* sum |X_i+1 - X_i|^2 */
+double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts);
+
+/* Assembles gradient and Hessian into `rows` (1 … sp_fold_unknown). Coordinates that lie on a wall of the surface's rectangle and are
+ * pushed outwards are active: their rows become the identity and their node takes the coordinate Hessian; `straight`, a mask a pair, is set
+ * at such nodes (everywhere with SP_COORDINATE). */
+struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_hessian hessian, struct sp_row *rows, sp_mask *straight);
+
+#endif

@@ -1,0 +1,127 @@
+/* Sine, cosine and tangent.
+ *
+ * The argument is reduced by the nearest multiple of pi/2 to |r| <= pi/4, in three parts after Cody and Waite; the few that this does not
+ * reduce well enough (large, or next to a multiple of pi/2) go through the integer product with 2/pi of Payne and Hanek. */
+#include "functions_wide.h"
+
+/* Up to here the integer multiple has at most 19 bits, and its products with the first two parts of pi/2 are exact. */
+#define REDUCED_EASILY 0x1p19
+/* |r| below this share of the multiple: the third part of pi/2 is too short for it. */
+#define TOO_CLOSE 0x1p-64
+
+/* x = (quadrant + 4 n) pi/2 + high + low. Only the two lowest bits of the quadrant count. */
+struct reduced_angle {
+    sp_pair high, low;
+    sp_word quadrant;
+};
+
+/* The upper half of the 128 bits of a b. */
+static uint64_t multiply_high(uint64_t a, uint64_t b) {
+    uint64_t a_high = a >> 32, a_low = a & UINT32_MAX, b_high = b >> 32, b_low = b & UINT32_MAX;
+    uint64_t middle = a_high * b_low + (a_low * b_low >> 32);
+    uint64_t carried = a_low * b_high + (middle & UINT32_MAX);
+    return a_high * b_high + (middle >> 32) + (carried >> 32);
+}
+
+/* The 64 bits of 2/pi that begin `position` bits into the table. */
+static uint64_t bits_of_two_over_pi(uint64_t position) {
+    const uint64_t *word = sp_constants.two_over_pi_words + position / 64;
+    uint64_t shift = position % 64;
+    return word[0] << shift | word[1] >> 1 >> (63 - shift);
+}
+
+/* x = m 2^e; of 2/pi only the bits that make m 2^e 2/pi differ by less than 4 are multiplied, 192 of them, which is 128 right ones in the
+ * product and 64 more than the closest double to a multiple of pi/2 cancels. For finite x >= 1/2. */
+static struct reduced_angle reduce_positive(double x) {
+    uint64_t bits = sp_word_of(sp_splat(x))[0];
+    uint64_t mantissa = (bits & 0xfffffffffffff) | 0x10000000000000, position = (bits >> 52) - 1075 + 62;
+    uint64_t carried = multiply_high(mantissa, bits_of_two_over_pi(position + 128));
+    uint64_t low = mantissa * bits_of_two_over_pi(position + 64) + carried;
+    uint64_t high =
+        mantissa * bits_of_two_over_pi(position) + multiply_high(mantissa, bits_of_two_over_pi(position + 64)) + (low < carried);
+
+    uint64_t fraction = high << 2 | low >> 62;
+    double upper = (double)(int64_t)(fraction & ~(uint64_t)0x7ff);
+    double lower = (double)(fraction & 0x7ff) + (double)(low << 2) * 0x1p-64;
+    struct sp_wide turns = sp_add_smaller(sp_splat(upper), sp_splat(lower));
+    struct sp_wide angle = sp_wide_multiply(turns, sp_constants.half_pi);
+    uint64_t quadrant = (high + ((uint64_t)1 << 61)) >> 62;
+    return (struct reduced_angle){angle.high * 0x1p-64, angle.low * 0x1p-64, (sp_word){quadrant, quadrant}};
+}
+
+/* Kept out of line: rare, and it would crowd the registers of the common way. */
+__attribute__((noinline, cold)) static void reduce_lane(struct reduced_angle *angle, double x, int lane) {
+    double magnitude = sp_absolute(sp_splat(x))[0];
+    if (!(magnitude < SP_INFINITY)) {
+        angle->high[lane] = SP_NAN;
+        return;
+    }
+    struct reduced_angle reduced = reduce_positive(magnitude);
+    angle->high[lane] = x < 0 ? -reduced.high[0] : reduced.high[0];
+    angle->low[lane] = x < 0 ? -reduced.low[0] : reduced.low[0];
+    angle->quadrant[lane] = x < 0 ? 0 - reduced.quadrant[0] : reduced.quadrant[0];
+}
+
+static inline struct reduced_angle reduce(sp_pair x) {
+    const sp_pair *parts = sp_constants.half_pi_parts;
+    sp_pair shifted = x * sp_constants.two_over_pi + SP_ROUNDER;
+    sp_pair multiple = shifted - SP_ROUNDER;
+    sp_pair first = x - multiple * parts[0];
+    sp_pair second = first - multiple * parts[1];
+    sp_pair lost = (first - second) - multiple * parts[1];
+    sp_pair third = multiple * parts[2] - lost;
+    sp_pair high = second - third;
+    struct reduced_angle angle = {high, (second - high) - third, sp_word_of(shifted)};
+
+    sp_mask hard = ~((sp_absolute(x) < REDUCED_EASILY) & (sp_absolute(high) >= sp_absolute(multiple) * TOO_CLOSE));
+    if (sp_any(hard)) {
+        for (int lane = 0; lane < 2; lane++) {
+            if (hard[lane]) reduce_lane(&angle, x[lane], lane);
+        }
+    }
+    return angle;
+}
+
+/* sin and cos of high + low. The order of the sums keeps what rounding loses below a tenth of an ulp, and the sign of zero. */
+static inline sp_pair reduced_sine(const struct reduced_angle *angle) {
+    sp_pair x = angle->high, square = x * x, cube = square * x;
+    sp_pair tail = square * (0.5 * angle->low - cube * sp_polynomial(square, sp_constants.sine + 1, 5)) - angle->low;
+    return x - (tail - cube * sp_constants.sine[0]);
+}
+
+static inline sp_pair reduced_cosine(const struct reduced_angle *angle) {
+    sp_pair square = angle->high * angle->high, half = 0.5 * square, head = 1.0 - half;
+    sp_pair tail = square * (square * sp_polynomial(square, sp_constants.cosine, 6)) - angle->high * angle->low;
+    return head + (((1.0 - head) - half) + tail);
+}
+
+static inline sp_mask is_odd(sp_word quadrant) { return (sp_mask)(0 - (quadrant & 1)); }
+
+static inline sp_pair sine_and_cosine(sp_pair x, sp_pair *cosine) {
+    struct reduced_angle angle = reduce(x);
+    sp_pair s = reduced_sine(&angle), c = reduced_cosine(&angle);
+    sp_mask odd = is_odd(angle.quadrant);
+    sp_word sine_sign = (angle.quadrant & 2) << 62, cosine_sign = ((angle.quadrant + 1) & 2) << 62;
+    *cosine = sp_pair_of(sp_word_of(sp_select(odd, s, c)) ^ cosine_sign);
+    return sp_pair_of(sp_word_of(sp_select(odd, c, s)) ^ sine_sign);
+}
+
+sp_pair sp_sincos(sp_pair x, sp_pair *cosine) { return sine_and_cosine(x, cosine); }
+
+sp_pair sp_sin(sp_pair x) {
+    sp_pair cosine;
+    return sine_and_cosine(x, &cosine);
+}
+
+sp_pair sp_cos(sp_pair x) {
+    sp_pair cosine;
+    sine_and_cosine(x, &cosine);
+    return cosine;
+}
+
+sp_pair sp_tan(sp_pair x) {
+    struct reduced_angle angle = reduce(x);
+    sp_pair s = reduced_sine(&angle), c = reduced_cosine(&angle);
+    sp_mask odd = is_odd(angle.quadrant);
+    return sp_select(odd, -c, s) / sp_select(odd, s, c);
+}

@@ -1,0 +1,103 @@
+/* What the files of the elementary functions share: their constants, polynomials, and "wide" numbers (sums of two doubles, about 106 bits).
+ *
+ * Private to wasm/functions*.c. Nothing here uses a fused multiply-add, so the bits are the same on machines with and without one. */
+#ifndef SURFPATH_FUNCTIONS_WIDE_H
+#define SURFPATH_FUNCTIONS_WIDE_H
+
+#include "functions.h"
+
+/* Bit patterns without a sign, so that shifts are defined and logical. */
+typedef uint64_t sp_word __attribute__((vector_size(16)));
+
+/* The unevaluated sum high + low, |low| <= ulp(high)/2, in both lanes. */
+struct sp_wide {
+    sp_pair high, low;
+};
+
+/* Each number twice, ready to be loaded. Coefficients stand in the order of rising powers; their origin is named in functions_constants.c.
+ */
+struct sp_function_constants {
+    sp_pair two_over_pi;
+    sp_pair half_pi_parts[3];
+    struct sp_wide half_pi, pi, arctangent_half;
+    sp_pair sine[6], cosine[6];
+    sp_pair arcsine_numerator[6], arcsine_denominator[5];
+    sp_pair arctangent[10];
+    sp_pair inverse_ln2, ln2_high, ln2_low;
+    sp_pair exponential[11];
+    sp_pair hyperbolic_sine[8];
+    sp_pair hyperbolic_tangent_numerator[3], hyperbolic_tangent_denominator[4];
+    sp_pair logarithm[7];
+    sp_pair wide_logarithm[8];
+    struct sp_wide two_thirds;
+    sp_pair cube_root[5];
+    uint64_t two_over_pi_words[21];
+};
+
+/* Loaded from memory on purpose: V8 rebuilds vector constants that the compiler sees at every use. */
+extern const struct sp_function_constants sp_constants;
+
+/* Adding this to |x| < 2^51 rounds x to the nearest integer, ties to even, and leaves that integer in the low bits. */
+#define SP_ROUNDER 0x1.8p52
+
+#define SP_INFINITY __builtin_inf()
+#define SP_NAN __builtin_nan("")
+
+/* Short fixed loops of this header are always unrolled, also where the build asks for small code: a polynomial's degree is known. */
+#ifdef __clang__
+#define SP_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define SP_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+static inline sp_word sp_word_of(sp_pair x) { return (sp_word)x; }
+
+static inline sp_pair sp_pair_of(sp_word bits) { return (sp_pair)bits; }
+
+static inline sp_pair sp_nearest_integer(sp_pair x) { return (x + SP_ROUNDER) - SP_ROUNDER; }
+
+/* `magnitude` >= 0 with the sign of `sign`. */
+static inline sp_pair sp_with_sign_of(sp_pair magnitude, sp_pair sign) {
+    return sp_pair_of(sp_word_of(magnitude) | (sp_word_of(sign) & (uint64_t)INT64_MIN));
+}
+
+/* coefficients[0] + coefficients[1] x + ... up to x^(count - 1). */
+static inline sp_pair sp_polynomial(sp_pair x, const sp_pair *coefficients, int count) {
+    sp_pair sum = coefficients[count - 1];
+    SP_UNROLL for (int i = count - 2; i >= 0; i--) { sum = sum * x + coefficients[i]; }
+    return sum;
+}
+
+/* a + b exactly, for |a| >= |b| or a = 0. */
+static inline struct sp_wide sp_add_smaller(sp_pair a, sp_pair b) {
+    sp_pair sum = a + b;
+    return (struct sp_wide){sum, (a - sum) + b};
+}
+
+/* a b to 2^-105, for products and factors that neither overflow nor are subnormal. Factors are cut to their upper 26 bits instead of by
+ * Dekker's multiplication with 2^27 + 1, which overflows for large ones. */
+static inline struct sp_wide sp_multiply_exactly(sp_pair a, sp_pair b) {
+    const uint64_t upper_half = ~(uint64_t)0x7ffffff;
+    sp_pair a_high = sp_pair_of(sp_word_of(a) & upper_half), a_low = a - a_high;
+    sp_pair b_high = sp_pair_of(sp_word_of(b) & upper_half), b_low = b - b_high;
+    sp_pair product = a * b;
+    return (struct sp_wide){product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+}
+
+/* a b to about 2^-102. */
+static inline struct sp_wide sp_wide_multiply(struct sp_wide a, struct sp_wide b) {
+    struct sp_wide product = sp_multiply_exactly(a.high, b.high);
+    return sp_add_smaller(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+/* a - b, for |a| >= |b|, to about 2^-104 of a. */
+static inline struct sp_wide sp_wide_subtract(struct sp_wide a, struct sp_wide b) {
+    struct sp_wide difference = sp_add_smaller(a.high, -b.high);
+    return (struct sp_wide){difference.high, difference.low + (a.low - b.low)};
+}
+
+static inline struct sp_wide sp_wide_select(sp_mask mask, struct sp_wide yes, struct sp_wide no) {
+    return (struct sp_wide){sp_select(mask, yes.high, no.high), sp_select(mask, yes.low, no.low)};
+}
+
+#endif

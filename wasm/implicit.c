@@ -1,0 +1,124 @@
+/* Implicit surfaces f(x,y,z) = 0: charts in orthonormal tangent frames, and the retraction of Eq. 37. MATH.md, "Charts".
+ *
+ * The paper composes the energy with the projection, which makes its Hessian singular along the normals; two tangent coordinates a node do
+ * not. */
+#include "chart.h"
+
+enum { BLOCK = 32, SETTLE_LIMIT = 12 };
+
+/* One tangent vector of a right-handed orthonormal frame with normal n; continuous except across n.z = 0. Duff et al., "Building an
+ * orthonormal basis, revisited", JCGT 6 (2017). */
+static void tangent_frame(struct sp_vector n, struct sp_vector *first, struct sp_vector *second) {
+    sp_pair sign = sp_from_bits((sp_bits(n.z) & INT64_MIN) | sp_bits(sp_splat(1.0)));
+    sp_pair a = -1.0 / (sign + n.z), b = n.x * n.y * a;
+    *first = (struct sp_vector){1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    *second = (struct sp_vector){b, sign + n.y * n.y * a, -n.y};
+}
+
+/* Second derivatives of f applied to a vector. */
+static struct sp_vector hessian_times(const sp_pair *second, struct sp_vector v) {
+    return (struct sp_vector){second[0] * v.x + second[1] * v.y + second[2] * v.z, second[1] * v.x + second[3] * v.y + second[4] * v.z,
+                              second[2] * v.x + second[4] * v.y + second[5] * v.z};
+}
+
+/* The largest of |x|, |y|, |z|: dividing by it first keeps |v|^2 from overflow and underflow. */
+static sp_pair magnitude(struct sp_vector v) {
+    sp_pair x = sp_absolute(v.x), y = sp_absolute(v.y), z = sp_absolute(v.z), largest = sp_select(x > y, x, y);
+    return sp_select(largest > z, largest, z);
+}
+
+/* S_ab = -(B_a' f'' B_b) grad f / |grad f|^2: differentiate f(S(a)) = 0 twice. */
+static void chart_from_jet(const sp_pair *place, const sp_pair *jet, sp_pair *chart) {
+    struct sp_vector gradient = sp_load(jet + 1), first, second;
+    sp_pair unit = 1.0 / magnitude(gradient);
+    gradient = sp_scale(gradient, unit);
+    sp_pair squared = sp_dot(gradient, gradient);
+    struct sp_vector toward = sp_scale(gradient, -unit / squared);
+    tangent_frame(sp_scale(gradient, 1.0 / sp_square_root(squared)), &first, &second);
+    struct sp_vector second_first = hessian_times(jet + 4, first);
+    sp_store(sp_load(place), chart + SP_CHART_X);
+    sp_store(first, chart + SP_CHART_1);
+    sp_store(second, chart + SP_CHART_2);
+    sp_store(sp_scale(toward, sp_dot(first, second_first)), chart + SP_CHART_11);
+    sp_store(sp_scale(toward, sp_dot(second, second_first)), chart + SP_CHART_12);
+    sp_store(sp_scale(toward, sp_dot(second, hessian_times(jet + 4, second))), chart + SP_CHART_22);
+}
+
+static void implicit_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts) {
+    sp_pair jets[SP_IMPLICIT_JET * BLOCK];
+    for (int32_t k = 0; k < pair_count; k += BLOCK) {
+        int32_t count = pair_count - k < BLOCK ? pair_count - k : BLOCK;
+        surface->jet(count, places + 3 * k, jets);
+        for (int32_t i = 0; i < count; i++)
+            chart_from_jet(places + 3 * (k + i), jets + SP_IMPLICIT_JET * i, charts + SP_CHART * (k + i));
+    }
+}
+
+/* How far a pair of points has come: lanes that still move, and their last step. */
+struct settling {
+    sp_mask moving;
+    sp_pair last;
+};
+
+/* One step of Eq. 37 for the lanes that still move; the others are left alone, so that no point depends on its neighbours. Settled: f = 0,
+ * the step is below 4e-15 of the size of things, or it has stopped shrinking below 1e-12 of it. */
+static void settle_pair(const sp_pair *values, double scale, sp_pair *place, struct settling *state) {
+    struct sp_vector gradient = sp_load(values + 1), at = sp_load(place);
+    sp_pair unit = magnitude(gradient);
+    gradient = sp_scale(gradient, 1.0 / unit);
+    struct sp_vector step = sp_scale(gradient, values[0] / unit / sp_dot(gradient, gradient)), next = sp_subtract(at, step);
+    sp_pair length = sp_square_root(sp_dot(step, step)), size = sp_square_root(sp_dot(at, at));
+    size = sp_select(size < sp_splat(scale), sp_splat(scale), size);
+    sp_mask exact = values[0] == sp_splat(0.0), moves = state->moving & ~exact;
+    place[0] = sp_select(moves, next.x, at.x);
+    place[1] = sp_select(moves, next.y, at.y);
+    place[2] = sp_select(moves, next.z, at.z);
+    state->moving = moves & ~((length < 4e-15 * size) | ((length >= state->last) & (length < 1e-12 * size)));
+    state->last = length;
+}
+
+static int settle_block(const struct sp_surface *surface, int32_t count, sp_pair *places, double scale) {
+    sp_pair values[SP_IMPLICIT_VALUES * BLOCK];
+    struct settling states[BLOCK];
+    for (int32_t i = 0; i < count; i++)
+        states[i] = (struct settling){{-1, -1}, sp_splat(__builtin_inf())};
+    int open = 1;
+    for (int round = 0; round < SETTLE_LIMIT && open; round++) {
+        surface->value(count, places, values);
+        open = 0;
+        for (int32_t i = 0; i < count; i++) {
+            settle_pair(values + SP_IMPLICIT_VALUES * i, scale, places + 3 * i, states + i);
+            open |= sp_any(states[i].moving);
+        }
+    }
+    return !open;
+}
+
+int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale) {
+    int settled = 1;
+    for (int32_t k = 0; k < pair_count; k += BLOCK)
+        settled &= settle_block(surface, pair_count - k < BLOCK ? pair_count - k : BLOCK, places + 3 * k, scale);
+    return settled;
+}
+
+/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
+static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                         const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
+    (void)straight;
+    for (int32_t k = 0; k < pair_count; k++) {
+        const sp_pair *chart = charts + SP_CHART * k;
+        struct sp_vector along = sp_add(sp_scale(sp_load(chart + SP_CHART_1), scale * steps[2 * k]),
+                                        sp_scale(sp_load(chart + SP_CHART_2), scale * steps[2 * k + 1]));
+        sp_store(sp_add(sp_load(places + 3 * k), along), moved + 3 * k);
+    }
+    if (!sp_implicit_settle(surface, pair_count, moved, surface->extent)) return 0;
+    int near = 1;
+    for (int32_t k = 0; k < pair_count; k++) {
+        struct sp_vector displacement = sp_subtract(sp_load(moved + 3 * k), sp_load(places + 3 * k)), place = sp_load(places + 3 * k);
+        sp_pair u = scale * steps[2 * k], v = scale * steps[2 * k + 1], rounding = 1e-14 * sp_square_root(sp_dot(place, place));
+        near &= !sp_any(sp_square_root(sp_dot(displacement, displacement)) > 2.0 * sp_square_root(u * u + v * v) + rounding);
+    }
+    return near;
+}
+
+const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, implicit_charts, implicit_move};

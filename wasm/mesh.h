@@ -1,0 +1,40 @@
+/* Triangle mesh of an implicit surface f = 0 inside a box: for drawing, and as the ground of a distance field.
+ *
+ * Marching tetrahedra on a body-centred cubic lattice: no ambiguous cases, so the mesh is always an oriented manifold, closed except where
+ * the box cuts the surface (there it ends flat). Its topology is that of the surface when the cells are small against its features. */
+#ifndef SURFPATH_MESH_H
+#define SURFPATH_MESH_H
+
+#include "arena.h"
+#include "status.h"
+#include "surface.h"
+
+enum { SP_MESH_MAX_RESOLUTION = 256 };
+
+/* The arrays lie in the arena that made them. */
+struct sp_mesh {
+    double *positions;    /* 3 a vertex: x y z */
+    double *normals;      /* 3 a vertex: grad f / |grad f|; where f is not differentiable, the direction in which f grows */
+    int32_t *indices;     /* 3 a triangle, counter-clockwise seen from the side where f > 0 */
+    int32_t vertex_count; /* every vertex is used by a triangle */
+    int32_t triangle_count;
+};
+
+/* Bytes of arena that sp_mesh_implicit needs to make this many vertices and triangles; with counts of 0, for its scratch alone, which is
+ * enough to learn the counts. `box` and `resolution` as there. */
+double sp_mesh_bytes(const double box[6], int32_t resolution, int32_t vertex_count, int32_t triangle_count);
+
+/* Meshes f = 0 inside a box.
+ *
+ * `value`: f, f_x, f_y, f_z at pairs of points (SP_IMPLICIT_VALUES). `box`: xmin xmax ymin ymax zmin zmax, each min < max. `resolution`:
+ * cells along the longest side, clamped to 1 … SP_MESH_MAX_RESOLUTION; on the other sides as many as keep the cells cubes as nearly as the
+ * box allows. f = 0 and NaN at a lattice point count as outside (f > 0), so a jump to NaN is walled off. Vertices satisfy f = 0 to
+ * rounding, wherever f is continuous.
+ *
+ * Takes exactly the arrays of `mesh` from the arena; its scratch, O(resolution^2), is given back. Returns SP_CONVERGED (no surface in the
+ * box: both counts 0), SP_NOT_FINITE (the box is empty, or not finite) or SP_OUT_OF_MEMORY: the arrays are then NULL, and the counts those
+ * that the mesh would have, or 0 where not even the scratch fits; a second call with sp_mesh_bytes of them succeeds. Cost: two evaluations
+ * of f at each of about 2 resolution^3 points of the cube, and about twelve a vertex. */
+int32_t sp_mesh_implicit(sp_evaluate value, const double box[6], int32_t resolution, struct sp_arena *arena, struct sp_mesh *mesh);
+
+#endif

@@ -1,0 +1,158 @@
+/* Bisection, then Newton steps along the gradient, a block of vertices at a time.
+ *
+ * A vertex that the projection loses (to another sheet, to a place without a gradient, to NaN) stays on its edge, where f does change sign.
+ * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. */
+#include "mesh_vertices.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+enum {
+    BLOCK = 64,     /* vertices */
+    BISECTIONS = 8, /* enough to see past an f that is far from linear on the edge */
+    BITS = 53,      /* bisections that exhaust a double */
+    PROJECTIONS = 8 /* Newton steps; most vertices need three */
+};
+
+/* Crossings are kept this part of an edge away from its ends until they are projected: without it a vertex of the lattice that lies almost
+ * on the surface is surrounded by needles. Smallest angle, one per cent of the angles below, mean, on genus 2 at resolution 48: 0.1, 0.3,
+ * 33 degrees for 0; 7.7, 12.7, 36.6 for 0.2; 10.4, 20.3, 39.8 for 0.3; 8.4, 24.5, 41.9 for 0.35. */
+static const double edge_margin = 0.3;
+
+/* A block of vertices on their way from the lattice edge to the surface. */
+struct block {
+    int32_t count;
+    double start[BLOCK][3], edge[BLOCK][3]; /* f < 0 at start, not at start + edge */
+    double freedom[BLOCK][3];               /* 0 along the axes in which the vertex is bound to a face of the box, else 1 */
+    double low[BLOCK], high[BLOCK];         /* part of the edge where f changes sign */
+    double at[BLOCK][3];
+    sp_pair in[BLOCK / 2 * SP_IMPLICIT_INPUTS], out[BLOCK / 2 * SP_IMPLICIT_VALUES];
+};
+
+static double component(const struct block *block, int32_t i, int number) { return block->out[i / 2 * SP_IMPLICIT_VALUES + number][i & 1]; }
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void evaluate_block(sp_evaluate value, struct block *block) {
+    for (int32_t i = 0; i < block->count + (block->count & 1); i++)
+        for (int axis = 0; axis < 3; axis++)
+            block->in[i / 2 * SP_IMPLICIT_INPUTS + axis][i & 1] = block->at[i < block->count ? i : i - 1][axis];
+    value((block->count + 1) / 2, block->in, block->out);
+}
+
+static void put_on_edge(struct block *block, int32_t i, double part) {
+    for (int axis = 0; axis < 3; axis++)
+        block->at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
+}
+
+/* Bisects `times` on the edges of the block; leaves `low` inside, `high` outside. */
+static void bisect(sp_evaluate value, struct block *block, int times) {
+    for (int step = 0; step < times; step++) {
+        for (int32_t i = 0; i < block->count; i++)
+            put_on_edge(block, i, 0.5 * (block->low[i] + block->high[i]));
+        evaluate_block(value, block);
+        for (int32_t i = 0; i < block->count; i++) {
+            double middle = 0.5 * (block->low[i] + block->high[i]);
+            if (component(block, i, 0) < 0)
+                block->low[i] = middle;
+            else
+                block->high[i] = middle;
+        }
+    }
+}
+
+/* Gradient of f at vertex i, as evaluated last, along its free axes. Returns f/|grad f|^2: the Newton step is minus that times the
+ * gradient. */
+static double newton_factor(const struct block *block, int32_t i, double gradient[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        gradient[axis] = block->freedom[i][axis] * component(block, i, axis + 1);
+    return component(block, i, 0) / dot(gradient, gradient);
+}
+
+/* Newton steps along the gradient, none longer than half the edge. Returns the number of vertices that the last one moved visibly. */
+static int32_t project(struct block *block) {
+    int32_t moving = 0;
+    for (int32_t i = 0; i < block->count; i++) {
+        double gradient[3], factor = newton_factor(block, i, gradient);
+        double reach = 0.25 * dot(block->edge[i], block->edge[i]), step = factor * factor * dot(gradient, gradient);
+        if (!(step <= reach)) factor = 0;
+        for (int axis = 0; axis < 3; axis++)
+            block->at[i][axis] -= factor * gradient[axis];
+        moving += step <= reach && step > 1e-28 * reach;
+    }
+    return moving;
+}
+
+/* True when vertex i came to rest on f = 0, not far from its edge, on the sheet that crosses it: f grows along the edge. */
+static bool settled(const struct block *block, int32_t i) {
+    double gradient[3], away[3], factor = newton_factor(block, i, gradient), edge = dot(block->edge[i], block->edge[i]);
+    for (int axis = 0; axis < 3; axis++)
+        away[axis] = block->at[i][axis] - block->start[i][axis] - block->low[i] * block->edge[i][axis];
+    return factor * factor * dot(gradient, gradient) <= 1e-20 * edge && dot(away, away) <= 0.25 * edge && dot(gradient, block->edge[i]) > 0;
+}
+
+static double clamp_part(double part) { return part < edge_margin ? edge_margin : part > 1 - edge_margin ? 1 - edge_margin : part; }
+
+/* Brings the vertices of a block onto the surface; those that projection loses stay on their edge, bisected to the last bit. */
+static void settle_block(sp_evaluate value, struct block *block) {
+    bisect(value, block, BISECTIONS);
+    for (int32_t i = 0; i < block->count; i++)
+        put_on_edge(block, i, clamp_part(0.5 * (block->low[i] + block->high[i])));
+    evaluate_block(value, block);
+    for (int step = 0; step < PROJECTIONS; step++) {
+        int32_t moving = project(block);
+        evaluate_block(value, block);
+        if (moving == 0) break;
+    }
+}
+
+static double length(const double a[3]) { return sp_square_root(sp_splat(dot(a, a)))[0]; }
+
+static void store_vertex(const struct block *block, int32_t i, double position[3], double normal[3]) {
+    double gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
+    double scale = length(gradient);
+    bool differentiable = scale > 0 && scale < 1e300;
+    const double *direction = differentiable ? gradient : block->edge[i];
+    scale = differentiable ? scale : length(block->edge[i]);
+    for (int axis = 0; axis < 3; axis++)
+        position[axis] = block->at[i][axis], normal[axis] = direction[axis] / scale;
+}
+
+static void place_block(sp_evaluate value, struct block *block, double *positions, double *normals) {
+    bool lost[BLOCK];
+    int32_t lost_count = 0;
+    settle_block(value, block);
+    for (int32_t i = 0; i < block->count; i++) {
+        lost[i] = !settled(block, i);
+        lost_count += lost[i];
+        if (!lost[i]) store_vertex(block, i, positions + 3 * i, normals + 3 * i);
+    }
+    if (lost_count == 0) return;
+    bisect(value, block, BITS - BISECTIONS);
+    for (int32_t i = 0; i < block->count; i++)
+        put_on_edge(block, i, block->low[i]);
+    evaluate_block(value, block);
+    for (int32_t i = 0; i < block->count; i++)
+        if (lost[i]) store_vertex(block, i, positions + 3 * i, normals + 3 * i);
+}
+
+static void prepare(struct block *block, int32_t i, const double box[6]) {
+    block->low[i] = 0, block->high[i] = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        bool on_face = block->start[i][axis] == box[2 * axis] || block->start[i][axis] == box[2 * axis + 1];
+        block->freedom[i][axis] = on_face && block->edge[i][axis] == 0 ? 0 : 1;
+    }
+}
+
+void sp_place_vertices(sp_evaluate value, const double box[6], struct sp_mesh *mesh) {
+    struct block block;
+    for (int32_t first = 0; first < mesh->vertex_count; first += BLOCK) {
+        size_t offset = 3 * (size_t)first;
+        block.count = mesh->vertex_count - first < BLOCK ? mesh->vertex_count - first : BLOCK;
+        memcpy(block.start, mesh->positions + offset, (size_t)block.count * sizeof block.start[0]);
+        memcpy(block.edge, mesh->normals + offset, (size_t)block.count * sizeof block.edge[0]);
+        for (int32_t i = 0; i < block.count; i++)
+            prepare(&block, i, box);
+        place_block(value, &block, mesh->positions + offset, mesh->normals + offset);
+    }
+}

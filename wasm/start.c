@@ -1,0 +1,117 @@
+/* First polylines: straight, or resampled from one that is given. MATH.md, "Starts". */
+#include "start.h"
+
+static double norm3(const double x[3]) { return sp_square_root(sp_splat(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))[0]; }
+
+double sp_start_scale(const struct sp_surface *surface, const struct sp_request *request) {
+    if (surface->extent > 0) return surface->extent;
+    double from = norm3(request->from), to = norm3(request->to);
+    return from > to ? from : to;
+}
+
+enum sp_status sp_start_end(const struct sp_surface *surface, double scale, double point[3]) {
+    int dimension = sp_kind_of(surface)->dimension;
+    for (int j = 0; j < dimension; j++)
+        if (!(point[j] - point[j] == 0)) return SP_NOT_FINITE;
+    if (surface->kind != SP_IMPLICIT) return SP_CONVERGED;
+    sp_pair place[3] = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(point[2])}, values[SP_IMPLICIT_VALUES];
+    surface->value(1, place, values);
+    if (!(values[0][0] - values[0][0] == 0)) return SP_NOT_FINITE;
+    if (sp_dot(sp_load(values + 1), sp_load(values + 1))[0] == 0) return SP_SINGULAR_METRIC;
+    if (!sp_implicit_settle(surface, 1, place, scale)) return SP_OFF_SURFACE;
+    double moved[3] = {place[0][0] - point[0], place[1][0] - point[1], place[2][0] - point[2]};
+    if (!(norm3(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;
+    for (int j = 0; j < 3; j++)
+        point[j] = place[j][0];
+    return SP_CONVERGED;
+}
+
+static void set_place(const struct sp_polyline *line, int32_t i, int j, double value) {
+    int32_t dimension = line->kind->dimension;
+    line->nodes.places[dimension * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = value;
+}
+
+/* The middle pair holds the middle node twice, or its neighbour's lanes exchanged. */
+static void complete(const struct sp_polyline *line) {
+    int32_t dimension = line->kind->dimension;
+    sp_pair *middle = line->nodes.places + dimension * (line->fold.both + 1);
+    sp_fold_mirror(line->fold, line->nodes.places, dimension);
+    if (line->fold.odd)
+        for (int j = 0; j < dimension; j++)
+            middle[j] = sp_splat(middle[j][0]);
+}
+
+static void straight_line(const struct sp_polyline *line, const double from[3], const double to[3]) {
+    int32_t last = line->fold.inner + 1;
+    for (int32_t i = 0; i <= last; i++)
+        for (int j = 0; j < line->kind->dimension; j++)
+            set_place(line, i, j, i == last ? to[j] : from[j] + ((double)i / last) * (to[j] - from[j]));
+}
+
+/* Positions of the given points, and the length of the polyline up to each. Returns the whole length. */
+static double measure(const struct sp_polyline *line, const struct sp_request *request, double *along) {
+    double before[3] = {0}, total = 0;
+    int dimension = line->kind->dimension;
+    for (int32_t i = 0; i < request->start_count; i++) {
+        sp_pair place[3] = {{0}}, position[SP_PARAMETRIC_VALUES];
+        for (int j = 0; j < dimension; j++)
+            place[j] = sp_splat(request->start[dimension * i + j]);
+        if (line->surface->kind == SP_PARAMETRIC)
+            line->surface->value(1, place, position);
+        else
+            sp_store(sp_load(place), position);
+        double here[3] = {position[0][0], position[1][0], position[2][0]};
+        double chord[3] = {here[0] - before[0], here[1] - before[1], here[2] - before[2]};
+        total += i ? norm3(chord) : 0;
+        along[i] = total;
+        for (int j = 0; j < 3; j++)
+            before[j] = here[j];
+    }
+    return total;
+}
+
+/* Node i at i/(n + 1) of the given polyline's length; the gap at either end is closed by a shift that fades along the path. */
+static void resample(const struct sp_polyline *line, const struct sp_request *request, const double *along, const double from[3],
+                     const double to[3]) {
+    int dimension = line->kind->dimension;
+    int32_t last = line->fold.inner + 1, segment = 0, end = request->start_count - 1;
+    const double *start = request->start;
+    for (int32_t i = 0; i <= last; i++) {
+        double t = (double)i / last, target = t * along[end];
+        while (segment < end - 1 && along[segment + 1] < target)
+            segment++;
+        double span = along[segment + 1] - along[segment], local = span > 0 ? (target - along[segment]) / span : t;
+        const double *a = start + dimension * segment, *b = a + dimension;
+        for (int j = 0; j < dimension; j++) {
+            double gap = (1 - t) * (from[j] - start[j]) + t * (to[j] - start[dimension * end + j]);
+            double value = i == 0 ? from[j] : i == last ? to[j] : a[j] + local * (b[j] - a[j]) + gap;
+            set_place(line, i, j, value);
+        }
+    }
+}
+
+/* Puts the nodes between the ends onto the surface, or into the rectangle. */
+static enum sp_status settle(const struct sp_polyline *line, double scale) {
+    int32_t unknown = sp_fold_unknown(line->fold);
+    if (line->surface->kind == SP_PARAMETRIC)
+        sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
+    else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, scale))
+        return SP_SHEET_JUMP;
+    complete(line);
+    return SP_CONVERGED;
+}
+
+enum sp_status sp_start_polyline(const struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
+                                 double scale, struct sp_arena *arena) {
+    if (request->start) {
+        double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
+        if (!along) return SP_OUT_OF_MEMORY;
+        double total = measure(line, request, along);
+        if (!(total - total == 0)) return SP_NOT_FINITE;
+        resample(line, request, along, from, to);
+    } else {
+        straight_line(line, from, to);
+    }
+    complete(line);
+    return settle(line, scale);
+}

@@ -1,0 +1,20 @@
+/* Where Newton starts: the ends put on the surface, and a first polyline between them. */
+#ifndef SURFPATH_START_H
+#define SURFPATH_START_H
+
+#include "polyline.h"
+#include "surfpath.h"
+
+/* A length beside which the coordinates of this surface and request are rounded: the box's diagonal, or the size of the ends. */
+double sp_start_scale(const struct sp_surface *surface, const struct sp_request *request);
+
+/* Implicit: moves a given point onto the surface, at most a tenth of `scale` away. Parametric: checks that it is finite. */
+enum sp_status sp_start_end(const struct sp_surface *surface, double scale, double point[3]);
+
+/* Fills line->nodes.places with n nodes between the ends: along the straight line of the places (implicit: of space, put onto the surface),
+ * or along request->start, resampled by length. `from` and `to` are the ends already put onto the surface. Needs arena for start_count
+ * points. */
+enum sp_status sp_start_polyline(const struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
+                                 double scale, struct sp_arena *arena);
+
+#endif

@@ -1,0 +1,42 @@
+/* The contract of a compiled surface: two function pointers and the layout of what they read and write.
+ *
+ * A surface in the browser is a generated WebAssembly module, in a native test a C function of the same type. Points are handed over in
+ * pairs (see pair.h): number j of the two points of pair k stands at data[stride * k + j] of an array of sp_pair, so that everything about
+ * a pair is contiguous and nothing is a large power of two apart. */
+#ifndef SURFPATH_SURFACE_H
+#define SURFPATH_SURFACE_H
+
+#include "pair.h"
+
+/* Evaluates `pair_count` pairs of points. `in` and `out` do not overlap and are aligned to 16 bytes. Never fails: outside the domain of an
+ * expression the numbers are NaN or infinite. */
+typedef void (*sp_evaluate)(int32_t pair_count, const sp_pair *in, sp_pair *out);
+
+enum sp_surface_kind { SP_PARAMETRIC = 0, SP_IMPLICIT = 1 };
+
+/* Parametric S(u,v): what `jet` and `value` read and write, per pair. */
+enum {
+    SP_PARAMETRIC_INPUTS = 2, /* u v */
+    SP_PARAMETRIC_VALUES = 3, /* x y z */
+    SP_PARAMETRIC_JET = 18    /* x y z, then the same three of S_u, S_v, S_uu, S_uv, S_vv */
+};
+
+/* Implicit f(x,y,z) = 0. */
+enum {
+    SP_IMPLICIT_INPUTS = 3, /* x y z */
+    SP_IMPLICIT_VALUES = 4, /* f, f_x f_y f_z */
+    SP_IMPLICIT_JET = 10    /* f, f_x f_y f_z, f_xx f_xy f_xz f_yy f_yz f_zz */
+};
+
+/* A surface as the solver sees it. */
+struct sp_surface {
+    sp_evaluate jet;   /* values, first and second derivatives */
+    sp_evaluate value; /* values (implicit: and the gradient): cheaper */
+    int32_t kind;      /* enum sp_surface_kind */
+    int32_t unused;
+    double lower[2]; /* parametric: closed rectangle of u and v; -inf and +inf in a direction without walls */
+    double upper[2];
+    double extent; /* implicit: diagonal of the box in which the surface is searched; 0: not known */
+};
+
+#endif

@@ -1,0 +1,143 @@
+/* surfpath: shortest paths on smooth surfaces. The exported functions and the structs that cross to JavaScript; reference manual of the
+ * core.
+ *
+ * The core is pure: it works in memory that the caller hands in, never allocates, prints, aborts or recurses, and leaves no state behind.
+ * Equations and measurements: MATH.md. A surface is a pair of functions (surface.h); units are those of the surface's coordinates.
+ * Structs hold double, int32_t and pointers; in WebAssembly a pointer is four bytes, and the offsets asserted at the end hold. */
+#ifndef SURFPATH_H
+#define SURFPATH_H
+
+#include "arena.h"
+#include "mesh.h"
+#include "status.h"
+#include "surface.h"
+
+enum sp_algorithm {
+    SP_POLYLINE = 1, /* covariant Newton on a polyline of chords, shifted until positive definite, certified by its Morse index */
+    SP_PAPER = 2     /* the paper's: coordinate Hessian, sign test (Eq. 25, 26), interpolating line search */
+};
+
+/* What to compute besides the ends. Fill with sp_default_options, then change. */
+struct sp_options {
+    double gradient_tolerance; /* > 0: stop at |grad E| <= this (Eq. 19's factor n + 1; units length^2 per coordinate); 0: at a relative
+                                  Newton decrement of 1e-7. SP_PAPER reads 0 as 1e-6 */
+    int32_t algorithm;         /* enum sp_algorithm */
+    int32_t point_count;       /* K, unknown inner points: 1 … 100,000 */
+    int32_t max_iterations;    /* Newton steps, 0 … 10,000 */
+    int32_t record;            /* 1: keep the polyline of every iterate */
+};
+
+/* The two ends, and where to start from. */
+struct sp_request {
+    double from[3]; /* parametric: u, v; implicit: x, y, z, near the surface */
+    double to[3];
+    const double *start; /* start_count points of 2 (parametric) or 3 numbers, resampled to K + 2 by length, its ends moved to from and to.
+                            NULL: the straight line from end to end, solved from the lexicographically smaller end, so that
+                            exchanging the ends reverses the path to the bit */
+    int32_t start_count; /* 0 without start, else at least 2 */
+    int32_t unused;
+};
+
+/* One Newton step. The last entry is where the path came to rest; its step is 0. */
+struct sp_iterate {
+    double energy;        /* E = (n + 1) sum |chord|^2, Eq. 19 */
+    double gradient_norm; /* |grad E| */
+    double decrement;     /* sqrt(g' H^-1 g / E), scale-free; NaN where H is not positive definite */
+    double step;          /* accepted step length, 1 = a full Newton step */
+};
+
+struct sp_result {
+    double length;              /* sum of the chords; NaN without a path */
+    double length_error;        /* estimate of |length - length of the geodesic|, never below 4e-15 length */
+    double energy;              /* Eq. 19 */
+    double gradient_norm;       /* |grad E| over all free unknowns */
+    double *points;             /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path */
+    double *parameters;         /* 2 (K + 2): u v; NULL for an implicit surface */
+    struct sp_iterate *history; /* history_count entries */
+    double *record;             /* history_count polylines of 3 (K + 2), or NULL */
+    int32_t status;             /* enum sp_status */
+    int32_t iterations;         /* Newton steps taken */
+    int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
+    int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
+    int32_t history_count;
+    int32_t unused;
+};
+
+/* Writes the defaults: SP_POLYLINE, K = 64, 100 iterations, stop by decrement, no record. */
+void sp_default_options(struct sp_options *options);
+
+/* Bytes of arena that sp_solve_path needs for these options on a surface of this kind (start_count: of the request); monotone in K. */
+double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count);
+
+/* Computes a locally shortest path between two points.
+ *
+ * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md). `result` is always filled; its
+ * arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED, SP_ITERATION_LIMIT, SP_STALLED, SP_ILL_CONDITIONED,
+ * SP_SADDLE with a path; SP_SINGULAR_METRIC, SP_SHEET_JUMP, SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range
+ * are the caller's mistake and are clamped. Cost: O(K) a step. */
+int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
+                      struct sp_arena *arena, struct sp_result *result);
+
+/* Finds the point of the surface closest to `point` (three numbers), from `place` downhill: Newton on the squared distance, safeguarded.
+ *
+ * `place`: in and out, u v or x y z; an implicit surface is first reached from it by Eq. 37. Parametric: stays in the rectangle.
+ * Returns SP_CONVERGED, SP_STALLED (no closer point found, but not stationary to 1e-10), SP_OFF_SURFACE, SP_NOT_FINITE; `place` is
+ * unchanged by the last two. */
+int32_t sp_project_point(const struct sp_surface *surface, const double point[3], double place[3]);
+
+/* Sizes and offsets in WebAssembly, mirrored in web/runtime/heap.js; a test compares the two. */
+#ifdef __wasm__
+#define SP_SIZE(name, bytes) _Static_assert(sizeof(struct name) == (bytes), "mirrored in heap.js")
+#define SP_AT(name, field, offset) _Static_assert(offsetof(struct name, field) == (offset), "mirrored in heap.js")
+SP_SIZE(sp_surface, 56);
+SP_AT(sp_surface, jet, 0);
+SP_AT(sp_surface, value, 4);
+SP_AT(sp_surface, kind, 8);
+SP_AT(sp_surface, lower, 16);
+SP_AT(sp_surface, upper, 32);
+SP_AT(sp_surface, extent, 48);
+SP_SIZE(sp_options, 24);
+SP_AT(sp_options, gradient_tolerance, 0);
+SP_AT(sp_options, algorithm, 8);
+SP_AT(sp_options, point_count, 12);
+SP_AT(sp_options, max_iterations, 16);
+SP_AT(sp_options, record, 20);
+SP_SIZE(sp_request, 64);
+SP_AT(sp_request, from, 0);
+SP_AT(sp_request, to, 24);
+SP_AT(sp_request, start, 48);
+SP_AT(sp_request, start_count, 52);
+SP_SIZE(sp_iterate, 32);
+SP_AT(sp_iterate, energy, 0);
+SP_AT(sp_iterate, gradient_norm, 8);
+SP_AT(sp_iterate, decrement, 16);
+SP_AT(sp_iterate, step, 24);
+SP_SIZE(sp_result, 72);
+SP_AT(sp_result, length, 0);
+SP_AT(sp_result, length_error, 8);
+SP_AT(sp_result, energy, 16);
+SP_AT(sp_result, gradient_norm, 24);
+SP_AT(sp_result, points, 32);
+SP_AT(sp_result, parameters, 36);
+SP_AT(sp_result, history, 40);
+SP_AT(sp_result, record, 44);
+SP_AT(sp_result, status, 48);
+SP_AT(sp_result, iterations, 52);
+SP_AT(sp_result, index, 56);
+SP_AT(sp_result, touches_boundary, 60);
+SP_AT(sp_result, history_count, 64);
+SP_SIZE(sp_arena, 12);
+SP_AT(sp_arena, base, 0);
+SP_AT(sp_arena, size, 4);
+SP_AT(sp_arena, used, 8);
+SP_SIZE(sp_mesh, 20);
+SP_AT(sp_mesh, positions, 0);
+SP_AT(sp_mesh, normals, 4);
+SP_AT(sp_mesh, indices, 8);
+SP_AT(sp_mesh, vertex_count, 12);
+SP_AT(sp_mesh, triangle_count, 16);
+#undef SP_SIZE
+#undef SP_AT
+#endif
+
+#endif

@@ -1,0 +1,82 @@
+/** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
+
+import { describe } from './path.js';
+
+/** @typedef {string | number} Expression a formula, or a number */
+
+/**
+ * @typedef {object} ParametricDefinition S(u, v) over a closed rectangle
+ * @property {Expression} x over u, v and the parameters; so are y and z
+ * @property {Expression} y
+ * @property {Expression} z
+ * @property {readonly [Expression, Expression]} u range of u, constants and parameters only
+ * @property {readonly [Expression, Expression]} v range of v
+ * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] which directions are closed; default 'auto': where S and its first derivatives agree on both edges
+ * @property {Readonly<Record<string, number>>} [parameters] named constants; `set` changes them without recompiling
+ */
+
+/**
+ * @typedef {object} ImplicitDefinition f(x, y, z) = 0
+ * @property {Expression} f over x, y, z and the parameters; smooth, with ∇f ≠ 0 on the surface
+ * @property {readonly [readonly [number, number], readonly [number, number], readonly [number, number]]} [bounds] where the surface is searched, no wall; needed by `mesh`
+ * @property {Readonly<Record<string, number>>} [parameters]
+ */
+
+const UNBUILT = ['density', 'metric'];
+
+/** @param {string} caller @param {any} definition @param {string[]} required */
+export function checkDefinition(caller, definition, required) {
+  if (typeof definition !== 'object' || definition === null)
+    throw new TypeError(`${caller}: the definition must be an object, not ${describe(definition)}`);
+  for (const name of required)
+    if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
+  for (const name of UNBUILT) if (definition[name] !== undefined) throw new RangeError(`${caller}: ${name} is not built yet`);
+}
+
+/** @param {string} caller @param {unknown} given @returns {Record<string, number>} a copy without prototype */
+export function checkParameters(caller, given) {
+  /** @type {Record<string, number>} */
+  const parameters = Object.create(null);
+  if (given === undefined) return parameters;
+  if (typeof given !== 'object' || given === null)
+    throw new TypeError(`${caller}: parameters must be an object of numbers, not ${describe(given)}`);
+  for (const [name, value] of Object.entries(given)) {
+    if (typeof value !== 'number' || !Number.isFinite(value))
+      throw new RangeError(`${caller}: parameter ${name} must be a finite number, not ${describe(value)}`);
+    parameters[name] = value;
+  }
+  return parameters;
+}
+
+/** @param {string} caller @param {unknown} range @param {string} name */
+export function checkRange(caller, range, name) {
+  if (!Array.isArray(range) || range.length !== 2)
+    throw new TypeError(`${caller}: ${name} must be a range [from, to], not ${describe(range)}`);
+}
+
+/** @param {string} caller @param {any} bounds @returns {number[] | null} xmin xmax ymin ymax zmin zmax */
+export function checkBounds(caller, bounds) {
+  if (bounds === undefined) return null;
+  if (!Array.isArray(bounds) || bounds.length !== 3)
+    throw new TypeError(`${caller}: bounds must be [[x, x], [y, y], [z, z]], not ${describe(bounds)}`);
+  const box = [];
+  for (const [i, range] of bounds.entries()) {
+    checkRange(caller, range, `bounds[${i}]`);
+    if (!range.every(Number.isFinite) || !(range[0] < range[1]))
+      throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${range}`);
+    box.push(range[0], range[1]);
+  }
+  return box;
+}
+
+/** @param {string} caller @param {string} name @param {unknown} given @param {number} count @returns {number[]} */
+export function readNumbers(caller, name, given, count) {
+  const what = count === 2 ? '[u, v]' : '[x, y, z]';
+  if (typeof given !== 'object' || given === null || typeof (/** @type {any} */ (given).length) !== 'number')
+    throw new TypeError(`${caller}: ${name} must be ${what}, not ${describe(given)}`);
+  const numbers = Array.from(/** @type {ArrayLike<number>} */ (given));
+  if (numbers.length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${numbers.length}`);
+  const bad = numbers.findIndex((x) => typeof x !== 'number' || !Number.isFinite(x));
+  if (bad >= 0) throw new RangeError(`${caller}: ${name}[${bad}] must be a finite number, not ${describe(numbers[bad])}`);
+  return numbers;
+}

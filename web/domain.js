@@ -1,0 +1,86 @@
+/** The parameter rectangle of a surface: its ranges, which directions are closed, and lifts of points across a seam. Knows only evaluations of S and its derivatives. */
+
+/** @typedef {{ lower: number[], upper: number[], periodic: boolean[] }} Domain */
+/** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
+
+/** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
+const TEST_FRACTIONS = [0.0371, 0.1618, 0.3183, 0.4669, 0.6181, 0.7724, 0.9143];
+const GRID = 16;
+const POSITION_GAP = 1e-9;
+const DERIVATIVE_GAP = 1e-7;
+
+/** @param {Float64Array} jets @param {number} i @param {number} offset of three numbers in a jet */
+const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offset + 3);
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+
+/** Diagonal of the bounding box of 17 × 17 samples. @param {Jets} jets @param {Domain} domain */
+function diagonal(jets, { lower, upper }) {
+  const places = [];
+  for (let i = 0; i <= GRID; i++)
+    for (let j = 0; j <= GRID; j++)
+      places.push(lower[0] + (i / GRID) * (upper[0] - lower[0]), lower[1] + (j / GRID) * (upper[1] - lower[1]));
+  const sampled = jets(places);
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  for (let i = 0; i < places.length / 2; i++)
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], sampled[18 * i + k]);
+      high[k] = Math.max(high[k], sampled[18 * i + k]);
+    }
+  return gap(low, high);
+}
+
+/**
+ * Whether a surface closes smoothly in a direction: S and its first derivatives agree on both edges, and the edges are curves, not points.
+ * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls.
+ * @param {Jets} jets @param {Domain} domain @param {number} direction 0: u, 1: v
+ */
+function closes(jets, domain, direction) {
+  const { lower, upper } = domain;
+  const other = 1 - direction;
+  const places = [];
+  for (const edge of [lower[direction], upper[direction]])
+    for (const fraction of TEST_FRACTIONS) {
+      const along = lower[other] + fraction * (upper[other] - lower[other]);
+      places.push(...(direction === 0 ? [edge, along] : [along, edge]));
+    }
+  const sampled = jets(places);
+  const size = diagonal(jets, domain);
+  const count = TEST_FRACTIONS.length;
+  let [position, derivative, largest, variation] = [0, 0, 0, 0];
+  for (let i = 0; i < count; i++) {
+    position = Math.max(position, gap(vector(sampled, i, 0), vector(sampled, count + i, 0)));
+    variation = Math.max(variation, gap(vector(sampled, i, 0), vector(sampled, 0, 0)));
+    for (const offset of [3, 6]) {
+      derivative = Math.max(derivative, gap(vector(sampled, i, offset), vector(sampled, count + i, offset)));
+      largest = Math.max(largest, gap(vector(sampled, i, offset), [0, 0, 0]));
+    }
+  }
+  return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
+}
+
+/**
+ * Which directions are periodic: as asked, or, 'auto', where the surface closes.
+ * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Jets} jets @param {{ lower: number[], upper: number[] }} range
+ * @returns {Domain}
+ */
+export function findDomain(asked, jets, { lower, upper }) {
+  const domain = { lower, upper, periodic: [false, false] };
+  const periodic = asked === 'auto' ? [closes(jets, domain, 0), closes(jets, domain, 1)] : [asked.u === true, asked.v === true];
+  return { lower, upper, periodic };
+}
+
+/**
+ * The lift of a point nearest to another: moved by whole periods.
+ * @param {Domain} domain @param {number[]} point @param {number[]} near
+ */
+export function liftNear({ lower, upper, periodic }, point, near) {
+  return point.map((x, j) => {
+    const period = upper[j] - lower[j];
+    return periodic[j] ? x - period * Math.round((x - near[j]) / period) : x;
+  });
+}

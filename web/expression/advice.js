@@ -1,0 +1,81 @@
+/* Sentences that say what to write instead. */
+
+import { functions } from './functions.js';
+
+/** What to write instead of characters that are no part of an expression. */
+const ALTERNATIVES = new Map([
+  ['=', 'an expression has no "="; for an equation a = b write a - (b)'],
+  ['<', 'comparisons are not available; use min, max, abs or sign'],
+  ['>', 'comparisons are not available; use min, max, abs or sign'],
+  ['[', 'write round brackets ( ) instead of [ ]'],
+  [']', 'write round brackets ( ) instead of [ ]'],
+  ['{', 'write round brackets ( ) instead of { }'],
+  ['}', 'write round brackets ( ) instead of { }'],
+  ['%', 'for the remainder of a/b write a - b*floor(a/b)'],
+  ['°', 'angles are in radians; for degrees write *pi/180'],
+  [';', 'write one expression without ";"'],
+]);
+
+/** Longer names are not repeated in full, nor compared with others. */
+const LONGEST_NAME = 24;
+
+/** @param {string} symbol a character that no expression contains, or not here */
+export function unexpected(symbol) {
+  return (
+    ALTERNATIVES.get(symbol) ?? `${JSON.stringify(symbol)} is no part of an expression; write it with + - * / ^ ( ), numbers and names`
+  );
+}
+
+/** @param {string} name @param {number} count of arguments it was given */
+export function wrongCount(name, count) {
+  const { least, most } = /** @type {import('./functions.js').Callable} */ (functions.get(name));
+  const wanted = most > 2 ? 'at least one argument' : least === 1 ? 'one argument' : 'two arguments';
+  return `${name} takes ${wanted}, not ${count === 0 ? 'none' : count}; write ${name}(${least === 2 ? '…, …' : '…'})`;
+}
+
+/** @param {string} name @param {boolean} isCall whether a bracket follows @param {string[]} known names that may be used as numbers */
+export function unknown(name, isCall, known) {
+  const near = suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
+  const listed = (isCall ? [...functions.keys()] : known).join(', ');
+  const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
+  const kind = isCall ? 'function' : 'name';
+  return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : `the ${kind}s here are ${listed}`}`;
+}
+
+/**
+ * Finds the name nearest to a mistyped one, or the product it was probably meant as (`uv` for `u*v`).
+ * @param {string} name
+ * @param {string[]} known
+ * @returns {string} '' where nothing is near
+ */
+function suggest(name, known) {
+  if (name.length > LONGEST_NAME) return '';
+  const letters = [...name];
+  if (letters.length > 1 && letters.every((letter) => known.includes(letter))) return letters.join('*');
+  let nearest = '';
+  let least = name.length === 1 ? 1 : name.length <= 3 ? 2 : 3;
+  for (const candidate of known) {
+    const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
+    if (distance >= Math.min(least, candidate.length)) continue;
+    nearest = candidate;
+    least = distance;
+  }
+  return nearest;
+}
+
+/**
+ * How many characters have to be inserted, removed or replaced to make one word of the other (Levenshtein).
+ * @param {string} a
+ * @param {string} b
+ */
+function editDistance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; i++) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j++) {
+      next.push(Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + Number(a[i - 1] !== b[j - 1])));
+    }
+    row = next;
+  }
+  return row[b.length];
+}

@@ -1,0 +1,117 @@
+/* Formulas -> a small WebAssembly module that evaluates them with their derivatives, and the data block it reads. */
+
+import { differentiate } from './differentiate.js';
+import { emit } from './emit.js';
+import { ExpressionError } from './error.js';
+import { constants, functions } from './functions.js';
+import { Graph } from './graph.js';
+import { isName } from './notation.js';
+import { parse } from './parse.js';
+
+/** @typedef {import('./graph.js').Apply} Apply */
+/** @typedef {import('./parse.js').Meaning} Meaning */
+/** @typedef {import('./differentiate.js').Jet} Jet */
+
+/** How many named parameters there may be. */
+const LARGEST_PARAMETER_COUNT = 64;
+
+/**
+ * @typedef {object} Compiled
+ * @property {Uint8Array} module imports env.memory, env.data (i32 constant, address of the data block, a multiple of 16) and the env.sp_… functions it calls; exports `jet` and `value`
+ * @property {Float64Array} data what the data block starts with: parameters in the order of their names, then constants
+ * @property {number} dataBytes size of the data block with its scratch, a multiple of 16
+ * @property {string[]} parameterNames in the order of `data`
+ * @property {Graph} graph
+ * @property {number[]} jet nodes that `jet` stores: values, first derivatives variable by variable, second derivatives in upper-triangular order
+ * @property {number[]} value nodes that `value` stores: values, with `valueOrder` 1 the first derivatives too
+ */
+
+/**
+ * Compiles the expressions of a surface.
+ * @param {object} options
+ * @param {(string | number)[]} options.outputs the expressions
+ * @param {string[]} options.names what the caller calls them, for error messages: 'x', 'y', 'z' or 'f'
+ * @param {string[]} options.variables such as 'u', 'v'
+ * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
+ * @param {0 | 1} [options.valueOrder] whether `value` stores first derivatives too; default: only if there is one output
+ * @param {Apply} options.apply folds elementary functions of constants
+ * @returns {Compiled}
+ * @throws {ExpressionError} for an expression or parameter that cannot be used
+ * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
+ */
+export function compile({ outputs, names, variables, parameters = {}, valueOrder = outputs.length === 1 ? 1 : 0, apply }) {
+  const parameterNames = Object.keys(parameters);
+  const scope = createScope(variables, parameters);
+  const graph = new Graph(apply);
+  const jets = outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
+  const jet = layOut(jets, 2);
+  const value = layOut(jets, valueOrder);
+  const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
+  const { module, constants: numbers, dataBytes } = emit(graph, { jet, value }, counts);
+  const data = Float64Array.from([...parameterNames.map((name) => parameters[name]), ...numbers]);
+  return { module, data, dataBytes, parameterNames, graph, jet, value };
+}
+
+/**
+ * Evaluates an expression without variables, such as the end of a range.
+ * @param {string | number} source
+ * @param {Record<string, number>} parameters
+ * @param {Apply} apply
+ * @param {string} [name] what the caller calls it, for error messages
+ * @returns {number} may be infinite or NaN, as sqrt(-1) is
+ * @throws {ExpressionError}
+ * @throws {TypeError}
+ */
+export function evaluateConstant(source, parameters, apply, name = '') {
+  const scope = createScope([], parameters);
+  const values = Object.values(parameters);
+  for (const [parameter, { kind, value }] of scope)
+    if (kind === 'parameter') scope.set(parameter, { kind: 'number', value: values[value] });
+  const graph = new Graph(apply);
+  return graph.numberOf(differentiate(graph, read(source, scope, name), 0, 0).value);
+}
+
+/** @param {string | number} source @param {Map<string, Meaning>} scope @param {string} name @returns {import('./parse.js').Instruction[]} */
+function read(source, scope, name) {
+  if (typeof source === 'string') return parse(source, scope, name);
+  if (typeof source === 'number' && Number.isFinite(source)) return [{ kind: 'number', name: '', value: source, index: 0 }];
+  throw new TypeError(
+    `${name || 'the expression'} must be a string or a finite number, not ${typeof source === 'number' ? source : typeof source}`,
+  );
+}
+
+/** What names mean: variables before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @returns {Map<string, Meaning>} */
+function createScope(variables, parameters) {
+  /** @type {Map<string, Meaning>} */
+  const scope = new Map();
+  for (const [value, name] of variables.entries()) scope.set(name, { kind: 'variable', value });
+  Object.entries(parameters).forEach(([name, value], index) => {
+    checkParameter(name, value, index, scope);
+    scope.set(name, { kind: 'parameter', value: index });
+  });
+  for (const [name, value] of constants) if (!scope.has(name)) scope.set(name, { kind: 'number', value });
+  return scope;
+}
+
+/** @param {string} name @param {number} value @param {number} index @param {Map<string, Meaning>} scope */
+function checkParameter(name, value, index, scope) {
+  const refuse = (/** @type {string} */ message) => {
+    throw new ExpressionError(name, 0, message, 'parameters');
+  };
+  if (index >= LARGEST_PARAMETER_COUNT)
+    refuse(`there are more than ${LARGEST_PARAMETER_COUNT} parameters; write constants into the expressions`);
+  if (!isName(name)) refuse(`${JSON.stringify(name)} cannot name a parameter; write a letter, then letters and digits`);
+  if (functions.has(name)) refuse(`${name} is a function; give the parameter another name`);
+  if (scope.has(name)) refuse(`${name} is a variable of the surface; give the parameter another name`);
+  if (typeof value !== 'number' || !Number.isFinite(value))
+    throw new TypeError(`the parameter ${name} must be a finite number, not ${String(value)}`);
+}
+
+/** Nodes of all outputs together, by order of derivative. @param {Jet[]} jets @param {0 | 1 | 2} order */
+function layOut(jets, order) {
+  const nodes = jets.map(({ value }) => value);
+  for (const derivatives of [order > 0 ? jets.map(({ first }) => first) : [], order > 1 ? jets.map(({ second }) => second) : []]) {
+    for (let k = 0; k < (derivatives[0]?.length ?? 0); k++) nodes.push(...derivatives.map((of) => of[k]));
+  }
+  return nodes;
+}

@@ -1,0 +1,258 @@
+/* Graph -> bytes of a WebAssembly module with the functions `jet` and `value`: one pass over the pairs of points, no branches.
+ *
+ * A node used once is computed where it is used, on the stack; one used more often gets a local, which is free again after its last use. What
+ * depends on parameters alone is computed once, before the loop. Sine and cosine of the same angle are one call. */
+
+import * as wasm from './encode.js';
+import { SIN, solverFunctions } from './functions.js';
+import { Operation } from './graph.js';
+import { constantsOf, plan } from './plan.js';
+
+/** @typedef {import('./graph.js').Graph} Graph */
+/** @typedef {import('./plan.js').Plan} Plan */
+
+const PAIR_BYTES = 16;
+const NUMBER_BYTES = 8;
+/** Imported functions come in this order: those of functions.js, then sincos. */
+const SINCOS = solverFunctions.length;
+
+const [UNARY, SINE_AND_COSINE, BINARY, EVALUATE] = [0, 1, 2, 3];
+const TYPES = [
+  wasm.functionType([wasm.V128], [wasm.V128]),
+  wasm.functionType([wasm.V128, wasm.I32], [wasm.V128]),
+  wasm.functionType([wasm.V128, wasm.V128], [wasm.V128]),
+  wasm.functionType([wasm.I32, wasm.I32, wasm.I32], []),
+];
+
+/** Locals of the generated functions; those of vectors follow. */
+const [COUNT, IN, OUT, DATA, FIRST_VECTOR] = [0, 1, 2, 3, 4];
+
+/** Uses left of a local that the next round of the loop needs again. */
+const KEPT_FOR_EVER = 0xffffffff;
+
+/** Instructions by operation. @type {number[][]} */
+const INSTRUCTIONS = [];
+for (const [name, bytes] of Object.entries(wasm.arithmetic)) INSTRUCTIONS[Operation[/** @type {keyof typeof Operation} */ (name)]] = bytes;
+
+/**
+ * Writes the module.
+ * @param {Graph} graph
+ * @param {{ jet: number[], value: number[] }} outputs nodes that each function stores, in order
+ * @param {{ variableCount: number, parameterCount: number }} counts
+ * @returns {{ module: Uint8Array, constants: number[], dataBytes: number }} `constants` follow the parameters in the data block, scratch follows them
+ */
+export function emit(graph, outputs, { variableCount, parameterCount }) {
+  const plans = [plan(graph, outputs.jet), plan(graph, outputs.value)];
+  const constants = constantsOf(graph, plans);
+  const slots = new Map(constants.map((id, k) => [id, parameterCount + k]));
+  const scratch = PAIR_BYTES * Math.ceil((NUMBER_BYTES * (parameterCount + constants.length)) / PAIR_BYTES);
+  const imports = importsOf(graph, plans);
+  const bodies = plans.map((each) => new FunctionEmitter(graph, each, { slots, scratch, imports, variableCount }).emit());
+  const module = wasm.module({
+    types: TYPES,
+    imports: [wasm.importMemory('memory'), wasm.importConstant('data', wasm.I32), ...imports.map(importOf)],
+    functionTypes: [EVALUATE, EVALUATE],
+    exports: ['jet', 'value'].map((name, k) => wasm.exportFunction(name, imports.length + k)),
+    bodies,
+  });
+  return { module, constants: constants.map((id) => graph.numberOf(id)), dataBytes: scratch + PAIR_BYTES };
+}
+
+/** Numbers of the solver functions that are called. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
+function importsOf(graph, plans) {
+  const called = new Set();
+  for (const { uses, partners } of plans) {
+    graph.operations.forEach((operation, id) => {
+      if (operation >= Operation.call && uses[id] > 0) called.add(partners.has(id) ? SINCOS : operation - Operation.call);
+    });
+  }
+  return [...called].sort((a, b) => a - b);
+}
+
+/** @param {number} number */
+function importOf(number) {
+  if (number === SINCOS) return wasm.importFunction('sp_sincos', SINE_AND_COSINE);
+  const { name, arity } = solverFunctions[number];
+  return wasm.importFunction(`sp_${name}`, arity === 1 ? UNARY : BINARY);
+}
+
+/** Writes one function. */
+class FunctionEmitter {
+  /** @type {number[]} */ #code = [];
+  /** Locals by node. @type {Map<number, number>} */ #locals = new Map();
+  /** @type {number[]} */ #freeLocals = [];
+  #localCount = 0;
+  #graph;
+  #plan;
+  #remaining;
+  #slots;
+  #scratch;
+  #imports;
+  #variableCount;
+
+  /**
+   * @param {Graph} graph
+   * @param {Plan} plan
+   * @param {{ slots: Map<number, number>, scratch: number, imports: number[], variableCount: number }} layout
+   */
+  constructor(graph, plan, { slots, scratch, imports, variableCount }) {
+    this.#graph = graph;
+    this.#plan = plan;
+    this.#remaining = plan.uses.slice();
+    this.#slots = slots;
+    this.#scratch = scratch;
+    this.#imports = imports;
+    this.#variableCount = variableCount;
+  }
+
+  emit() {
+    const before = this.#collect(() => this.#emitInvariants());
+    const loop = this.#collect(() => this.#emitLoop());
+    const code = [...wasm.globalGet(0), ...wasm.localSet(DATA), ...before, ...wasm.repeat(COUNT, loop)];
+    const locals = /** @type {[number, number][]} */ ([
+      [1, wasm.I32],
+      [this.#localCount, wasm.V128],
+    ]);
+    return wasm.body(locals, code);
+  }
+
+  /** @param {() => void} write */
+  #collect(write) {
+    this.#code = [];
+    write();
+    return this.#code;
+  }
+
+  /** What the loop needs and no variable changes. */
+  #emitInvariants() {
+    const { uses, varies, partners } = this.#plan;
+    const needed = this.#neededByLoop();
+    for (let id = 0; id < uses.length; id++) {
+      if (uses[id] === 0 || varies[id] || !this.#graph.isOperation(id)) continue;
+      if (uses[id] > 1 || needed.has(id) || partners.has(id)) this.#compute(id);
+      this.#remaining[id] = KEPT_FOR_EVER;
+    }
+  }
+
+  /** @returns {Set<number>} nodes that vary nowhere but are read by those that do */
+  #neededByLoop() {
+    const { roots, uses, varies } = this.#plan;
+    const needed = new Set(roots);
+    for (let id = 0; id < uses.length; id++) {
+      if (uses[id] > 0 && varies[id]) needed.add(this.#graph.left[id]).add(this.#graph.right[id]);
+    }
+    return needed;
+  }
+
+  #emitLoop() {
+    const { roots, uses, varies, partners } = this.#plan;
+    const places = placesOf(roots);
+    for (let id = 0; id < uses.length; id++) {
+      if (uses[id] === 0) continue;
+      if (varies[id] && (uses[id] > 1 || partners.has(id))) this.#compute(id);
+      for (const place of places.get(id) ?? []) this.#storeOutput(id, place);
+    }
+    this.#code.push(...wasm.advance(IN, PAIR_BYTES * this.#variableCount), ...wasm.advance(OUT, PAIR_BYTES * roots.length));
+  }
+
+  /** @param {number} id @param {number} place */
+  #storeOutput(id, place) {
+    this.#code.push(...wasm.localGet(OUT));
+    this.#push(id);
+    this.#code.push(...wasm.store(PAIR_BYTES * place));
+  }
+
+  /** Computes a node into a local of its own, a sine or cosine together with its partner. @param {number} id */
+  #compute(id) {
+    if (this.#locals.has(id)) return;
+    const partner = this.#plan.partners.get(id);
+    if (partner === undefined) {
+      this.#expand(id);
+      this.#keep(id);
+    } else this.#computeBoth(id, partner);
+  }
+
+  /** @param {number} one @param {number} other */
+  #computeBoth(one, other) {
+    const [sine, cosine] = this.#graph.operations[one] === Operation.call + SIN ? [one, other] : [other, one];
+    this.#push(this.#graph.left[sine]);
+    this.#code.push(...wasm.localGet(DATA), ...wasm.addConstant(this.#scratch), ...wasm.call(this.#imports.indexOf(SINCOS)));
+    this.#keep(sine);
+    this.#code.push(...wasm.localGet(DATA), ...wasm.load(this.#scratch));
+    this.#keep(cosine);
+  }
+
+  /** @param {number} id */
+  #keep(id) {
+    const local = this.#freeLocals.pop() ?? FIRST_VECTOR + this.#localCount++;
+    this.#locals.set(id, local);
+    this.#code.push(...wasm.localSet(local));
+  }
+
+  /** Puts a node on the stack: from its local, or by computing it. @param {number} id */
+  #push(id) {
+    const tasks = [id];
+    for (let task = tasks.pop(); task !== undefined; task = tasks.pop()) {
+      if (task < 0) this.#operate(~task);
+      else if (this.#locals.has(task)) this.#read(task);
+      else if (this.#graph.isOperation(task)) this.#schedule(task, tasks);
+      else this.#loadLeaf(task);
+    }
+  }
+
+  /** Computes a node on the stack. @param {number} id */
+  #expand(id) {
+    if (!this.#graph.isOperation(id)) return this.#loadLeaf(id);
+    /** @type {number[]} */
+    const operands = [];
+    this.#schedule(id, operands);
+    for (const task of operands.reverse()) {
+      if (task < 0) this.#operate(~task);
+      else this.#push(task);
+    }
+  }
+
+  /** @param {number} id @param {number[]} tasks */
+  #schedule(id, tasks) {
+    tasks.push(~id);
+    if (this.#graph.operandCount(id) > 1) tasks.push(this.#graph.right[id]);
+    tasks.push(this.#graph.left[id]);
+  }
+
+  /** @param {number} id */
+  #operate(id) {
+    const operation = this.#graph.operations[id];
+    this.#code.push(
+      ...(operation < Operation.call ? INSTRUCTIONS[operation] : wasm.call(this.#imports.indexOf(operation - Operation.call))),
+    );
+  }
+
+  /** @param {number} id */
+  #read(id) {
+    const local = /** @type {number} */ (this.#locals.get(id));
+    this.#code.push(...wasm.localGet(local));
+    if (--this.#remaining[id] === 0) this.#freeLocals.push(local);
+  }
+
+  /** @param {number} id */
+  #loadLeaf(id) {
+    const { operations, left } = this.#graph;
+    if (operations[id] === Operation.variable) this.#code.push(...wasm.localGet(IN), ...wasm.load(PAIR_BYTES * left[id]));
+    else {
+      const slot = operations[id] === Operation.parameter ? left[id] : /** @type {number} */ (this.#slots.get(id));
+      this.#code.push(...wasm.localGet(DATA), ...wasm.loadSplat(NUMBER_BYTES * slot));
+    }
+  }
+}
+
+/** Places of every root in the output. @param {number[]} roots */
+function placesOf(roots) {
+  /** @type {Map<number, number[]>} */
+  const places = new Map();
+  roots.forEach((id, place) => {
+    const known = places.get(id);
+    if (known) known.push(place);
+    else places.set(id, [place]);
+  });
+  return places;
+}

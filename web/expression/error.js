@@ -1,0 +1,18 @@
+/* What is wrong with a formula, where, and what to write instead. */
+
+/** An expression that cannot be understood. The message is one sentence that says what to write instead. */
+export class ExpressionError extends Error {
+  /**
+   * @param {string} source the whole text of the expression, or the name of the parameter at fault
+   * @param {number} index position of the offending character in `source`, from 0, in UTF-16 units; the length of the text where it ends too early
+   * @param {string} message one sentence, without the name of the argument
+   * @param {string} [argument] which expression of the surface it is, such as 'x' or 'f'
+   */
+  constructor(source, index, message, argument = '') {
+    super(argument ? `${argument}: ${message}` : message);
+    this.name = 'ExpressionError';
+    this.source = source;
+    this.index = index;
+    this.argument = argument;
+  }
+}

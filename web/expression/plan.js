@@ -1,0 +1,56 @@
+/* What a function that computes some nodes of a graph has to do: which nodes are alive, how often each is read, which change from point to point,
+ * which sines and cosines belong together. */
+
+import { COS, SIN } from './functions.js';
+import { Operation } from './graph.js';
+
+/** @typedef {import('./graph.js').Graph} Graph */
+
+/**
+ * What a function computes. `uses`: how often each node is read, 0 = not at all. `partners`: for a sine its cosine and the reverse, where both are wanted.
+ * @typedef {{ roots: number[], uses: Uint32Array, varies: Uint8Array, partners: Map<number, number> }} Plan
+ */
+
+/** Finds out what is wanted, and by whom. @param {Graph} graph @param {number[]} roots nodes that are stored @returns {Plan} */
+export function plan(graph, roots) {
+  const uses = new Uint32Array(graph.size);
+  const varies = new Uint8Array(graph.size);
+  for (const root of roots) uses[root]++;
+  for (let id = graph.size - 1; id >= 0; id--) {
+    if (uses[id] === 0) continue;
+    const count = graph.operandCount(id);
+    if (count > 0) uses[graph.left[id]]++;
+    if (count > 1) uses[graph.right[id]]++;
+  }
+  for (let id = 0; id < graph.size; id++) {
+    const count = graph.operandCount(id);
+    const operandVaries = (count > 0 && varies[graph.left[id]]) || (count > 1 && varies[graph.right[id]]);
+    varies[id] = Number(graph.operations[id] === Operation.variable || operandVaries);
+  }
+  const partners = pairSines(graph, uses);
+  return { roots, uses, varies, partners };
+}
+
+/** @param {Graph} graph @param {Uint32Array} uses */
+function pairSines(graph, uses) {
+  /** @type {Map<number, number>} */
+  const sines = new Map();
+  /** @type {Map<number, number>} */
+  const partners = new Map();
+  const live = graph.operations.map((_, id) => id).filter((id) => uses[id] > 0);
+  for (const id of live) if (graph.operations[id] === Operation.call + SIN) sines.set(graph.left[id], id);
+  for (const id of live) {
+    const sine = sines.get(graph.left[id]);
+    if (graph.operations[id] !== Operation.call + COS || sine === undefined) continue;
+    partners.set(id, sine).set(sine, id);
+    uses[graph.left[id]]--;
+  }
+  return partners;
+}
+
+/** Constants that any of the functions reads, in the order of the data block. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
+export function constantsOf(graph, plans) {
+  return graph.operations.flatMap((operation, id) =>
+    operation === Operation.constant && plans.some(({ uses }) => uses[id] > 0) ? [id] : [],
+  );
+}

@@ -1,0 +1,17 @@
+/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined as bytes. */
+
+import wasm from '../dist/wasm.js';
+import { makeLoad } from './instance.js';
+
+export { ExpressionError } from './expression/error.js';
+export const load = makeLoad(() => wasm);
+
+/** @typedef {import('./instance.js').Surfpath} Surfpath */
+/** @typedef {import('./surface.js').Surface} Surface */
+/** @typedef {import('./definition.js').Expression} Expression */
+/** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
+/** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./path.js').Path} Path */
+/** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./path.js').Status} Status */
+/** @typedef {import('./mesh.js').Mesh} Mesh */

@@ -1,0 +1,89 @@
+/** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
+
+import { describe } from './path.js';
+import { compileSolver, Solver } from './runtime/solver.js';
+import { Surface } from './surface.js';
+
+/** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
+/** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./runtime/solver.js').WasmSource} WasmSource */
+
+const UNBUILT = ['metric', 'graph', 'revolution', 'tube', 'sweep'];
+
+/** One instance: surfaces of it share a memory; two instances share nothing. Made by `load`. */
+export class Surfpath {
+  /** @type {Solver | null} */ #solver;
+  /** @type {Set<Surface>} */ #surfaces = new Set();
+
+  /** @param {WebAssembly.Module} module */
+  constructor(module) {
+    this.#solver = new Solver(module);
+  }
+
+  /** A parametric surface S(u, v). Throws ExpressionError, TypeError or RangeError for a definition that is wrong. @param {ParametricDefinition} definition */
+  parametric(definition) {
+    return this.#add('parametric', definition);
+  }
+
+  /** An implicit surface f(x, y, z) = 0. @param {ImplicitDefinition} definition */
+  implicit(definition) {
+    return this.#add('implicit', definition);
+  }
+
+  /**
+   * A surface from plain data: an entry of the gallery, say. Fields that its kind does not know are ignored.
+   * @param {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition)} definition
+   */
+  surface(definition) {
+    if (typeof definition !== 'object' || definition === null)
+      throw new TypeError(`surface: the definition must be an object, not ${describe(definition)}`);
+    const { kind } = definition;
+    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use 'parametric' or 'implicit'`);
+    if (kind !== 'parametric' && kind !== 'implicit')
+      throw new RangeError(`surface: kind must be 'parametric' or 'implicit', not ${describe(kind)}`);
+    return this.#add(kind, definition);
+  }
+
+  /** Disposes all surfaces and lets the memory go. */
+  dispose() {
+    for (const surface of this.#surfaces) surface.dispose();
+    this.#surfaces.clear();
+    this.#solver = null;
+  }
+
+  /** @param {'parametric' | 'implicit'} kind @param {any} definition */
+  #add(kind, definition) {
+    if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
+    const surface = new Surface(this.#solver, kind, definition);
+    this.#surfaces.add(surface);
+    return surface;
+  }
+}
+
+if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surfpath.prototype, Symbol.dispose, { value: Surfpath.prototype.dispose });
+
+/** @type {Map<unknown, Promise<WebAssembly.Module>>} modules compiled so far, by where they came from */
+const compiled = new Map();
+
+/**
+ * Makes `load` for an entry.
+ * @param {() => WasmSource} inlined the entry's own module
+ */
+export function makeLoad(inlined) {
+  /**
+   * Loads the solver. Each call gives a new, independent instance; the compiled module is cached.
+   * @param {{ wasm?: WasmSource }} [options] wasm: another place to take the module from
+   * @returns {Promise<Surfpath>} rejects, in words, without WebAssembly SIMD
+   */
+  return async function load(options = {}) {
+    const { wasm } = options;
+    const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
+    let module = compiled.get(key);
+    if (!module || (typeof Response === 'function' && wasm instanceof Response)) {
+      module = compileSolver(wasm ?? inlined());
+      compiled.set(key, module);
+      module.catch(() => compiled.delete(key));
+    }
+    return new Surfpath(await module);
+  };
+}

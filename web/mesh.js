@@ -1,0 +1,57 @@
+/** Triangle mesh of a parametric surface: a grid of its rectangle, for drawing. (Implicit surfaces are meshed in C.) */
+
+/**
+ * @typedef {object} Mesh
+ * @property {Float64Array} positions x y z a vertex
+ * @property {Float64Array} normals unit normals, exact; implicit: ∇f/|∇f|
+ * @property {Float64Array} [parameters] u v a vertex, parametric surfaces only
+ * @property {Uint32Array} indices three a triangle, counter-clockwise seen from the normals' side
+ */
+
+/** How far, in parts of the rectangle, a vertex without a normal (a pole) looks inwards for one. */
+const INWARDS = 1e-4;
+
+/** @param {ArrayLike<number>} lower @param {ArrayLike<number>} upper @param {number} resolution */
+function gridPoints(lower, upper, resolution) {
+  const points = new Float64Array(2 * (resolution + 1) ** 2);
+  for (let j = 0, at = 0; j <= resolution; j++)
+    for (let i = 0; i <= resolution; i++) {
+      points[at++] = i === resolution ? upper[0] : lower[0] + (i / resolution) * (upper[0] - lower[0]);
+      points[at++] = j === resolution ? upper[1] : lower[1] + (j / resolution) * (upper[1] - lower[1]);
+    }
+  return points;
+}
+
+/** @param {number} resolution */
+function gridTriangles(resolution) {
+  const indices = new Uint32Array(6 * resolution * resolution);
+  for (let j = 0, at = 0; j < resolution; j++)
+    for (let i = 0; i < resolution; i++) {
+      const corner = j * (resolution + 1) + i;
+      const above = corner + resolution + 1;
+      for (const index of [corner, corner + 1, above + 1, corner, above + 1, above]) indices[at++] = index;
+    }
+  return indices;
+}
+
+/**
+ * @param {(points: ArrayLike<number>) => Float64Array} evaluate position and unit normal, 6 numbers a point (u, v); a normal that does not exist is NaN
+ * @param {ArrayLike<number>} lower @param {ArrayLike<number>} upper @param {number} resolution cells a direction
+ * @returns {Mesh}
+ */
+export function meshRectangle(evaluate, lower, upper, resolution) {
+  const parameters = gridPoints(lower, upper, resolution);
+  const evaluated = evaluate(parameters);
+  const count = parameters.length / 2;
+  const [positions, normals] = [new Float64Array(3 * count), new Float64Array(3 * count)];
+  for (let i = 0; i < count; i++) {
+    positions.set(evaluated.subarray(6 * i, 6 * i + 3), 3 * i);
+    let normal = evaluated.subarray(6 * i + 3, 6 * i + 6);
+    if (Number.isNaN(normal[0])) {
+      const inwards = [0, 1].map((k) => parameters[2 * i + k] + INWARDS * ((lower[k] + upper[k]) / 2 - parameters[2 * i + k]));
+      normal = evaluate(inwards).subarray(3, 6);
+    }
+    normals.set(normal, 3 * i);
+  }
+  return { positions, normals, parameters, indices: gridTriangles(resolution) };
+}

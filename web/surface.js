@@ -1,0 +1,328 @@
+/** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
+
+import { checkBounds, checkDefinition, checkParameters, checkRange, readNumbers } from './definition.js';
+import { findDomain, liftNear } from './domain.js';
+import { compile, evaluateConstant } from './expression/compile.js';
+import { meshRectangle } from './mesh.js';
+import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { LAYOUT } from './runtime/heap.js';
+
+/** @typedef {import('./definition.js').Expression} Expression */
+/** @typedef {import('./path.js').Path} Path */
+/** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./mesh.js').Mesh} Mesh */
+
+const KIND = { parametric: 0, implicit: 1 };
+const STATUS_CONVERGED = 0;
+/** `project` without `near` starts from the nearest of this many points a direction. */
+const SEARCH = 48;
+const RESOLUTION = { parametric: 96, implicit: 64 };
+
+/** What the two kinds differ in. */
+const SHAPE = {
+  parametric: { names: ['x', 'y', 'z'], variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
+  implicit: { names: ['f'], variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
+};
+
+export class Surface {
+  /** @type {'parametric' | 'implicit'} */ kind;
+  #solver;
+  /** @type {any} */ #definition;
+  /** @type {ReturnType<typeof compile>} */ #compiled;
+  /** @type {Record<string, number>} */ #parameters;
+  /** @type {import('./domain.js').Domain | null} */ #domain = null;
+  /** @type {number[] | null} */ #box = null;
+  /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
+  #record = 0;
+  #generation = 0;
+  #disposed = false;
+
+  /** Made by `parametric` and `implicit` of an instance. @param {import('./runtime/solver.js').Solver} solver @param {'parametric' | 'implicit'} kind @param {any} definition */
+  constructor(solver, kind, definition) {
+    const shape = SHAPE[kind];
+    checkDefinition(kind, definition, kind === 'parametric' ? ['x', 'y', 'z', 'u', 'v'] : ['f']);
+    this.kind = kind;
+    this.#solver = solver;
+    this.#definition = definition;
+    this.#parameters = checkParameters(kind, definition.parameters);
+    this.#compiled = compile({
+      outputs: shape.names.map((name) => definition[name]),
+      names: shape.names,
+      variables: shape.variables,
+      parameters: this.#parameters,
+      apply: solver.apply,
+      valueOrder: shape.valueOrder,
+    });
+    if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
+    const periodic = definition.periodic ?? 'auto';
+    if (periodic !== 'auto' && (typeof periodic !== 'object' || periodic === null))
+      throw new TypeError(`${kind}: periodic must be 'auto' or { u, v } of true or false, not ${describe(periodic)}`);
+    const range = this.#readRange(kind);
+    this.#install();
+    this.#settle(range);
+  }
+
+  /** The named constants and their values, a copy. */
+  get parameters() {
+    return { ...this.#parameters };
+  }
+
+  /** The closed parameter rectangle and which of its directions wrap; null for implicit surfaces. */
+  get domain() {
+    const domain = this.#domain;
+    return (
+      domain && {
+        u: [domain.lower[0], domain.upper[0]],
+        v: [domain.lower[1], domain.upper[1]],
+        periodic: { u: domain.periodic[0], v: domain.periodic[1] },
+      }
+    );
+  }
+
+  /**
+   * The shortest path near its start between two points.
+   * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
+   * @param {ArrayLike<number>} to
+   * @param {PathOptions} [options]
+   * @returns {Path}
+   */
+  shortestPath(from, to, options) {
+    const caller = 'shortestPath';
+    this.#checkAlive(caller);
+    const { solve, start } = readOptions(caller, options);
+    const dimension = SHAPE[this.kind].variables.length;
+    const given = readStart(caller, start, dimension);
+    const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
+    const lifted = this.#liftEnds(ends[0], ends[1], given);
+    const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
+    const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
+    if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
+    return path;
+  }
+
+  /**
+   * Evaluates the surface.
+   * @param {ArrayLike<number>} points parametric: u v a point; implicit: x y z
+   * @returns {Float64Array} parametric: position and unit normal, 6 numbers a point (NaN normals where S_u × S_v = 0); implicit: f and ∇f, 4
+   */
+  evaluate(points) {
+    const caller = 'evaluate';
+    this.#checkAlive(caller);
+    const inputs = SHAPE[this.kind].variables.length;
+    if (typeof points !== 'object' || points === null || typeof points.length !== 'number' || points.length % inputs)
+      throw new RangeError(`${caller}: points must be an array of ${SHAPE[this.kind].variables.join(' ')}, ${inputs} numbers a point`);
+    if (this.kind === 'implicit') return this.#evaluate('value', points);
+    return positionsAndNormals(this.#evaluate('jet', points));
+  }
+
+  /**
+   * The point of the surface closest to a point of space.
+   * @param {ArrayLike<number>} point x y z
+   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself)
+   * @returns {number[]} u v, or x y z
+   */
+  project(point, near) {
+    const caller = 'project';
+    this.#checkAlive(caller);
+    const target = readNumbers(caller, 'point', point, 3);
+    const place =
+      near === undefined
+        ? this.#nearest(target)
+        : this.kind === 'parametric'
+          ? this.#readPoint(caller, 'near', near)
+          : readNumbers(caller, 'near', near, 3);
+    const found = this.#run((heap) => heap.project(this.#record, target, place));
+    if (found.status >= STATUS_CONVERGED) return found.place;
+    throw new RangeError(
+      `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it as near`,
+    );
+  }
+
+  /**
+   * Triangles, to draw.
+   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64); 1 … 256
+   * @returns {Mesh}
+   */
+  mesh(options = {}) {
+    const caller = 'mesh';
+    this.#checkAlive(caller);
+    const resolution = options?.resolution ?? RESOLUTION[this.kind];
+    if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
+      throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
+    if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
+    const box = this.#box;
+    if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
+    const mesh = this.#run((heap) => heap.meshImplicit(/** @type {any} */ (this.#installed).value, box, resolution));
+    if (mesh.status < 0) throw new RangeError(`${caller}: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
+    return { positions: mesh.positions, normals: mesh.normals, indices: mesh.indices };
+  }
+
+  /**
+   * Changes named parameters, without recompiling.
+   * @param {Record<string, number>} parameters those that change
+   */
+  set(parameters) {
+    const caller = 'set';
+    this.#checkAlive(caller);
+    const changed = checkParameters(caller, parameters);
+    for (const name of Object.keys(changed))
+      if (!(name in this.#parameters))
+        throw new RangeError(
+          `${caller}: the surface has no parameter '${name}'; it has ${Object.keys(this.#parameters).join(', ') || 'none'}`,
+        );
+    const before = this.#parameters;
+    this.#parameters = Object.assign(Object.create(null), before, changed);
+    try {
+      const range = this.#readRange(caller);
+      this.#writeParameters();
+      this.#settle(range);
+    } catch (error) {
+      this.#parameters = before;
+      this.#writeParameters();
+      throw error;
+    }
+  }
+
+  /** Frees the surface's memory and table slots. Using it afterwards throws; disposing twice does not. */
+  dispose() {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    if (this.#installed && this.#generation === this.#solver.generation) {
+      this.#solver.remove(this.#installed);
+      this.#solver.heap.release(this.#record);
+    }
+    this.#installed = null;
+  }
+
+  /** @param {string} caller */
+  #checkAlive(caller) {
+    if (this.#disposed) throw new Error(`${caller}: this surface was disposed`);
+  }
+
+  /** Compiles the module into the solver's present instance. */
+  #install() {
+    this.#installed = this.#solver.install(this.#compiled.module, this.#compiled.data, this.#compiled.dataBytes);
+    this.#record = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);
+    this.#generation = this.#solver.generation;
+    this.#writeParameters();
+  }
+
+  /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
+  #run(call) {
+    if (this.#generation !== this.#solver.generation) {
+      this.#install();
+      this.#writeRecord();
+    }
+    return this.#solver.run(() => call(this.#solver.heap));
+  }
+
+  #writeParameters() {
+    this.#solver.heap.writeDoubles(/** @type {any} */ (this.#installed).data, Object.values(this.#parameters));
+  }
+
+  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
+  #evaluate(what, points) {
+    const { variables, jet, value } = SHAPE[this.kind];
+    if (points.length === 0) return new Float64Array(0);
+    return this.#run((heap) =>
+      heap.evaluate(/** @type {any} */ (this.#installed).call[what], points, variables.length, what === 'jet' ? jet : value),
+    );
+  }
+
+  /** The rectangle as the parameters make it. @param {string} caller */
+  #readRange(caller) {
+    if (this.kind !== 'parametric') return null;
+    const [lower, upper] = [
+      [0, 0],
+      [0, 0],
+    ];
+    for (const [j, name] of ['u', 'v'].entries()) {
+      checkRange(caller, this.#definition[name], name);
+      const range = this.#definition[name].map((/** @type {Expression} */ end) =>
+        evaluateConstant(end, this.#parameters, this.#solver.apply),
+      );
+      if (!range.every(Number.isFinite) || !(range[0] < range[1]))
+        throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
+      [lower[j], upper[j]] = range;
+    }
+    return { lower, upper };
+  }
+
+  /** Finds out which directions are periodic, and tells the solver. @param {{ lower: number[], upper: number[] } | null} range */
+  #settle(range) {
+    if (range) this.#domain = findDomain(this.#definition.periodic ?? 'auto', (points) => this.#evaluate('jet', points), range);
+    this.#writeRecord();
+  }
+
+  #writeRecord() {
+    const { jet, value } = /** @type {any} */ (this.#installed);
+    const domain = this.#domain;
+    const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
+    const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
+    const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
+    const box = this.#box;
+    const extent = box ? Math.sqrt((box[1] - box[0]) ** 2 + (box[3] - box[2]) ** 2 + (box[5] - box[4]) ** 2) : 0;
+    this.#solver.heap.writeSurface(this.#record, { kind: KIND[this.kind], jet, value, lower, upper, extent });
+  }
+
+  /** A point of the domain: inside the rectangle up to rounding, or any point of space. @param {string} caller @param {string} name @param {unknown} point */
+  #readPoint(caller, name, point) {
+    const domain = this.#domain;
+    const numbers = readNumbers(caller, name, point, domain ? 2 : 3);
+    if (!domain) return numbers;
+    return numbers.map((x, j) => {
+      const [low, high] = [domain.lower[j], domain.upper[j]];
+      const slack = 1e-12 * (high - low);
+      if (domain.periodic[j]) return x;
+      if (x < low - slack || x > high + slack)
+        throw new RangeError(`${caller}: ${name}[${j}] = ${x} lies outside the range ${'uv'[j]} of the surface, [${low}, ${high}]`);
+      return Math.min(Math.max(x, low), high);
+    });
+  }
+
+  /**
+   * The ends on the lifts where they are solved: near each other, or near the given start; the lexicographically smaller one stays, so that
+   * exchanging the ends gives the same problem.
+   * @param {number[]} from @param {number[]} to @param {Float64Array | null} start
+   */
+  #liftEnds(from, to, start) {
+    const domain = this.#domain;
+    if (!domain || !(domain.periodic[0] || domain.periodic[1])) return [from, to];
+    if (start) return [liftNear(domain, from, [start[0], start[1]]), liftNear(domain, to, Array.from(start.subarray(-2)))];
+    const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
+    return swap ? [liftNear(domain, from, to), to] : [from, liftNear(domain, to, from)];
+  }
+
+  /** Where a projection starts. @param {number[]} target */
+  #nearest(target) {
+    if (!this.#domain) return target;
+    const grid = meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, SEARCH);
+    let [best, least] = [0, Infinity];
+    for (let i = 0; i < grid.positions.length / 3; i++) {
+      const away = [0, 1, 2].reduce((sum, k) => sum + (grid.positions[3 * i + k] - target[k]) ** 2, 0);
+      if (away < least) [best, least] = [i, away];
+    }
+    return Array.from(/** @type {Float64Array} */ (grid.parameters).subarray(2 * best, 2 * best + 2));
+  }
+}
+
+if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surface.prototype, Symbol.dispose, { value: Surface.prototype.dispose });
+
+/** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
+function shift(parameters, by) {
+  if (by[0] === 0 && by[1] === 0) return;
+  for (let i = 0; i < parameters.length; i++) parameters[i] += by[i & 1];
+}
+
+/** Position and unit normal from jets of 18 numbers. @param {Float64Array} jets */
+function positionsAndNormals(jets) {
+  const count = jets.length / 18;
+  const result = new Float64Array(6 * count);
+  for (let i = 0; i < count; i++) {
+    const [x, y, z, ux, uy, uz, vx, vy, vz] = jets.subarray(18 * i, 18 * i + 9);
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    result.set([x, y, z, normal[0] / length, normal[1] / length, normal[2] / length], 6 * i);
+  }
+  return result;
+}
