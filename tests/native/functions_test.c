@@ -1,7 +1,7 @@
 /* The elementary functions against the high-precision table of tests/data/functions.csv (its making is described in make-functions.py), and
  * the two lanes against each other. Each bound is what wasm/functions.h promises. */
-#include "check.h"
 #include "functions.h"
+#include "testing.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,0 +1,227 @@
+// The methods of a surface as a stranger would use and misuse them.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { allClose, anything, close, refuses } from '../helpers/refuses.js';
+
+const surfpath = await load();
+const saddle = surfpath.surface(gallery.saddle);
+const sphere = surfpath.surface(gallery.sphere);
+const ring = surfpath.surface(gallery.parametricTorus);
+
+/** @typedef {import('../../web/index.js').Path} Path */
+
+/** What a path without points looks like. @param {Path} path @param {string} status */
+function assertNoPath(path, status) {
+  assert.equal(path.status, status);
+  assert.equal(path.converged, false);
+  for (const number of [path.length, path.lengthError, path.energy, path.gradientNorm]) assert.ok(Number.isNaN(number));
+  assert.deepEqual([path.points.length, path.parameters, path.history.length, path.index], [0, null, 0, -1]);
+}
+
+describe('ends', () => {
+  /** @type {[string, unknown, Function, RegExp][]} */
+  const bad = [
+    ['nothing', undefined, TypeError, /shortestPath: from must be \[u, v\], not undefined/],
+    ['text', 'ab', TypeError, /from must be \[u, v\], not 'ab'/],
+    ['a number', 3, TypeError, /from must be \[u, v\]/],
+    ['three numbers', [0, 0, 0], RangeError, /from must be \[u, v\], 2 numbers, not 3/],
+    ['NaN', [NaN, 0], RangeError, /from\[0\] must be a finite number, not NaN/],
+    ['Infinity', [0, -Infinity], RangeError, /from\[1\] must be a finite number, not -Infinity/],
+    ['numbers as text', ['0', '0'], RangeError, /from\[0\] must be a finite number, not '0'/],
+    ['a point outside the range of u', [1.5, 0], RangeError, /from\[0\] = 1.5 lies outside the range of u, \[-1, 1\]/],
+    ['a point outside the range of v', [0, -2], RangeError, /from\[1\] = -2 lies outside the range of v/],
+  ];
+  for (const [what, point, kind, message] of bad)
+    test(`shortestPath refuses ${what}`, () => refuses(() => saddle.shortestPath(anything(point), [0, 0]), kind, message));
+
+  test('the second end is checked too, and three numbers are wanted of an implicit surface', () => {
+    refuses(() => saddle.shortestPath([0, 0], [0, 9]), RangeError, /to\[1\] = 9 lies outside/);
+    refuses(() => sphere.shortestPath([1, 0, 0], [0, 1]), RangeError, /to must be \[x, y, z\], 3 numbers, not 2/);
+  });
+
+  test('an end outside by rounding alone is moved onto the edge', () => {
+    const path = saddle.shortestPath([1 + 1e-13, 0], [0, 0]);
+    assert.equal(path.parameters?.[0], 1);
+  });
+
+  test('typed arrays are taken', () => {
+    assert.deepEqual(saddle.shortestPath(new Float64Array([0, 0]), new Float32Array([0.5, 0.5])), saddle.shortestPath([0, 0], [0.5, 0.5]));
+  });
+
+  test('equal ends give a path of length 0', () => {
+    for (const path of [saddle.shortestPath([0.1, 0.2], [0.1, 0.2]), sphere.shortestPath([0, 1, 0], [0, 1, 0])]) {
+      assert.deepEqual([path.status, path.converged, path.length, path.lengthError, path.index], ['converged', true, 0, 0, 0]);
+      assert.deepEqual(Array.from(path.points.subarray(0, 3)), Array.from(path.points.subarray(-3)));
+    }
+  });
+
+  test('an end beside an implicit surface is moved onto it, one far from it is off-surface', () => {
+    const near = sphere.shortestPath([1.1, 0, 0], [0, 0.95, 0]);
+    assert.equal(near.status, 'converged');
+    assert.deepEqual(Array.from(near.points.subarray(0, 3)), [1, 0, 0]);
+    assertNoPath(sphere.shortestPath([3, 0, 0], [0, 1, 0]), 'off-surface');
+    assertNoPath(sphere.shortestPath([1, 0, 0], [0, 0, 3]), 'off-surface');
+  });
+});
+
+describe('set', () => {
+  const hill = surfpath.parametric({ x: 'u', y: 'v', z: 'h*exp(-4*(u^2+v^2))', u: [-1, 1], v: [-1, 'w'], parameters: { h: 0, w: 1 } });
+
+  test('changes what it names, and the answers with it', () => {
+    const flat = hill.shortestPath([-0.9, 0.1], [0.9, 0.1]).length;
+    hill.set({ h: 0.5 });
+    assert.deepEqual(hill.parameters, { h: 0.5, w: 1 });
+    assert.ok(hill.shortestPath([-0.9, 0.1], [0.9, 0.1]).length > flat);
+    hill.set({ h: 0 });
+    assert.equal(hill.shortestPath([-0.9, 0.1], [0.9, 0.1]).length, flat);
+  });
+
+  test('refuses what does not exist or is no number, and then changes nothing', () => {
+    refuses(() => hill.set({ height: 1 }), RangeError, /set: the surface has no parameter 'height'; it has h, w/);
+    refuses(() => hill.set({ toString: 1 }), RangeError, /no parameter 'toString'/);
+    refuses(() => hill.set({ h: NaN }), RangeError, /parameter h must be a finite number/);
+    refuses(() => hill.set(anything(undefined)), TypeError, /parameters must be an object of numbers, not undefined/);
+    refuses(() => hill.set({ h: 1, w: -2 }), RangeError, /v must be a range of two numbers/);
+    assert.deepEqual(hill.parameters, { h: 0, w: 1 });
+    assert.equal(hill.evaluate([0, 0])[2], 0);
+  });
+
+  test('parameters is a copy', () => {
+    hill.parameters.h = 9;
+    assert.equal(hill.parameters.h, 0);
+  });
+});
+
+describe('evaluate', () => {
+  test('parametric: position and unit normal', () => {
+    const [x, y, z, nx, ny, nz] = saddle.evaluate([0.5, 0.25]);
+    assert.deepEqual([x, y, z], [0.5, 0.25, 0.1875]);
+    const length = Math.hypot(1, 0.5, 1);
+    for (const difference of [nx + 1 / length, ny - 0.5 / length, nz - 1 / length]) close(difference, 0);
+    assert.equal(saddle.evaluate(new Float32Array(20)).length, 60);
+    assert.equal(saddle.evaluate([]).length, 0);
+  });
+
+  test('implicit: f and its gradient', () => {
+    assert.deepEqual(Array.from(sphere.evaluate([1, 2, 3, 0, 0, 0])), [13, 2, 4, 6, -1, 0, 0, 0]);
+  });
+
+  test('knows the surface beyond the rectangle, NaN where the formula ends, no normal at a pole', () => {
+    assert.equal(saddle.evaluate([5, 0])[2], 25);
+    assert.ok(saddle.evaluate([NaN, 0]).every((x, i) => i === 1 || Number.isNaN(x)));
+    assert.ok(surfpath.surface(gallery.enneper).evaluate([0, 0]).every(Number.isFinite));
+    assert.ok(Number.isNaN(surfpath.parametric({ ...gallery.saddle, x: 'u^3', y: 'v', z: 0 }).evaluate([0, 0])[3]));
+  });
+
+  test('refuses what is no flat array', () => {
+    refuses(() => saddle.evaluate([1, 2, 3]), RangeError, /evaluate: points must be a flat array of u v, 2 numbers a point, not 3 numbers/);
+    refuses(() => saddle.evaluate(anything(undefined)), TypeError, /points must be a flat array .* not undefined/);
+    refuses(
+      () =>
+        saddle.evaluate(
+          anything([
+            [0, 0],
+            [1, 1],
+          ]),
+        ),
+      TypeError,
+      /it holds an array of 2/,
+    );
+    refuses(() => sphere.evaluate(anything(['1', 2, 3])), TypeError, /it holds '1'/);
+  });
+});
+
+describe('project', () => {
+  test('finds the closest point', () => {
+    allClose(sphere.project([3, 4, 0]), [0.6, 0.8, 0]);
+    const [u, v] = ring.project([5.5 * Math.cos(2), 5.5 * Math.sin(2), 0.1]);
+    close(u, 2, 1e-9);
+    assert.ok(Math.abs(v - 0.0667) < 0.01, `${v}`);
+  });
+
+  test('stays in the rectangle, and may be told where to begin', () => {
+    assert.deepEqual(surfpath.parametric({ ...gallery.saddle, z: 0 }).project([7, 0.5, 2]), [1, 0.5]);
+    allClose(sphere.project([0, 0, 0], [0, 0, 2]), [0, 0, 1]);
+  });
+
+  test('refuses misuse, and says so where there is nothing', () => {
+    refuses(() => sphere.project([1, 2]), RangeError, /project: point must be \[x, y, z\], 3 numbers, not 2/);
+    refuses(() => saddle.project([0, 0, 0], [5, 5]), RangeError, /project: near\[0\] = 5 lies outside/);
+    refuses(
+      () => sphere.project([0, 0, 0]),
+      RangeError,
+      /project: no point of the surface was found from there \(off-surface\); pass a point nearer/,
+    );
+  });
+});
+
+describe('mesh', () => {
+  test('parametric: a grid with positions, unit normals, parameters, indices', () => {
+    const { positions, normals, parameters, indices } = saddle.mesh({ resolution: 4 });
+    assert.deepEqual([positions.length, normals.length, parameters?.length, indices.length], [75, 75, 50, 96]);
+    for (let i = 0; i < 25; i++) close(Math.hypot(...normals.subarray(3 * i, 3 * i + 3)), 1);
+    assert.ok(indices instanceof Uint32Array && indices.every((index) => index < 25));
+  });
+
+  test('implicit: every vertex on the surface, exact normals, no parameters', () => {
+    const { positions, normals, parameters, indices } = sphere.mesh({ resolution: 10 });
+    assert.equal(parameters, undefined);
+    assert.ok(indices.length > 0 && indices.every((index) => 3 * index < positions.length));
+    for (const [i, x] of positions.entries()) close(x, normals[i]);
+  });
+
+  test('poles get a normal', () => {
+    const { normals } = surfpath.surface(gallery.globe).mesh({ resolution: 8 });
+    assert.ok(normals.every(Number.isFinite));
+  });
+
+  test('refuses misuse', () => {
+    for (const resolution of [0, 257, 1.5, NaN])
+      refuses(() => saddle.mesh({ resolution }), RangeError, /resolution must be a whole number from 1 to 256/);
+    refuses(() => saddle.mesh(anything({ reslution: 8 })), TypeError, /there is no option 'reslution'; the options are resolution/);
+    refuses(() => saddle.mesh(anything(null)), TypeError, /options must be an object/);
+    refuses(() => surfpath.implicit({ f: 'x' }).mesh(), RangeError, /inside its bounds; give them in its definition/);
+  });
+});
+
+describe('dispose', () => {
+  test('a disposed surface refuses to work, and may be disposed twice', () => {
+    const surface = surfpath.surface(gallery.sphere);
+    surface.dispose();
+    surface.dispose();
+    for (const call of [
+      () => surface.shortestPath([1, 0, 0], [0, 1, 0]),
+      () => surface.evaluate([1, 0, 0]),
+      () => surface.project([1, 0, 0]),
+      () => surface.mesh(),
+      () => surface.set({ r: 2 }),
+    ])
+      refuses(call, Error, /this surface was disposed/);
+  });
+
+  test('both dispose by Symbol.dispose where the engine has it', () => {
+    for (const object of [saddle, surfpath]) assert.equal(anything(object)[Symbol.dispose], Symbol.dispose && object.dispose);
+  });
+
+  test('a disposed instance takes its surfaces along, and no others', async () => {
+    const other = await load();
+    const surface = other.surface(gallery.saddle);
+    other.dispose();
+    other.dispose();
+    refuses(() => surface.shortestPath([0, 0], [0.5, 0.5]), Error, /this surface was disposed/);
+    refuses(() => other.surface(gallery.saddle), Error, /parametric: this instance was disposed/);
+    assert.equal(saddle.shortestPath([0, 0], [0.5, 0.5]).status, 'converged');
+  });
+
+  test('other surfaces keep working when slots and memory are used again', () => {
+    const before = saddle.shortestPath([-0.9, 0.1], [0.5, 0.9]);
+    for (let i = 0; i < 50; i++) {
+      const passing = surfpath.parametric({ ...gallery.saddle, z: `u^2 - ${i}*v^2` });
+      passing.shortestPath([0, 0], [0.5, 0.5]);
+      passing.dispose();
+    }
+    assert.deepEqual(saddle.shortestPath([-0.9, 0.1], [0.5, 0.9]), before);
+  });
+});
