@@ -1,0 +1,41 @@
+/** Where a camera must stand so that a surface just fills the view. Pure geometry. */
+
+import { Vector3 } from 'three';
+
+const ROUNDS = 4;
+
+/**
+ * Moves a camera along a direction, and its target across it, until all points lie inside the view, centred.
+ * @param {import('three').BufferAttribute | import('three').InterleavedBufferAttribute} points
+ * @param {Vector3} center about which the camera turns
+ * @param {Vector3} towards the camera from there, unit length
+ * @param {Vector3} up
+ * @param {number[]} slopes tangents of half the angles of view, across and up, that the points may fill
+ * @returns {{ target: Vector3, distance: number }} distance: of the camera from the target
+ */
+export function fitView(points, center, towards, up, slopes) {
+  const right = new Vector3().crossVectors(up, towards).normalize();
+  const axes = [right, new Vector3().crossVectors(towards, right)];
+  const target = center.clone();
+  const point = new Vector3();
+  let distance = 0;
+  for (let round = 0; round < ROUNDS; round++) {
+    distance = 0;
+    for (let i = 0; i < points.count; i++) {
+      point.fromBufferAttribute(points, i).sub(target);
+      const depth = point.dot(towards);
+      for (const [k, axis] of axes.entries()) distance = Math.max(distance, depth + Math.abs(point.dot(axis)) / slopes[k]);
+    }
+    const ranges = axes.map(() => [Infinity, -Infinity]);
+    for (let i = 0; i < points.count; i++) {
+      point.fromBufferAttribute(points, i).sub(target);
+      const scale = distance / (distance - point.dot(towards));
+      for (const [k, axis] of axes.entries()) {
+        const seen = point.dot(axis) * scale;
+        ranges[k] = [Math.min(ranges[k][0], seen), Math.max(ranges[k][1], seen)];
+      }
+    }
+    for (const [k, axis] of axes.entries()) target.addScaledVector(axis, (ranges[k][0] + ranges[k][1]) / 2);
+  }
+  return { target, distance };
+}

@@ -1,0 +1,185 @@
+/** The page's one state, what can be done to it, and the one function that shows it. */
+
+import { gallery } from 'surfpath/gallery';
+import { buildSurface, chooseEnds, findBadEnd, meshOf, placeOf, solve } from './compute.js';
+import { blend, lengthOf, smooth } from './curves.js';
+import { definitionOf, findBadBound, OWN, problemOf, textsOf } from './definition.js';
+import { find, say } from './dom.js';
+import { buildEnds, buildFields, buildSliders, showEndProblem, showProblem } from './panel.js';
+import { Player } from './player.js';
+import { showMoment, showResult } from './result.js';
+
+/** @typedef {import('./definition.js').Kind} Kind */
+/** @typedef {import('./definition.js').Texts} Texts */
+/** @typedef {import('surfpath/gallery').GalleryEntry} GalleryEntry */
+
+/** @type {Readonly<Record<string, GalleryEntry>>} */
+const entries = gallery;
+
+const state = {
+  entry: '',
+  kind: /** @type {Kind} */ ('parametric'),
+  texts: /** @type {Texts} */ ({}),
+  parameters: /** @type {Record<string, number>} */ ({}),
+  ends: /** @type {number[][]} */ ([]),
+  points: 64,
+  algorithm: /** @type {'polyline' | 'paper'} */ ('polyline'),
+  /** The last good surface. */
+  built: /** @type {ReturnType<typeof buildSurface> | null} */ (null),
+  problem: /** @type {import('./definition.js').Problem | null} */ (null),
+  solved: /** @type {ReturnType<typeof solve>} */ ({ path: null, milliseconds: NaN, problem: null }),
+  /** The iterate shown: 0 the start, between whole numbers what lies between two. */
+  moment: 0,
+};
+
+/** @type {import('surfpath').Surfpath} */ let surfpath;
+/** @type {import('./scene.js').View | null} */ let view = null;
+
+const player = new Player(showAt);
+
+/** Must be called first. @param {import('surfpath').Surfpath} solver @param {import('./scene.js').View | null} scene null: there is no 3D */
+export function connect(solver, scene) {
+  surfpath = solver;
+  view = scene;
+}
+
+export const kind = () => state.kind;
+
+const iterates = () => state.solved.path?.history.flatMap(({ points }) => (points && points.length > 0 ? [points] : [])) ?? [];
+
+/** Shows an iterate, or what lies between two of them. @param {number} moment */
+function showAt(moment) {
+  state.moment = moment;
+  renderMoment();
+}
+
+function renderMoment() {
+  const frames = iterates();
+  const last = frames.length - 1;
+  const before = Math.min(Math.floor(state.moment), Math.max(last - 1, 0));
+  const warmth = last > 0 ? state.moment / last : 1;
+  view?.setWarmth(warmth * warmth);
+  view?.setPath(last < 0 ? null : smooth(last === 0 ? frames[0] : blend(frames[before], frames[before + 1], state.moment - before)));
+  showMoment(state.moment, last);
+}
+
+function render() {
+  const { solved, problem } = state;
+  const [start] = iterates();
+  view?.setStart(start ? smooth(start) : null);
+  view?.setEnds(state.ends.map(endPlace));
+  showProblem(problem);
+  showEndProblem(solved.problem);
+  say(find('typeset'), entries[state.entry]?.formula ?? null);
+  say(find('source'), entries[state.entry]?.source ?? null);
+  for (const [name, value] of Object.entries(state.parameters)) find(`value-${name}`).textContent = String(Number(value.toPrecision(4)));
+  showResult({ ...solved, startLength: start ? lengthOf(start) : NaN, problem });
+  renderMoment();
+}
+
+/** Where an end is drawn: where the path ends, or, without one, where it was asked. @param {number[]} point @param {number} end */
+function endPlace(point, end) {
+  const points = state.solved.path?.points;
+  if (points && points.length > 0) return points.slice(end === 0 ? 0 : -3).slice(0, 3);
+  return state.built && point.every(Number.isFinite) ? placeOf(state.built.surface, point) : null;
+}
+
+/** Finds the path anew. @param {boolean} animated */
+function updatePath(animated) {
+  if (state.built) state.solved = solve(state.built.surface, state.ends, { points: state.points, algorithm: state.algorithm });
+  player.stop();
+  state.moment = Math.max(iterates().length - 1, 0);
+  render();
+  if (animated) play();
+}
+
+/** Builds the surface of the form anew; a mistake in it keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
+function updateSurface({ frame, direction }) {
+  state.problem = findBadBound(state.kind, state.texts);
+  if (state.problem) return render();
+  try {
+    const built = buildSurface(surfpath, definitionOf(state.kind, state.texts, state.parameters));
+    state.built?.surface.dispose();
+    state.built = built;
+  } catch (error) {
+    state.problem = problemOf(error, state.kind, state.texts);
+    return render();
+  }
+  const { surface, mesh } = state.built;
+  view?.setSurface(mesh);
+  if (findBadEnd(surface, state.ends)) return chooseRandomEnds();
+  updatePath(true);
+  if (state.solved.path?.status === 'off-surface') chooseRandomEnds();
+  if (frame) view?.frame(middle(), direction);
+}
+
+/** The middle of the path. */
+function middle() {
+  const points = state.solved.path?.points;
+  return points && points.length > 0 ? points.subarray(3 * Math.floor(points.length / 6)) : null;
+}
+
+/** Takes a surface from the gallery, or a first formula to change. @param {string} name of the gallery, or own-parametric, own-implicit */
+export function choose(name) {
+  const entry = entries[name];
+  const own = /** @type {Kind} */ (name.replace('own-', ''));
+  state.entry = name;
+  state.kind = entry?.kind ?? own;
+  state.parameters = { ...entry?.parameters };
+  state.texts = entry ? textsOf(entry) : { ...OWN[own].texts };
+  state.ends = entry ? [[...entry.from], [...entry.to]] : OWN[own].ends;
+  /** @type {HTMLSelectElement} */ (find('entry')).value = name;
+  buildSliders(state.parameters);
+  buildFields(state.kind, state.texts);
+  buildEnds(state.kind, state.ends);
+  updateSurface({ frame: true, direction: entry?.camera });
+}
+
+export function chooseRandomEnds() {
+  if (!state.built) return;
+  state.ends = chooseEnds(state.built.surface, state.built.mesh);
+  buildEnds(state.kind, state.ends);
+  updatePath(true);
+}
+
+/** @param {Texts} texts */
+export function changeFormula(texts) {
+  state.texts = texts;
+  updateSurface({ frame: false });
+}
+
+/** @param {string} name @param {number} value */
+export function changeParameter(name, value) {
+  state.parameters[name] = value;
+  if (!state.built || state.problem) return updateSurface({ frame: false });
+  try {
+    state.built.surface.set({ [name]: value });
+    state.built.mesh = meshOf(state.built.surface);
+    view?.setSurface(state.built.mesh);
+  } catch (error) {
+    state.problem = problemOf(error, state.kind, state.texts);
+  }
+  updatePath(false);
+}
+
+/** @param {number[][]} ends */
+export function changeEnds(ends) {
+  state.ends = ends;
+  updatePath(false);
+}
+
+/** @param {{ points?: number, algorithm?: 'polyline' | 'paper' }} options */
+export function changeOptions(options) {
+  Object.assign(state, options);
+  updatePath(options.algorithm !== undefined);
+}
+
+export function play() {
+  player.play(iterates().length - 1);
+}
+
+/** @param {number} moment */
+export function scrub(moment) {
+  player.stop();
+  showAt(moment);
+}

@@ -1,0 +1,53 @@
+/** Numbers and outcomes as a reader wants them: short, in plain words, with what to do. */
+
+const MINUS = '\u2212';
+const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+/** @type {Record<string, [string, string]>} what happened, what to do, by Path.status */
+const OUTCOMES = {
+  converged: ['Converged', 'No path nearby is shorter.'],
+  'iteration-limit': ['Stopped early', 'The iterations ran out: choose fewer points or move the ends a little.'],
+  stalled: ['Stuck', 'No step made the path shorter: try the other algorithm or fewer points.'],
+  'tolerance-not-met': ['Not exact enough', 'Choose more points.'],
+  'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
+  saddle: ['Balanced, not shortest', 'A path beside it is shorter: use the algorithm “Polyline”, or move an end a little.'],
+  'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
+  disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
+  'singular-metric': ['No path', 'The surface has a crease or a tip on the way: narrow its ranges or move the ends.'],
+  'sheet-jump': [
+    'No path',
+    'The straight start jumps to another part of the surface: move the ends nearer to each other, or choose more points.',
+  ],
+  'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
+  'not-finite': ['No path', 'The formula has no value somewhere on the way: narrow its ranges or move the ends.'],
+  'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
+};
+
+/** @param {string} status of a Path @returns {[string, string]} what happened, what to do */
+export const describeStatus = (status) => OUTCOMES[status] ?? [status, ''];
+
+/** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */
+export function formatNumber(x, digits = 6) {
+  if (!Number.isFinite(x)) return '–';
+  const [mantissa, exponent] = x.toPrecision(digits).split('e');
+  const text = mantissa.replace('-', MINUS);
+  if (exponent === undefined) return text;
+  const power = [...exponent].map((c) => (c === '-' ? '⁻' : c === '+' ? '' : DIGITS[Number(c)])).join('');
+  return `${text} × 10${power}`;
+}
+
+/** Decimals down to the first digit or two of what is uncertain. @param {number} x @param {number} uncertainty */
+export function formatTo(x, uncertainty) {
+  if (!Number.isFinite(x)) return '–';
+  const decimals = uncertainty > 0 ? Math.ceil(-Math.log10(uncertainty)) + 1 : 6;
+  return x.toFixed(Math.min(Math.max(decimals, 0), 9)).replace('-', MINUS);
+}
+
+/** @param {number} x a small positive estimate */
+export function formatEstimate(x) {
+  if (!Number.isFinite(x) || x === 0) return '';
+  return `± ${x >= 1e-4 ? x.toFixed(Math.ceil(-Math.log10(x)) + 1 > 1 ? Math.ceil(-Math.log10(x)) + 1 : 1) : formatNumber(x, 2)}`;
+}
+
+/** @param {number} milliseconds */
+export const formatTime = (milliseconds) => `${milliseconds < 100 ? Number(milliseconds.toPrecision(2)) : Math.round(milliseconds)} ms`;
