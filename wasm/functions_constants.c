@@ -49,7 +49,7 @@ const struct sp_function_constants sp_constants = {
     .wide_logarithm = {BOTH(0x1.3333333333333p-1), BOTH(0x1.b6db6db6db7b2p-2), BOTH(0x1.555555552ffd2p-2), BOTH(0x1.1745d19beca99p-2),
                        BOTH(0x1.d89d60be5d3bbp-3), BOTH(0x1.99a52b2804c4dp-3), BOTH(0x1.679da8fbbec48p-3), BOTH(0x1.68221483d2465p-3)},
     .two_thirds = {BOTH(0x1.5555555555555p-1), BOTH(0x1.5555555555555p-55)},
-    /* 1/cbrt(r), r within 10 % of 1, to 2^-23: FreeBSD, s_cbrt.c. */
+    /* 1/cbrt(r) for r near 1, to 2^-23: FreeBSD, s_cbrt.c. */
     .cube_root = {BOTH(1.87595182427177009643), BOTH(-1.88497979543377169875), BOTH(1.621429720105354466140),
                   BOTH(-0.758397934778766047437), BOTH(0.145996192886612446982)},
     /* 64 zero bits, then the first 1280 binary places of 2/pi. */

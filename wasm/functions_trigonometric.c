@@ -30,23 +30,34 @@ static uint64_t bits_of_two_over_pi(uint64_t position) {
     return word[0] << shift | word[1] >> 1 >> (63 - shift);
 }
 
-/* x = m 2^e; of 2/pi only the bits that make m 2^e 2/pi differ by less than 4 are multiplied, 192 of them, which is 128 right ones in the
- * product and 64 more than the closest double to a multiple of pi/2 cancels. For finite x >= 1/2. */
-static struct reduced_angle reduce_positive(double x) {
+/* A fixed-point number of 128 bits. */
+struct fixed_point {
+    uint64_t high, low;
+};
+
+/* x 2/pi modulo 4, two bits before the point, for finite x >= 1/2. With x = m 2^e, only 192 bits of 2/pi matter: those before them make
+ * multiples of 4, those behind less than 2^-126. */
+static struct fixed_point quarter_turns(double x) {
     uint64_t bits = sp_word_of(sp_splat(x))[0];
     uint64_t mantissa = (bits & 0xfffffffffffff) | 0x10000000000000, position = (bits >> 52) - 1075 + 62;
-    uint64_t carried = multiply_high(mantissa, bits_of_two_over_pi(position + 128));
-    uint64_t low = mantissa * bits_of_two_over_pi(position + 64) + carried;
-    uint64_t high =
-        mantissa * bits_of_two_over_pi(position) + multiply_high(mantissa, bits_of_two_over_pi(position + 64)) + (low < carried);
+    uint64_t middle = bits_of_two_over_pi(position + 64), carried = multiply_high(mantissa, bits_of_two_over_pi(position + 128));
+    uint64_t low = mantissa * middle + carried;
+    return (struct fixed_point){mantissa * bits_of_two_over_pi(position) + multiply_high(mantissa, middle) + (low < carried), low};
+}
 
-    uint64_t fraction = high << 2 | low >> 62;
-    double upper = (double)(int64_t)(fraction & ~(uint64_t)0x7ff);
-    double lower = (double)(fraction & 0x7ff) + (double)(low << 2) * 0x1p-64;
-    struct sp_wide turns = sp_add_smaller(sp_splat(upper), sp_splat(lower));
-    struct sp_wide angle = sp_wide_multiply(turns, sp_constants.half_pi);
-    uint64_t quadrant = (high + ((uint64_t)1 << 61)) >> 62;
-    return (struct reduced_angle){angle.high * 0x1p-64, angle.low * 0x1p-64, (sp_word){quadrant, quadrant}};
+static struct reduced_angle reduce_positive(double x) {
+    struct fixed_point turns = quarter_turns(x);
+    uint64_t quadrant = (turns.high + ((uint64_t)1 << 61)) >> 62;
+    /* A fraction of one half or more counts as negative. Its complement is too small by 2^-128. */
+    uint64_t fraction = turns.high << 2 | turns.low >> 62, rest = turns.low << 2, negative = fraction >> 63;
+    fraction ^= 0 - negative, rest ^= 0 - negative;
+    /* 53, 53 and 22 bits, since next to a multiple of pi/2 up to 62 of them are 0. */
+    double upper = (double)(fraction & ~(uint64_t)0x7ff), middle = (double)((fraction & 0x7ff) << 42 | rest >> 22) * 0x1p-42;
+    struct sp_wide sum = sp_add_smaller(sp_splat(upper), sp_splat(middle));
+    sum.low += (double)(rest & 0x3fffff) * 0x1p-64;
+    struct sp_wide angle = sp_wide_multiply(sum, sp_constants.half_pi);
+    double unit = negative ? -0x1p-64 : 0x1p-64;
+    return (struct reduced_angle){angle.high * unit, angle.low * unit, (sp_word){quadrant, quadrant}};
 }
 
 /* Kept out of line: rare, and it would crowd the registers of the common way. */

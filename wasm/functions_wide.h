@@ -43,8 +43,10 @@ extern const struct sp_function_constants sp_constants;
 #define SP_INFINITY __builtin_inf()
 #define SP_NAN __builtin_nan("")
 
-/* Short fixed loops of this header are always unrolled, also where the build asks for small code: a polynomial's degree is known. */
+/* The loop of a polynomial is always unrolled, also where the build asks for small code: its length is known. Below -O2 clang cannot, and
+ * would warn. */
 #ifdef __clang__
+#pragma clang diagnostic ignored "-Wpass-failed"
 #define SP_UNROLL _Pragma("clang loop unroll(full)")
 #else
 #define SP_UNROLL _Pragma("GCC unroll 16")

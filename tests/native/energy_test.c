@@ -1,6 +1,6 @@
 /* Gradient and Hessian of the discrete energy against finite differences of the energy itself, and the folded block solve against dense
  * algebra. */
-#include "check.h"
+#include "testing.h"
 #include "energy.h"
 #include "newton.h"
 #include "surfaces.h"

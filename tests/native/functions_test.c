@@ -1,6 +1,6 @@
 /* The elementary functions against the high-precision table of tests/data/functions.csv (its making is described in make-functions.py), and
  * the two lanes against each other. Each bound is what wasm/functions.h promises. */
-#include "check.h"
+#include "testing.h"
 #include "functions.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Whole solves through the exported functions: known lengths, reversal to the bit, saddles left, arenas of every size, hostile numbers. */
-#include "check.h"
+#include "testing.h"
 #include "surfaces.h"
 #include "surfpath.h"
 
