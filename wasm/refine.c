@@ -106,9 +106,10 @@ static double tolerance_of(const struct sp_newton *newton, const struct sp_optio
     return larger(options->tolerance, 8 * 2.2e-16 * newton->scale / length);
 }
 
-static struct sp_refined finish(struct climbed climbed, double length_error) {
-    struct sp_refined refined = {climbed.outcome, climbed.length, larger(length_error, 4e-15 * climbed.length)};
-    return refined;
+/* The error is never said to be below what rounding the coordinates leaves. */
+static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
+    double rounding = 4e-15 * climbed.length + 2.2e-16 * newton->scale;
+    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, rounding)};
 }
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
@@ -136,19 +137,20 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     for (int r = 0; r < RUNGS; r++) {
         now = climb_guarded(newton, options, &before, first, first_length, LADDER[r], iterations, arena);
         iterations = now.outcome.iterations;
-        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT) return finish(now, now.length - last);
+        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
+            return finish(newton, now, now.length > last ? now.length - last : last - now.length);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
-        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(now, change);
+        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
         if (astray)
             before = *first;
         else if (!keep(&newton->system, &before, arena))
             break;
     }
     if (now.outcome.status == SP_CONVERGED) now.outcome.status = SP_TOLERANCE_NOT_MET;
-    return finish(now, change);
+    return finish(newton, now, change);
 }
 
 double sp_refine_bytes(void) {
@@ -166,15 +168,15 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     struct sp_system kept;
     newton->decrement = FIRST_DECREMENT;
     first.outcome = sp_newton_run(newton, options, options->max_iterations);
-    if (first.outcome.status < 0) return finish(first, 0);
+    if (first.outcome.status < 0) return finish(newton, first, 0);
     first.length = sp_check_length(&newton->system.line);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
     double error = sp_check_length_error(&newton->system.line, first.outcome.active);
-    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0) return finish(first, error);
+    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0) return finish(newton, first, error);
     if (!keep(&newton->system, &kept, arena)) {
         first.outcome.status = SP_OUT_OF_MEMORY;
-        return finish(first, error);
+        return finish(newton, first, error);
     }
     return climb_all(newton, options, &kept, first.length, first.outcome.iterations, arena);
 }

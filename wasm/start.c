@@ -3,9 +3,18 @@
 
 static double norm3(const double x[3]) { return sp_square_root(sp_splat(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))[0]; }
 
+/* |X| of a given end. */
+static double size_of(const struct sp_surface *surface, const double point[3]) {
+    if (surface->kind == SP_IMPLICIT) return norm3(point);
+    sp_pair place[2] = {sp_splat(point[0]), sp_splat(point[1])}, position[SP_PARAMETRIC_VALUES];
+    surface->value(1, place, position);
+    double at[3] = {position[0][0], position[1][0], position[2][0]};
+    return norm3(at);
+}
+
 double sp_start_scale(const struct sp_surface *surface, const struct sp_request *request) {
     if (surface->extent > 0) return surface->extent;
-    double from = norm3(request->from), to = norm3(request->to);
+    double from = size_of(surface, request->from), to = size_of(surface, request->to);
     return from > to ? from : to;
 }
 
@@ -70,17 +79,29 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
     return total;
 }
 
-/* Node i at i/(n + 1) of the given polyline's length; the gap at either end is closed by a shift that fades along the path. */
+/* Where node i of the new polyline lies on the given one: a segment and a place within it. As many points as nodes: each node its point, so
+ * that a path at rest stays; else at i/(n + 1) of the length. `segment` only grows. */
+static double locate(const struct sp_request *request, const double *along, int32_t i, int32_t last, int32_t *segment) {
+    int32_t end = request->start_count - 1;
+    if (end == last) {
+        *segment = i < last ? i : last - 1;
+        return i - *segment;
+    }
+    double t = (double)i / last, target = t * along[end];
+    while (*segment < end - 1 && along[*segment + 1] < target)
+        ++*segment;
+    double span = along[*segment + 1] - along[*segment];
+    return span > 0 ? (target - along[*segment]) / span : t;
+}
+
+/* Nodes on the given polyline; the gap at either end is closed by a shift that fades along the path. */
 static void resample(const struct sp_polyline *line, const struct sp_request *request, const double *along, const double from[3],
                      const double to[3]) {
     int dimension = line->kind->dimension;
     int32_t last = line->fold.inner + 1, segment = 0, end = request->start_count - 1;
     const double *start = request->start;
     for (int32_t i = 0; i <= last; i++) {
-        double t = (double)i / last, target = t * along[end];
-        while (segment < end - 1 && along[segment + 1] < target)
-            segment++;
-        double span = along[segment + 1] - along[segment], local = span > 0 ? (target - along[segment]) / span : t;
+        double t = (double)i / last, local = locate(request, along, i, last, &segment);
         const double *a = start + dimension * segment, *b = a + dimension;
         for (int j = 0; j < dimension; j++) {
             double gap = (1 - t) * (from[j] - start[j]) + t * (to[j] - start[dimension * end + j]);

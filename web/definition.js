@@ -24,20 +24,50 @@ import { describe } from './path.js';
 
 const UNBUILT = ['density', 'metric'];
 
-/** @param {string} caller @param {any} definition @param {string[]} required */
-export function checkDefinition(caller, definition, required) {
+/** @param {unknown} value @param {string} caller @param {string} name */
+function checkExpression(caller, name, value) {
+  if (typeof value !== 'string' && !(typeof value === 'number' && Number.isFinite(value)))
+    throw new TypeError(`${caller}: ${name} must be a formula in a string, or a finite number, not ${describe(value)}`);
+}
+
+/** @param {string} caller @param {any} definition @param {string[]} required @param {string[]} expressions those of them that are formulas */
+export function checkDefinition(caller, definition, required, expressions) {
   if (typeof definition !== 'object' || definition === null)
     throw new TypeError(`${caller}: the definition must be an object, not ${describe(definition)}`);
   for (const name of required)
     if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
   for (const name of UNBUILT) if (definition[name] !== undefined) throw new RangeError(`${caller}: ${name} is not built yet`);
+  for (const name of expressions) checkExpression(caller, name, definition[name]);
+}
+
+/** @param {string} caller @param {any} periodic @returns {'auto' | { u?: boolean, v?: boolean }} a copy */
+export function checkPeriodic(caller, periodic = 'auto') {
+  if (periodic === 'auto') return periodic;
+  const isChoice = typeof periodic === 'object' && periodic !== null;
+  const bad = isChoice
+    ? Object.entries(periodic).find(([name, value]) => !['u', 'v'].includes(name) || !(typeof value === 'boolean' || value === undefined))
+    : [];
+  if (bad)
+    throw new TypeError(
+      `${caller}: periodic must be 'auto' or { u, v } of true or false, not ${isChoice ? `${bad[0]}: ${describe(bad[1])}` : describe(periodic)}`,
+    );
+  return { ...periodic };
+}
+
+/** Points as a flat list. @param {string} caller @param {any} points @param {string[]} variables */
+export function checkPoints(caller, points, variables) {
+  const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a point`;
+  if (typeof points !== 'object' || points === null || typeof points.length !== 'number')
+    throw new TypeError(`${caller}: points must be ${what}, not ${describe(points)}`);
+  const bad = ArrayBuffer.isView(points) ? undefined : Array.from(points).find((x) => typeof x !== 'number');
+  if (bad !== undefined) throw new TypeError(`${caller}: points must be ${what}; it holds ${describe(bad)}`);
+  if (points.length % variables.length) throw new RangeError(`${caller}: points must be ${what}, not ${points.length} numbers`);
 }
 
 /** @param {string} caller @param {unknown} given @returns {Record<string, number>} a copy without prototype */
 export function checkParameters(caller, given) {
   /** @type {Record<string, number>} */
   const parameters = Object.create(null);
-  if (given === undefined) return parameters;
   if (typeof given !== 'object' || given === null)
     throw new TypeError(`${caller}: parameters must be an object of numbers, not ${describe(given)}`);
   for (const [name, value] of Object.entries(given)) {

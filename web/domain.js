@@ -75,10 +75,36 @@ export function findDomain(asked, jets, { lower, upper }) {
 }
 
 /**
+ * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction.
+ * @param {Domain} domain @param {number[]} point @param {string} name for messages
+ */
+export function enterDomain({ lower, upper, periodic }, point, name) {
+  return point.map((x, j) => {
+    const [low, high] = [lower[j], upper[j]];
+    const slack = 1e-12 * (high - low);
+    if (periodic[j]) return x;
+    if (x < low - slack || x > high + slack)
+      throw new RangeError(`${name}[${j}] = ${x} lies outside the range of ${'uv'[j]}, [${low}, ${high}]`);
+    return Math.min(Math.max(x, low), high);
+  });
+}
+
+/**
+ * The ends on the lifts where they are solved: near each other, or near the given start; the lexicographically smaller one stays, so that
+ * exchanging the ends gives the same problem.
+ * @param {Domain} domain @param {number[]} from @param {number[]} to @param {Float64Array | null} start u v of its points
+ */
+export function liftEnds(domain, from, to, start) {
+  if (start) return [liftNear(domain, from, [start[0], start[1]]), liftNear(domain, to, Array.from(start.subarray(-2)))];
+  const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
+  return swap ? [liftNear(domain, from, to), to] : [from, liftNear(domain, to, from)];
+}
+
+/**
  * The lift of a point nearest to another: moved by whole periods.
  * @param {Domain} domain @param {number[]} point @param {number[]} near
  */
-export function liftNear({ lower, upper, periodic }, point, near) {
+function liftNear({ lower, upper, periodic }, point, near) {
   return point.map((x, j) => {
     const period = upper[j] - lower[j];
     return periodic[j] ? x - period * Math.round((x - near[j]) / period) : x;

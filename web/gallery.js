@@ -15,8 +15,8 @@
  * @property {string} formula for people: plain text
  * @property {string} source where the surface comes from
  * @property {readonly number[]} from a pair of points, [u, v] or [x, y, z] on the surface, whose shortest path …
- * @property {readonly number[]} to … visibly differs from the straight start
- * @property {readonly [number, number, number]} [camera] a direction to look from, z upwards
+ * @property {readonly number[]} to … visibly differs from the straight start (not on the cylinder and the sphere, where that is the path)
+ * @property {readonly [number, number, number]} [camera] unit vector towards a good place to look from, z upwards
  */
 
 /**
@@ -69,6 +69,7 @@ const entries = {
     v: ['-pi/3', 'pi/3'],
     from: [-0.86, 0.58],
     to: [0.86, 0.83],
+    camera: [0.43, 0.75, 0.5],
   },
   paraboloid: {
     kind: 'parametric',
@@ -82,6 +83,7 @@ const entries = {
     v: ['-pi/3', 'pi/3'],
     from: [0.83, -0.1],
     to: [-0.78, -0.55],
+    camera: [-0.12, 0.7, 0.71],
   },
   helicoid: {
     kind: 'parametric',
@@ -95,6 +97,7 @@ const entries = {
     v: ['-pi', 'pi'],
     from: [0.77, -1.91],
     to: [0.86, 1.31],
+    camera: [0.48, -0.84, 0.26],
   },
   cylinder: {
     kind: 'parametric',
@@ -108,6 +111,7 @@ const entries = {
     v: [-1, 1],
     from: [0.6, -0.8],
     to: [3.4, 0.8],
+    camera: [0.66, 0.24, 0.71],
   },
   dini: {
     kind: 'parametric',
@@ -121,6 +125,7 @@ const entries = {
     v: [0.1, 1.5],
     from: [2.01, 0.36],
     to: [-1.72, 1.33],
+    camera: [-0.38, -0.32, 0.87],
   },
   threeTori: {
     kind: 'implicit',
@@ -132,6 +137,7 @@ const entries = {
     parameters: { R: 1, a: 0.2, r: 0.01 },
     from: [0.64, 0.88, 0.18096367336850627],
     to: [-1.0620743135838966, 0.56, 0.01],
+    camera: [-0.47, -0.17, 0.87],
   },
   metamorphosis: {
     kind: 'implicit',
@@ -143,6 +149,7 @@ const entries = {
     parameters: { c: 1.1 },
     from: [-0.71, -0.04, -0.2754515027752106],
     to: [0.22, 0.58, 0.18274845945628287],
+    camera: [-0.15, 0.85, 0.5],
   },
   genus2: {
     kind: 'implicit',
@@ -153,6 +160,7 @@ const entries = {
     bounds: cube(2),
     from: [-1.11, 0.77, 0.8099765185816116],
     to: [1.367883512819138, 0.42, 0.67],
+    camera: [0.66, 0.56, 0.5],
   },
   torus: {
     kind: 'implicit',
@@ -164,6 +172,7 @@ const entries = {
     parameters: { R: 4, a: 1.5 },
     from: [3.55, 2.77, 1.4132129005459257],
     to: [-3.87, -1.75, 1.4794768899590203],
+    camera: [0.43, -0.75, 0.5],
   },
   printed47: {
     kind: 'implicit',
@@ -174,6 +183,7 @@ const entries = {
     bounds: cube(1.5),
     from: [-0.65, -0.6186491060227134, 0.89],
     to: [0.28, -0.05, 0.9125795608273517],
+    camera: [0.48, -0.84, 0.26],
   },
   banchoffChmutov: {
     kind: 'implicit',
@@ -184,6 +194,7 @@ const entries = {
     bounds: cube(1.25),
     from: [0.85, 0.45, 0.993384930108047],
     to: [0.09, -0.9279770987560512, 0.67],
+    camera: [-0.38, -0.32, 0.87],
   },
   sphere: {
     kind: 'implicit',
@@ -195,6 +206,7 @@ const entries = {
     parameters: { r: 1 },
     from: [0.6, 0, 0.8],
     to: [-0.48, 0.6, -0.64],
+    camera: [-0.43, 0.75, 0.5],
   },
   globe: {
     kind: 'parametric',
@@ -208,6 +220,7 @@ const entries = {
     v: ['-pi/2', 'pi/2'],
     from: [0.76, -0.24],
     to: [-1.83, 0.87],
+    camera: [0.81, -0.3, 0.5],
   },
   ellipsoid: {
     kind: 'implicit',
@@ -223,10 +236,11 @@ const entries = {
     parameters: { a: 3, b: 2, c: 1 },
     from: [-1.4, -1.44, 0.513636274246886],
     to: [0.87, 1.8420640596895648, -0.26],
+    camera: [0.12, 0.7, 0.71],
   },
-  ring: {
+  parametricTorus: {
     kind: 'parametric',
-    title: 'Torus',
+    title: 'Torus, parametric',
     formula: 'x = (R + a cos v) cos u, y = (R + a cos v) sin u, z = a sin v',
     source: 'Eq. 46 of Liu, Xiao, Meng in parameters',
     x: '(R+a*cos(v))*cos(u)',
@@ -237,6 +251,7 @@ const entries = {
     parameters: { R: 4, a: 1.5 },
     from: [1.77, 1.76],
     to: [3.91, 0.52],
+    camera: [-0.12, -0.7, 0.71],
   },
   catenoid: {
     kind: 'parametric',
@@ -250,6 +265,7 @@ const entries = {
     v: [-1.5, 1.5],
     from: [1.4, 1.26],
     to: [-0.95, 1.06],
+    camera: [-0.66, -0.24, 0.71],
   },
   enneper: {
     kind: 'parametric',
@@ -263,6 +279,7 @@ const entries = {
     v: [-1.5, 1.5],
     from: [1.2, -0.9],
     to: [1.08, 0.95],
+    camera: [0.91, -0.33, 0.26],
   },
   moebius: {
     kind: 'parametric',
@@ -276,6 +293,7 @@ const entries = {
     v: [-0.4, 0.4],
     from: [0.6, -0.08],
     to: [2.97, 0.25],
+    camera: [0.66, -0.56, 0.5],
   },
   bumpy: {
     kind: 'parametric',
@@ -290,6 +308,7 @@ const entries = {
     parameters: { h: 0.5 },
     from: [-2.29, -1.49],
     to: [0.96, -1.7],
+    camera: [-0.25, 0.43, 0.87],
   },
 };
 
@@ -303,5 +322,5 @@ function freeze(value) {
   return Object.freeze(value);
 }
 
-/** Named surfaces with a title, a formula to show, a source and a pair of points that makes a good picture. */
+/** Named surfaces with a title, a formula to show, a source and a pair of points that makes a good picture: plain data, frozen. */
 export const gallery = freeze(entries);

@@ -1,6 +1,6 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
-import { describe } from './path.js';
+import { checkNames, describe } from './path.js';
 import { compileSolver, Solver } from './runtime/solver.js';
 import { Surface } from './surface.js';
 
@@ -54,7 +54,7 @@ export class Surfpath {
   /** @param {'parametric' | 'implicit'} kind @param {any} definition */
   #add(kind, definition) {
     if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
-    const surface = new Surface(this.#solver, kind, definition);
+    const surface = new Surface(this.#solver, kind, definition, () => this.#surfaces.delete(surface));
     this.#surfaces.add(surface);
     return surface;
   }
@@ -76,6 +76,8 @@ export function makeLoad(inlined) {
    * @returns {Promise<Surfpath>} rejects, in words, without WebAssembly SIMD
    */
   return async function load(options = {}) {
+    if (typeof options !== 'object' || options === null) throw new TypeError(`load: options must be an object, not ${describe(options)}`);
+    checkNames('load', options, ['wasm']);
     const { wasm } = options;
     const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
     let module = compiled.get(key);

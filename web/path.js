@@ -55,10 +55,11 @@ export const STATUS = new Map([
  */
 
 const ALGORITHMS = new Map([
+  ['elements', 0],
   ['polyline', 1],
   ['paper', 2],
 ]);
-const KNOWN = new Set(['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance', 'via']);
+const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance'];
 const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
@@ -78,12 +79,17 @@ export function describe(value) {
   return typeof value === 'object' ? 'an object' : String(value);
 }
 
+/** Refuses options that do not exist. @param {string} caller @param {object} options @param {string[]} known */
+export function checkNames(caller, options, known) {
+  for (const [name, value] of Object.entries(options))
+    if (!known.includes(name) && value !== undefined)
+      throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
+}
+
 /** What is designed but not built yet is refused, never silently replaced. @param {string} caller @param {Record<string, unknown>} options */
 function refuseUnbuilt(caller, options) {
   const unbuilt = [
-    [options.algorithm === 'elements', "algorithm 'elements' is not built yet: use 'polyline'"],
     [options.start === 'global', "start 'global' is not built yet: use 'straight', a polyline or an earlier path"],
-    [options.tolerance !== undefined, 'tolerance is not built yet: choose `points`, and look at lengthError'],
     [options.via !== undefined, 'via is not built yet: solve piece by piece'],
   ];
   for (const [asked, message] of unbuilt) if (asked) throw new RangeError(`${caller}: ${message}`);
@@ -99,9 +105,8 @@ export function readOptions(caller, given) {
   if (given !== undefined && (typeof given !== 'object' || given === null))
     throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
   const options = /** @type {Record<string, any>} */ (given ?? {});
-  for (const name of Object.keys(options))
-    if (!KNOWN.has(name)) throw new TypeError(`${caller}: there is no option '${name}'; the options are ${[...KNOWN].join(', ')}`);
   refuseUnbuilt(caller, options);
+  checkNames(caller, options, KNOWN);
   const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'straight' } = options;
   const code = ALGORITHMS.get(algorithm);
   if (code === undefined) throw new RangeError(`${caller}: options.algorithm must be 'polyline' or 'paper', not ${describe(algorithm)}`);
@@ -109,6 +114,7 @@ export function readOptions(caller, given) {
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
   if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
   const solve = {
+    tolerance: options.tolerance ?? 1e-9,
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
     points: integer(caller, 'points', points, 1, MOST_POINTS),
@@ -132,12 +138,14 @@ export function readStart(caller, start, dimension) {
   if (isPath && !(numbers?.length > 0))
     throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
-    throw new TypeError(`${caller}: options.start must be 'straight', a polyline (an array of ${what}) or a path, not ${describe(start)}`);
+    throw new TypeError(
+      `${caller}: options.start must be 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
+    );
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
-    throw new RangeError(`${caller}: options.start must hold ${what} of 2 to 1,000,000 points, not ${numbers.length} numbers`);
+    throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
   const copy = Float64Array.from(/** @type {ArrayLike<number>} */ (numbers));
   const bad = copy.findIndex((x) => !Number.isFinite(x));
-  if (bad >= 0) throw new RangeError(`${caller}: options.start[${bad}] is not a finite number`);
+  if (bad >= 0) throw new RangeError(`${caller}: options.start[${bad}] must be a finite number, not ${describe(numbers[bad])}`);
   return copy;
 }
 

@@ -1,10 +1,10 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
-import { checkBounds, checkDefinition, checkParameters, checkRange, readNumbers } from './definition.js';
-import { findDomain, liftNear } from './domain.js';
+import { checkBounds, checkDefinition, checkParameters, checkPeriodic, checkPoints, checkRange, readNumbers } from './definition.js';
+import { enterDomain, findDomain, liftEnds } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { meshRectangle } from './mesh.js';
-import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
 
 /** @typedef {import('./definition.js').Expression} Expression */
@@ -27,7 +27,9 @@ const SHAPE = {
 export class Surface {
   /** @type {'parametric' | 'implicit'} */ kind;
   #solver;
-  /** @type {any} */ #definition;
+  #forget;
+  /** @type {Expression[][]} */ #ranges = [];
+  /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
@@ -37,14 +39,19 @@ export class Surface {
   #generation = 0;
   #disposed = false;
 
-  /** Made by `parametric` and `implicit` of an instance. @param {import('./runtime/solver.js').Solver} solver @param {'parametric' | 'implicit'} kind @param {any} definition */
-  constructor(solver, kind, definition) {
+  /** Made by `parametric` and `implicit` of an instance. @param {import('./runtime/solver.js').Solver} solver @param {'parametric' | 'implicit'} kind @param {any} definition @param {() => void} forget called when the surface is disposed */
+  constructor(solver, kind, definition, forget) {
     const shape = SHAPE[kind];
-    checkDefinition(kind, definition, kind === 'parametric' ? ['x', 'y', 'z', 'u', 'v'] : ['f']);
+    checkDefinition(kind, definition, kind === 'parametric' ? [...shape.names, ...shape.variables] : shape.names, shape.names);
     this.kind = kind;
     this.#solver = solver;
-    this.#definition = definition;
-    this.#parameters = checkParameters(kind, definition.parameters);
+    this.#forget = forget;
+    for (const name of kind === 'parametric' ? shape.variables : []) {
+      checkRange(kind, definition[name], name);
+      this.#ranges.push([...definition[name]]);
+    }
+    this.#periodic = checkPeriodic(kind, definition.periodic);
+    this.#parameters = checkParameters(kind, definition.parameters ?? {});
     this.#compiled = compile({
       outputs: shape.names.map((name) => definition[name]),
       names: shape.names,
@@ -54,9 +61,6 @@ export class Surface {
       valueOrder: shape.valueOrder,
     });
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
-    const periodic = definition.periodic ?? 'auto';
-    if (periodic !== 'auto' && (typeof periodic !== 'object' || periodic === null))
-      throw new TypeError(`${kind}: periodic must be 'auto' or { u, v } of true or false, not ${describe(periodic)}`);
     const range = this.#readRange(kind);
     this.#install();
     this.#settle(range);
@@ -93,7 +97,7 @@ export class Surface {
     const dimension = SHAPE[this.kind].variables.length;
     const given = readStart(caller, start, dimension);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    const lifted = this.#liftEnds(ends[0], ends[1], given);
+    const lifted = this.#domain ? liftEnds(this.#domain, ends[0], ends[1], given) : ends;
     const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
     const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
     if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
@@ -108,9 +112,7 @@ export class Surface {
   evaluate(points) {
     const caller = 'evaluate';
     this.#checkAlive(caller);
-    const inputs = SHAPE[this.kind].variables.length;
-    if (typeof points !== 'object' || points === null || typeof points.length !== 'number' || points.length % inputs)
-      throw new RangeError(`${caller}: points must be an array of ${SHAPE[this.kind].variables.join(' ')}, ${inputs} numbers a point`);
+    checkPoints(caller, points, SHAPE[this.kind].variables);
     if (this.kind === 'implicit') return this.#evaluate('value', points);
     return positionsAndNormals(this.#evaluate('jet', points));
   }
@@ -146,7 +148,10 @@ export class Surface {
   mesh(options = {}) {
     const caller = 'mesh';
     this.#checkAlive(caller);
-    const resolution = options?.resolution ?? RESOLUTION[this.kind];
+    if (typeof options !== 'object' || options === null)
+      throw new TypeError(`${caller}: options must be an object, not ${describe(options)}`);
+    checkNames(caller, options, ['resolution']);
+    const resolution = options.resolution ?? RESOLUTION[this.kind];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
@@ -171,6 +176,7 @@ export class Surface {
           `${caller}: the surface has no parameter '${name}'; it has ${Object.keys(this.#parameters).join(', ') || 'none'}`,
         );
     const before = this.#parameters;
+    this.#wake();
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
@@ -192,6 +198,7 @@ export class Surface {
       this.#solver.heap.release(this.#record);
     }
     this.#installed = null;
+    this.#forget();
   }
 
   /** @param {string} caller */
@@ -207,12 +214,16 @@ export class Surface {
     this.#writeParameters();
   }
 
+  /** Installs the surface again where a trap has made the solver begin anew. */
+  #wake() {
+    if (this.#generation === this.#solver.generation) return;
+    this.#install();
+    this.#writeRecord();
+  }
+
   /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
   #run(call) {
-    if (this.#generation !== this.#solver.generation) {
-      this.#install();
-      this.#writeRecord();
-    }
+    this.#wake();
     return this.#solver.run(() => call(this.#solver.heap));
   }
 
@@ -237,10 +248,7 @@ export class Surface {
       [0, 0],
     ];
     for (const [j, name] of ['u', 'v'].entries()) {
-      checkRange(caller, this.#definition[name], name);
-      const range = this.#definition[name].map((/** @type {Expression} */ end) =>
-        evaluateConstant(end, this.#parameters, this.#solver.apply),
-      );
+      const range = this.#ranges[j].map((end) => evaluateConstant(end, this.#parameters, this.#solver.apply, name));
       if (!range.every(Number.isFinite) || !(range[0] < range[1]))
         throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
       [lower[j], upper[j]] = range;
@@ -250,7 +258,7 @@ export class Surface {
 
   /** Finds out which directions are periodic, and tells the solver. @param {{ lower: number[], upper: number[] } | null} range */
   #settle(range) {
-    if (range) this.#domain = findDomain(this.#definition.periodic ?? 'auto', (points) => this.#evaluate('jet', points), range);
+    if (range) this.#domain = findDomain(this.#periodic, (points) => this.#evaluate('jet', points), range);
     this.#writeRecord();
   }
 
@@ -265,32 +273,10 @@ export class Surface {
     this.#solver.heap.writeSurface(this.#record, { kind: KIND[this.kind], jet, value, lower, upper, extent });
   }
 
-  /** A point of the domain: inside the rectangle up to rounding, or any point of space. @param {string} caller @param {string} name @param {unknown} point */
+  /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
   #readPoint(caller, name, point) {
-    const domain = this.#domain;
-    const numbers = readNumbers(caller, name, point, domain ? 2 : 3);
-    if (!domain) return numbers;
-    return numbers.map((x, j) => {
-      const [low, high] = [domain.lower[j], domain.upper[j]];
-      const slack = 1e-12 * (high - low);
-      if (domain.periodic[j]) return x;
-      if (x < low - slack || x > high + slack)
-        throw new RangeError(`${caller}: ${name}[${j}] = ${x} lies outside the range ${'uv'[j]} of the surface, [${low}, ${high}]`);
-      return Math.min(Math.max(x, low), high);
-    });
-  }
-
-  /**
-   * The ends on the lifts where they are solved: near each other, or near the given start; the lexicographically smaller one stays, so that
-   * exchanging the ends gives the same problem.
-   * @param {number[]} from @param {number[]} to @param {Float64Array | null} start
-   */
-  #liftEnds(from, to, start) {
-    const domain = this.#domain;
-    if (!domain || !(domain.periodic[0] || domain.periodic[1])) return [from, to];
-    if (start) return [liftNear(domain, from, [start[0], start[1]]), liftNear(domain, to, Array.from(start.subarray(-2)))];
-    const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
-    return swap ? [liftNear(domain, from, to), to] : [from, liftNear(domain, to, from)];
+    const numbers = readNumbers(caller, name, point, SHAPE[this.kind].variables.length);
+    return this.#domain ? enterDomain(this.#domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
   /** Where a projection starts. @param {number[]} target */

@@ -2,7 +2,7 @@
  * carrying the gradient and the Hessian along; each function's derivatives are the textbook's, not those of functions.js. */
 
 /** @typedef {{ value: number, gradient: number[], hessian: number[][] }} Dual */
-/** @typedef {import('../../web/expression/parse.js').Instruction} Instruction */
+/** @typedef {import('../../web/expression/postfix.js').Instruction} Instruction */
 
 /** f, f', f'' of functions of one argument. @type {Record<string, (x: number) => [number, number, number]>} */
 const FUNCTIONS = {
@@ -105,7 +105,7 @@ function power(a, b) {
   const [x, n] = [a.value, b.value];
   const term = (/** @type {number} */ factor, /** @type {number} */ exponent) => (factor === 0 ? 0 : factor * x ** exponent);
   const [value, slope, curvature] = [x ** n, term(n, n - 1), term(n * (n - 1), n - 2)];
-  if (b.gradient.every((component) => component === 0)) return one(a, value, slope, curvature);
+  if ([b.gradient, ...b.hessian].flat().every((component) => component === 0)) return one(a, value, slope, curvature);
   const logarithm = Math.log(x);
   return two(a, b, value, {
     a: slope,

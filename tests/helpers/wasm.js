@@ -2,25 +2,31 @@
 
 import { readFileSync } from 'node:fs';
 
+/** @typedef {import('../../web/expression/compile.js').Compiled} Compiled */
+
 const BUILT = new URL('../../dist/surfpath.wasm', import.meta.url);
 
 /**
  * Instantiates the solver's module.
  * @param {URL | string} [path] which file; default: what `make` built
- * @returns {{ exports: Record<string, any>, apply: import('../../web/expression/graph.js').Apply, link: typeof link }}
  */
 export function instantiate(path = BUILT) {
   const module = new WebAssembly.Module(readFileSync(path));
   const { exports } = new WebAssembly.Instance(module, { env: { emscripten_notify_memory_growth() {} } });
   const solver = /** @type {Record<string, any>} */ (exports);
   solver._initialize?.();
-  return { exports: solver, apply: solver.sp_apply_function, link: (compiled, inputCount) => link(solver, compiled, inputCount) };
+  return {
+    exports: solver,
+    apply: /** @type {import('../../web/expression/graph.js').Apply} */ (solver.sp_apply_function),
+    /** @param {Compiled} compiled @param {number} inputCount how many variables there are */
+    link: (compiled, inputCount) => link(solver, compiled, inputCount),
+  };
 }
 
 /**
  * Makes a compiled expression callable from tests, which hand over and get plain numbers.
  * @param {Record<string, any>} solver
- * @param {import('../../web/expression/compile.js').Compiled} compiled
+ * @param {Compiled} compiled
  * @param {number} inputCount how many variables there are
  */
 function link(solver, compiled, inputCount) {

@@ -2,7 +2,7 @@
  * WebAssembly module. Needs pair.h, functions.h and tests/native/expression.h. */
 
 import { solverFunctions } from '../../web/expression/functions.js';
-import { Operation } from '../../web/expression/graph.js';
+import { Operation } from '../../web/expression/operation.js';
 import { constantsOf, plan } from '../../web/expression/plan.js';
 
 /** @typedef {import('../../web/expression/compile.js').Compiled} Compiled */

@@ -1,9 +1,9 @@
 /* Gradient and Hessian of the discrete energy against finite differences of the energy itself, and the folded block solve against dense
  * algebra. */
-#include "testing.h"
 #include "energy.h"
 #include "newton.h"
 #include "surfaces.h"
+#include "testing.h"
 
 #include <math.h>
 #include <stdlib.h>

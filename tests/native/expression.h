@@ -1,5 +1,5 @@
-/* What expressions written as C need beyond pair.h: the WebAssembly instructions f64x2.min, f64x2.max and f64x2.floor, and bitwise operators
- * on pairs. Everything but the bits of a NaN is as in WebAssembly. */
+/* What expressions written as C need beyond pair.h: the WebAssembly instructions f64x2.min, f64x2.max and f64x2.floor, and bitwise
+ * operators on pairs. Everything but the bits of a NaN is as in WebAssembly. */
 #ifndef SURFPATH_TESTS_EXPRESSION_H
 #define SURFPATH_TESTS_EXPRESSION_H
 

@@ -1,7 +1,7 @@
 /* Whole solves through the exported functions: known lengths, reversal to the bit, saddles left, arenas of every size, hostile numbers. */
-#include "testing.h"
 #include "surfaces.h"
 #include "surfpath.h"
+#include "testing.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,13 @@
 /* The little that native tests need: CHECK counts and prints what failed; main returns checks_failed(). */
-#ifndef SURFPATH_TEST_CHECK_H
-#define SURFPATH_TEST_CHECK_H
+#ifndef SURFPATH_TEST_TESTING_H
+#define SURFPATH_TEST_TESTING_H
 
 #include <stdint.h>
 #include <stdio.h>
 
 static int check_count, check_failures;
 
-#define CHECK(condition, ...)                                                                                                             \
+#define CHECK(condition, ...)                                                                                                              \
     do {                                                                                                                                   \
         check_count++;                                                                                                                     \
         if (!(condition)) {                                                                                                                \

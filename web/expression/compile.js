@@ -17,7 +17,7 @@ const LARGEST_PARAMETER_COUNT = 64;
 
 /**
  * @typedef {object} Compiled
- * @property {Uint8Array} module imports env.memory, env.data (i32 constant, address of the data block, a multiple of 16) and the env.sp_… functions it calls; exports `jet` and `value`
+ * @property {Uint8Array<ArrayBuffer>} module imports env.memory, env.data (i32 constant, address of the data block, a multiple of 16) and the env.sp_… functions it calls; exports `jet` and `value`
  * @property {Float64Array} data what the data block starts with: parameters in the order of their names, then constants
  * @property {number} dataBytes size of the data block with its scratch, a multiple of 16
  * @property {string[]} parameterNames in the order of `data`
@@ -71,7 +71,7 @@ export function evaluateConstant(source, parameters, apply, name = '') {
   return graph.numberOf(differentiate(graph, read(source, scope, name), 0, 0).value);
 }
 
-/** @param {string | number} source @param {Map<string, Meaning>} scope @param {string} name @returns {import('./parse.js').Instruction[]} */
+/** @param {string | number} source @param {Map<string, Meaning>} scope @param {string} name @returns {import('./postfix.js').Instruction[]} */
 function read(source, scope, name) {
   if (typeof source === 'string') return parse(source, scope, name);
   if (typeof source === 'number' && Number.isFinite(source)) return [{ kind: 'number', name: '', value: source, index: 0 }];

@@ -5,7 +5,7 @@
 import { ATAN2, LOG, POW, rules } from './functions.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
-/** @typedef {import('./parse.js').Instruction} Instruction */
+/** @typedef {import('./postfix.js').Instruction} Instruction */
 
 /**
  * Nodes of a value, of its first derivatives variable by variable, and of its second derivatives in upper-triangular order (uu, uv, vv).

@@ -5,7 +5,7 @@
 
 import * as wasm from './encode.js';
 import { SIN, solverFunctions } from './functions.js';
-import { Operation } from './graph.js';
+import { Operation } from './operation.js';
 import { constantsOf, plan } from './plan.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
@@ -39,7 +39,7 @@ for (const [name, bytes] of Object.entries(wasm.arithmetic)) INSTRUCTIONS[Operat
  * @param {Graph} graph
  * @param {{ jet: number[], value: number[] }} outputs nodes that each function stores, in order
  * @param {{ variableCount: number, parameterCount: number }} counts
- * @returns {{ module: Uint8Array, constants: number[], dataBytes: number }} `constants` follow the parameters in the data block, scratch follows them
+ * @returns {{ module: Uint8Array<ArrayBuffer>, constants: number[], dataBytes: number }} `constants` follow the parameters in the data block, scratch follows them
  */
 export function emit(graph, outputs, { variableCount, parameterCount }) {
   const plans = [plan(graph, outputs.jet), plan(graph, outputs.value)];

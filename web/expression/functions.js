@@ -19,21 +19,24 @@
  * @type {readonly { name: string, arity: 1 | 2 }[]}
  */
 export const solverFunctions = [
-  { name: 'sin', arity: 1 },
-  { name: 'cos', arity: 1 },
-  { name: 'tan', arity: 1 },
-  { name: 'asin', arity: 1 },
-  { name: 'acos', arity: 1 },
-  { name: 'atan', arity: 1 },
-  { name: 'atan2', arity: 2 },
-  { name: 'sinh', arity: 1 },
-  { name: 'cosh', arity: 1 },
-  { name: 'tanh', arity: 1 },
-  { name: 'exp', arity: 1 },
-  { name: 'log', arity: 1 },
-  { name: 'cbrt', arity: 1 },
-  { name: 'pow', arity: 2 },
-];
+  'sin',
+  'cos',
+  'tan',
+  'asin',
+  'acos',
+  'atan',
+  'atan2',
+  'sinh',
+  'cosh',
+  'tanh',
+  'exp',
+  'log',
+  'cbrt',
+  'pow',
+].map((name) => ({
+  name,
+  arity: /** @type {1 | 2} */ (name === 'atan2' || name === 'pow' ? 2 : 1),
+}));
 
 /** @param {string} name */
 const numberOf = (name) => solverFunctions.findIndex((entry) => entry.name === name);

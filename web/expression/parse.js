@@ -1,4 +1,4 @@
-/* Text -> postfix program: an operator-precedence parser with two stacks and no recursion, so that no text can overflow anything.
+/* Text -> postfix program: an operator-precedence parser without recursion, so that no text can overflow anything.
  *
  * Knows which names are functions and which the caller's scope holds; knows nothing of graphs or derivatives. Where notation is ambiguous
  * (1/2u, sin^2(u), |x|y|z|) it refuses and says what to write. */
@@ -7,8 +7,11 @@ import { unexpected, unknown, wrongCount } from './advice.js';
 import { ExpressionError } from './error.js';
 import { functions } from './functions.js';
 import { BINARY, IMPLICIT, NAME, NUMBER, POWER, RADICAL, SIGNS, SUPERSCRIPT, SYNONYMS, superscriptValue } from './notation.js';
+import { Postfix } from './postfix.js';
 
 /** @typedef {import('./notation.js').Operator} Operator */
+/** @typedef {import('./postfix.js').Instruction} Instruction */
+/** @typedef {import('./postfix.js').Entry} Entry */
 
 /** The largest expression that is read. */
 export const LIMITS = Object.freeze({ characters: 4096, nodes: 2000, nesting: 64 });
@@ -17,15 +20,6 @@ export const LIMITS = Object.freeze({ characters: 4096, nodes: 2000, nesting: 64
  * What a name stands for: `value` is the number, or the index of the variable or parameter.
  * @typedef {{ kind: 'number' | 'variable' | 'parameter', value: number }} Meaning
  */
-/**
- * One step of a postfix program. Of a call, `value` is the number of arguments taken from the stack.
- * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'call', name: string, value: number, index: number }} Instruction
- */
-/**
- * On the stack: a waiting operator, or an open bracket (precedence 0) with the function it belongs to and the arguments before this one.
- * @typedef {{ name: string, precedence: number, operands: number, index: number, bracket: '' | '(' | '|', count: number }} Entry
- */
-
 /**
  * Reads an expression.
  * @param {string} source
@@ -39,8 +33,7 @@ export function parse(source, scope, argument) {
 }
 
 class Parser {
-  /** @type {Instruction[]} */ #program = [];
-  /** @type {Entry[]} */ #stack = [];
+  #output = new Postfix();
   #index = 0;
   #nesting = 0;
   #expectsOperand = true;
@@ -64,9 +57,11 @@ class Parser {
     for (this.#skipSpace(); this.#index < this.#source.length; this.#skipSpace()) {
       if (this.#expectsOperand) this.#readOperand();
       else this.#readOperator();
+      this.#checkSize();
     }
     this.#finish();
-    return this.#program;
+    this.#checkSize();
+    return this.#output.program;
   }
 
   #readOperand() {
@@ -101,7 +96,7 @@ class Parser {
     if (this.#source[end] === '.') this.#fail('a number has only one decimal point, as in 1.25', end);
     const value = Number(text);
     if (!Number.isFinite(value)) this.#fail(`${text} is too large; write numbers up to 1.79e308`);
-    this.#emit('number', text, value, this.#index);
+    this.#output.emit('number', text, value, this.#index);
     this.#operandRead(text.length, 'number');
   }
 
@@ -130,30 +125,30 @@ class Parser {
   /** @param {string} name @param {number} length */
   #emitMeaning(name, length) {
     const { kind, value } = /** @type {Meaning} */ (this.#scope.get(name));
-    this.#emit(kind, name, value, this.#index);
+    this.#output.emit(kind, name, value, this.#index);
     this.#operandRead(length, 'name');
   }
 
   /** @param {string} text */
   #readSuperscript(text) {
     this.#checkPower();
-    this.#emit('number', text, superscriptValue(text), this.#index);
-    this.#emit('call', POWER.name, 2, this.#index);
+    this.#output.emit('number', text, superscriptValue(text), this.#index);
+    this.#output.emit('call', POWER.name, 2, this.#index);
     this.#operandRead(text.length, 'superscript');
   }
 
   /** @param {'(' | '|'} bracket @param {string} name function it belongs to @param {number} [start] */
   #open(bracket, name, start = this.#index) {
     if (++this.#nesting > LIMITS.nesting) this.#fail(`brackets are nested more than ${LIMITS.nesting} deep; write the expression flatter`);
-    this.#stack.push({ name, precedence: 0, operands: 0, index: start, bracket, count: 0 });
+    this.#output.push({ name, precedence: 0, operands: 0, index: start, bracket, count: 0 });
     this.#index++;
     this.#expectsOperand = true;
     this.#last = 'open';
   }
 
   #close() {
-    this.#reduce(1);
-    const group = this.#stack.pop();
+    this.#output.reduce(1);
+    const group = this.#output.pop();
     if (!group) return this.#fail('this ) has no opening bracket; remove it or write the ( before it');
     if (group.bracket === '|') this.#fail('the | before this ) is not closed; write abs(…)', group.index);
     if (group.name) this.#emitCall(group.name, group.count + 1, group.index);
@@ -161,10 +156,10 @@ class Parser {
   }
 
   #closeBar() {
-    this.#reduce(1);
-    const group = this.#stack.pop();
+    this.#output.reduce(1);
+    const group = this.#output.pop();
     if (group?.bracket !== '|') return this.#fail('this | could open or close; write abs(…), and * for products');
-    this.#emit('call', 'abs', 1, group.index);
+    this.#output.emit('call', 'abs', 1, group.index);
     this.#closed();
   }
 
@@ -174,8 +169,8 @@ class Parser {
   }
 
   #nextArgument() {
-    this.#reduce(1);
-    const group = this.#stack.at(-1);
+    this.#output.reduce(1);
+    const group = this.#output.top;
     if (!group?.name) return this.#fail('a comma only separates the arguments of a function; write decimals with a point, as in 0.5');
     group.count++;
     this.#index++;
@@ -187,12 +182,12 @@ class Parser {
   #emitCall(written, count, index) {
     const { name, least, most } = /** @type {import('./functions.js').Callable} */ (functions.get(written));
     if (count < least || count > most) this.#fail(wrongCount(written, count), index);
-    this.#emit('call', name, count, index);
+    this.#output.emit('call', name, count, index);
   }
 
   /** @param {Operator} operator */
   #pushBinary(operator) {
-    this.#reduce(operator.precedence);
+    this.#output.reduce(operator.precedence);
     this.#push(operator, 1);
   }
 
@@ -205,13 +200,13 @@ class Parser {
   /** @param {number} length of the operator's text */
   #pushPower(length) {
     this.#checkPower();
-    this.#reduce(POWER.precedence + 1);
+    this.#output.reduce(POWER.precedence + 1);
     this.#push(POWER, length);
   }
 
   /** @param {Operator} operator @param {number} length */
   #push(operator, length) {
-    this.#stack.push({ ...operator, index: this.#index, bracket: '', count: 0 });
+    this.#output.push({ ...operator, index: this.#index, bracket: '', count: 0 });
     this.#index += length;
     this.#expectsOperand = true;
     this.#last = 'operator';
@@ -230,41 +225,31 @@ class Parser {
     if (isNumber && this.#last !== 'name' && this.#last !== 'close')
       this.#fail('two numbers stand side by side; write * or another operator between them');
     if (this.#afterRadical()) this.#fail('this could belong under the root or not; write √(…) with brackets or * before it');
-    this.#reduce(IMPLICIT.precedence);
-    if (this.#stack.at(-1)?.name === 'divide') {
+    this.#output.reduce(IMPLICIT.precedence);
+    if (this.#output.top?.name === 'divide') {
       this.#fail('a product without * after / could mean two things; write a/(b*c) or a/b*c');
     }
     this.#push(IMPLICIT, 0);
   }
 
   #afterRadical() {
-    return this.#stack.at(-1)?.precedence === RADICAL.precedence;
+    return this.#output.top?.precedence === RADICAL.precedence;
   }
 
   #finish() {
     const end = this.#source.length;
-    if (this.#program.length === 0 && this.#stack.length === 0) this.#fail('the expression is empty; write a number or a formula', 0);
+    if (this.#last === '') this.#fail('the expression is empty; write a number or a formula', 0);
     if (this.#expectsOperand) this.#fail('the expression ends too early; write a number, a name or a bracket here', end);
-    this.#reduce(1);
-    const open = this.#stack.at(-1);
+    this.#output.reduce(1);
+    const open = this.#output.top;
     if (!open) return;
     const index = this.#source.indexOf(open.bracket, open.index);
     this.#fail(`this ${open.bracket} is not closed; write ${open.bracket === '|' ? 'the second |' : 'a )'} after it`, index);
   }
 
-  /** Emits the waiting operators that bind at least this tightly. @param {number} precedence */
-  #reduce(precedence) {
-    for (let top = this.#stack.at(-1); top && top.precedence >= precedence; top = this.#stack.at(-1)) {
-      this.#stack.pop();
-      if (top.name) this.#emit('call', top.name, top.operands, top.index);
-    }
-  }
-
-  /** @param {Instruction['kind']} kind @param {string} name @param {number} value @param {number} index */
-  #emit(kind, name, value, index) {
-    this.#program.push({ kind, name, value, index });
-    if (this.#program.length > LIMITS.nodes) {
-      this.#fail(`the expression has more than ${LIMITS.nodes} numbers, names and operations; write it shorter`, index);
+  #checkSize() {
+    if (this.#output.program.length > LIMITS.nodes) {
+      this.#fail(`the expression has more than ${LIMITS.nodes} numbers, names and operations; write it shorter`);
     }
   }
 
@@ -294,7 +279,7 @@ class Parser {
   /** @param {string} symbol */
   #failWithoutOperand(symbol) {
     if (symbol === ')' && this.#last === 'open') {
-      const open = /** @type {Entry} */ (this.#stack.at(-1));
+      const open = /** @type {Entry} */ (this.#output.top);
       if (open.name) this.#emitCall(open.name, 0, open.index);
     }
     if (symbol === ')' || symbol === ',' || symbol === '^' || BINARY.has(symbol) || this.#match(SUPERSCRIPT)) {

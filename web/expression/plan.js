@@ -2,7 +2,7 @@
  * which sines and cosines belong together. */
 
 import { COS, SIN } from './functions.js';
-import { Operation } from './graph.js';
+import { Operation } from './operation.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
 

@@ -1,0 +1,99 @@
+/** The demo page in headless Chromium for a test: served, opened, listened to, and closed again with everything it left behind. */
+
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { serve } from '../../demo/serve.js';
+
+const ARGUMENTS = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--enable-unsafe-swiftshader',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+/** Taking a screenshot reads the canvas back: the software renderer remarks on that, and nothing else, as the driver. */
+const OF_THE_SCREENSHOT = /GL Driver Message .*GPU stall due to ReadPixels/;
+
+/**
+ * Opens a browser and the server of the page.
+ * @param {string[]} [more] arguments for the browser
+ */
+export async function openBrowser(more = []) {
+  const folder = await mkdtemp(join(tmpdir(), 'surfpath-browser-'));
+  const server = await serve();
+  const context = await chromium.launchPersistentContext(folder, {
+    executablePath: '/usr/bin/chromium',
+    headless: true,
+    viewport: { width: 900, height: 600 },
+    reducedMotion: 'reduce',
+    args: [...ARGUMENTS, ...more],
+  });
+  const close = async () => {
+    await context.close();
+    await server.close();
+    await rm(folder, { recursive: true, force: true });
+  };
+  return { context, address: server.address, close };
+}
+
+/**
+ * Opens the page and keeps what its console says.
+ * @param {import('playwright-core').BrowserContext} context @param {string} address
+ */
+export async function openPage(context, address) {
+  const page = await context.newPage();
+  /** @type {string[]} errors and warnings, since the page was opened */
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type()) && !OF_THE_SCREENSHOT.test(message.text())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error.stack)));
+  page.on('requestfailed', (request) => complaints.push(`${request.url()} failed`));
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.url()}: ${response.status()}`);
+  });
+  await page.goto(address);
+  return { page, complaints };
+}
+
+/** Waits until what was changed is drawn: two frames. @param {import('playwright-core').Page} page */
+export async function nextFrame(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+}
+
+/**
+ * Measures a picture, in the browser, which can decode it.
+ * @param {import('playwright-core').Page} page @param {Buffer} picture PNG
+ * @returns {Promise<{ lit: number, deviation: number, warm: number, darkest: number }>} lit: share of pixels unlike the corner's; deviation: of the
+ *   brightness of these, 0 … 255; warm: number of pixels in the path's colour; darkest: brightness
+ */
+export async function measurePicture(page, picture) {
+  return page.evaluate(
+    async (bytes) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
+      const drawing = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(image.width, image.height).getContext('2d'));
+      drawing.drawImage(image, 0, 0);
+      const { data } = drawing.getImageData(0, 0, image.width, image.height);
+      const corner = data[0] + data[1] + data[2];
+      let [lit, sum, squares, warm, darkest] = [0, 0, 0, 0, 255];
+      for (let i = 0; i < data.length; i += 4) {
+        const brightness = (data[i] + data[i + 1] + data[i + 2]) / 3;
+        darkest = Math.min(darkest, brightness);
+        if (data[i] > 200 && data[i + 1] < 130 && data[i + 2] < 80) warm++;
+        if (Math.abs(3 * brightness - corner) < 60) continue;
+        lit++;
+        sum += brightness;
+        squares += brightness * brightness;
+      }
+      const deviation = Math.sqrt(Math.max(squares / lit - (sum / lit) ** 2, 0));
+      return { lit: (4 * lit) / data.length, deviation, warm, darkest };
+    },
+    [...picture],
+  );
+}

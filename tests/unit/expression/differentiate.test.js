@@ -1,0 +1,525 @@
+/* Derivatives, operator by operator at awkward arguments, against second-order dual numbers and against finite differences. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { compile } from '../../../web/expression/compile.js';
+import { parse } from '../../../web/expression/parse.js';
+import { evaluateDual, evaluateNumber } from '../../helpers/dual.js';
+import { evaluateGraph } from '../../helpers/evaluate-graph.js';
+import { SURFACES } from '../../helpers/expressions.js';
+import { createRandom } from '../../helpers/random.js';
+import { randomExpression } from '../../helpers/random-expression.js';
+import { instantiate } from '../../helpers/wasm.js';
+
+const { apply } = instantiate();
+const VARIABLES = ['u', 'v'];
+
+/** @type {Map<string, import('../../../web/expression/parse.js').Meaning>} */
+const scope = new Map([
+  ['u', { kind: 'variable', value: 0 }],
+  ['v', { kind: 'variable', value: 1 }],
+  ['p', { kind: 'parameter', value: 0 }],
+  ['pi', { kind: 'number', value: Math.PI }],
+  ['e', { kind: 'number', value: Math.E }],
+]);
+
+/** f, f_u, f_v, f_uu, f_uv, f_vv by the graph. @param {string} source @param {number[]} point @param {number} [p] */
+function byGraph(source, point, p = 2) {
+  const { graph, jet } = compile({ outputs: [source], names: ['f'], variables: VARIABLES, parameters: { p }, apply });
+  const values = evaluateGraph(graph, point, [p], apply);
+  return jet.map((id) => values[id]);
+}
+
+/** The same by dual numbers. @param {string} source @param {number[]} point @param {number} [p] */
+function byDual(source, point, p = 2) {
+  const { value, gradient, hessian } = evaluateDual(parse(source, scope), point, [p]);
+  return [value, ...gradient, hessian[0][0], hessian[0][1], hessian[1][1]];
+}
+
+/**
+ * Central differences of a function of one number, extrapolated to step 0 (Richardson): first and second derivative.
+ * @param {(t: number) => number} f
+ * @param {number} step
+ */
+function differences(f, step) {
+  const [first, second] = [
+    (/** @type {number} */ h) => (f(h) - f(-h)) / (2 * h),
+    (/** @type {number} */ h) => (f(h) - 2 * f(0) + f(-h)) / (h * h),
+  ];
+  return [first, second].map((derivative) => {
+    let row = [0, 1, 2, 3].map((k) => derivative(step / 2 ** k));
+    for (let order = 1; order < 4; order++) row = row.slice(1).map((fine, k) => fine + (fine - row[k]) / (4 ** order - 1));
+    return row[0];
+  });
+}
+
+/** The same by finite differences along u, v and u + v. @param {string} source @param {number[]} point @param {number} step @param {number} [p] */
+function byDifferences(source, [u, v], step, p = 2) {
+  const program = parse(source, scope);
+  const along = (/** @type {number} */ a, /** @type {number} */ b) =>
+    differences((t) => evaluateNumber(program, [u + a * t, v + b * t], [p]), step);
+  const [[fu, fuu], [fv, fvv], [, both]] = [along(1, 0), along(0, 1), along(1, 1)];
+  return [evaluateNumber(program, [u, v], [p]), fu, fv, fuu, (both - fuu - fvv) / 2, fvv];
+}
+
+/** @param {number[]} actual @param {number[]} expected @param {number} tolerance relative to the larger of 1 and the expected @param {string} what */
+function assertNear(actual, expected, tolerance, what) {
+  assert.equal(actual.length, expected.length);
+  for (const [k, value] of actual.entries()) {
+    const near = Math.abs(value - expected[k]) <= tolerance * Math.max(1, Math.abs(expected[k]));
+    assert.ok(near, `${what}, derivative ${k}: ${value}, expected ${expected[k]}`);
+  }
+}
+
+/** Smooth functions, and arguments where a careless rule fails. @type {[string, number[][]][]} */
+const SMOOTH = [
+  ['u+v', [[1, 2]]],
+  ['u-v', [[1, 2]]],
+  [
+    'u*v',
+    [
+      [0, 0],
+      [3, -2],
+    ],
+  ],
+  ['u*u', [[0, 1]]],
+  [
+    'u/v',
+    [
+      [0, 2],
+      [3, -0.5],
+      [-1, 7],
+    ],
+  ],
+  ['3/v', [[0, 2]]],
+  ['u/3', [[0, 2]]],
+  ['u/p', [[0, 2]]],
+  ['-u', [[0, 0]]],
+  [
+    'u^2',
+    [
+      [0, 0],
+      [-3, 0],
+      [1e3, 0],
+    ],
+  ],
+  [
+    'u^3',
+    [
+      [0, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    'u^7',
+    [
+      [0, 0],
+      [-1.5, 0],
+    ],
+  ],
+  [
+    'u^-1',
+    [
+      [-2, 0],
+      [0.5, 0],
+    ],
+  ],
+  [
+    'u^-3',
+    [
+      [-2, 0],
+      [0.5, 0],
+    ],
+  ],
+  ['u^0', [[0, 0]]],
+  ['u^1', [[0, 0]]],
+  [
+    '(u v)^2',
+    [
+      [0, 0],
+      [0, 3],
+      [-1, 2],
+    ],
+  ],
+  [
+    'pow(u, 3)',
+    [
+      [-2, 0],
+      [0, 0],
+    ],
+  ],
+  [
+    'pow(u, 2.5)',
+    [
+      [0.5, 0],
+      [3, 0],
+    ],
+  ],
+  [
+    'u^p',
+    [
+      [0, 0],
+      [2, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    '(u-v)^p',
+    [
+      [1, 1],
+      [3, -1],
+    ],
+  ],
+  [
+    'u^100',
+    [
+      [0, 0],
+      [-1.01, 0],
+    ],
+  ],
+  ['u^0.5', [[2, 0]]],
+  [
+    '2^u',
+    [
+      [0, 0],
+      [-3, 0],
+    ],
+  ],
+  [
+    'p^(u v)',
+    [
+      [0, 0],
+      [0.5, -2],
+    ],
+  ],
+  [
+    'pow(u, v)',
+    [
+      [2, 3],
+      [0.5, -1],
+      [1, 0],
+      [3, 0.5],
+    ],
+  ],
+  [
+    '(u^2+1)^(v+u)',
+    [
+      [0, 0],
+      [0.5, 1],
+    ],
+  ],
+  [
+    '√u',
+    [
+      [4, 0],
+      [0.3, 0],
+    ],
+  ],
+  [
+    'sqrt(u^2+v^2)',
+    [
+      [3, 4],
+      [0, 1],
+      [-2, 0],
+    ],
+  ],
+  [
+    'cbrt(u)',
+    [
+      [8, 0],
+      [-0.7, 0],
+    ],
+  ],
+  [
+    'exp(u v)',
+    [
+      [0, 0],
+      [1, -2],
+    ],
+  ],
+  [
+    'exp(-u^2)',
+    [
+      [0, 0],
+      [3, 0],
+    ],
+  ],
+  [
+    'ln(u)',
+    [
+      [0.5, 0],
+      [3, 0],
+    ],
+  ],
+  [
+    'log(1+u^2)',
+    [
+      [0, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    'sin(u)',
+    [
+      [0, 0],
+      [1.5707963267948966, 0],
+      [-4, 0],
+    ],
+  ],
+  [
+    'cos(u)',
+    [
+      [0, 0],
+      [1.5707963267948966, 0],
+      [-4, 0],
+    ],
+  ],
+  [
+    'sin(u v)*cos(u v)',
+    [
+      [0, 0],
+      [2, 1],
+    ],
+  ],
+  [
+    'tan(u)',
+    [
+      [0, 0],
+      [1.2, 0],
+      [-1.2, 0],
+    ],
+  ],
+  [
+    'asin(u)',
+    [
+      [0, 0],
+      [0.7, 0],
+      [-0.7, 0],
+    ],
+  ],
+  [
+    'acos(u)',
+    [
+      [0, 0],
+      [0.7, 0],
+      [-0.7, 0],
+    ],
+  ],
+  [
+    'atan(u)',
+    [
+      [0, 0],
+      [2, 0],
+      [-40, 0],
+    ],
+  ],
+  [
+    'atan2(u, v)',
+    [
+      [0, 1],
+      [1, 0],
+      [-1, 0],
+      [1, 1],
+      [-2, -3],
+      [1, -2],
+    ],
+  ],
+  [
+    'atan2(v, 2)',
+    [
+      [0, 0],
+      [0, 5],
+    ],
+  ],
+  [
+    'atan2(2, u)',
+    [
+      [0, 0],
+      [-3, 0],
+    ],
+  ],
+  [
+    'sinh(u)',
+    [
+      [0, 0],
+      [2, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    'cosh(u)',
+    [
+      [0, 0],
+      [2, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    'tanh(u)',
+    [
+      [0, 0],
+      [1, 0],
+      [-9, 0],
+    ],
+  ],
+  [
+    '|u|',
+    [
+      [2, 0],
+      [-3, 0],
+    ],
+  ],
+  [
+    '|u v|^3',
+    [
+      [2, 1],
+      [-3, 1],
+    ],
+  ],
+  [
+    'min(u, v)',
+    [
+      [1, 2],
+      [2, 1],
+    ],
+  ],
+  [
+    'max(u^2, v^2, 1)',
+    [
+      [1.5, 2],
+      [3, 1],
+      [0.1, 0.2],
+    ],
+  ],
+  [
+    'min(u^2, 3)',
+    [
+      [1.5, 2],
+      [3, 1],
+    ],
+  ],
+  [
+    'sign(u)*v^2',
+    [
+      [2, 3],
+      [-2, 3],
+    ],
+  ],
+  [
+    'floor(u)*v^2',
+    [
+      [0.5, 3],
+      [-0.5, 3],
+    ],
+  ],
+];
+
+test('every operator against dual numbers', () => {
+  for (const [source, points] of SMOOTH) {
+    for (const point of points) {
+      const [actual, expected] = [byGraph(source, point), byDual(source, point)];
+      // Both round: a few ulp, more where a difference cancels.
+      assertNear(actual, expected, 2e-14, `${source} at ${point}`);
+    }
+  }
+});
+
+test('every operator against finite differences', () => {
+  for (const [source, points] of SMOOTH) {
+    for (const point of points) {
+      const step = 0.006 * Math.max(1, Math.abs(point[0]) * 0.05);
+      const [actual, expected] = [byGraph(source, point), byDifferences(source, point, step)];
+      // Smallest step 0.006/8: rounding gives 4 * 2^-53 / 0.00075² = 8e-10, and the extrapolation enlarges it.
+      assertNear(actual, expected, 1e-8, `${source} at ${point}`);
+    }
+  }
+});
+
+test('finite where the true derivative is', () => {
+  /** Source, point, expected f f_u f_v f_uu f_uv f_vv, parameter. @type {[string, number[], number[], number?][]} */
+  const awkward = [
+    ['|u|', [0, 0], [0, 0, 0, 0, 0, 0]],
+    ['|u|', [-0, 0], [0, 0, 0, 0, 0, 0]],
+    ['sign(u)', [0, 0], [0, 0, 0, 0, 0, 0]],
+    ['floor(u)', [2, 0], [2, 0, 0, 0, 0, 0]],
+    ['tanh(u)', [1000, 0], [1, 0, 0, 0, 0, 0]],
+    ['tanh(u)', [-1000, 0], [-1, 0, 0, 0, 0, 0]],
+    ['atan(u)', [1e200, 0], [Math.PI / 2, 0, 0, 0, 0, 0]],
+    ['exp(-u^2)', [1e4, 0], [0, 0, 0, 0, 0, 0]],
+    ['pow(u, p)', [0, 0], [0, 1, 0, 0, 0, 0], 1],
+    ['pow(u, p)', [0, 0], [1, 0, 0, 0, 0, 0], 0],
+    ['pow(u, p)', [0, 0], [0, 0, 0, 2, 0, 0], 2],
+    ['pow(u, p)', [-3, 0], [9, -6, 0, 2, 0, 0], 2],
+    ['pow(u, p)', [0, 0], [0, 0, 0, 0, 0, 0], 3],
+    ['u^v', [0, 3], [0, 0, 0, 0, 0, 0]],
+    ['u^v', [0, 2], [0, 0, 0, 2, 0, 0]],
+    ['u^v', [1, 0], [1, 0, 0, 0, 1, 0]],
+    ['atan2(u, v)', [0, -2], [Math.PI, -0.5, 0, 0, -0.25, 0]],
+    ['atan2(u, v)', [3, 0], [Math.PI / 2, 0, -1 / 3, 0, 1 / 9, 0]],
+    ['min(u, v)', [1, 1], [1, 0, 1, 0, 0, 0]],
+    ['max(u, v)', [1, 1], [1, 0, 1, 0, 0, 0]],
+    ['acos(u)', [0, 0], [Math.PI / 2, -1, 0, 0, 0, 0]],
+    ['1/(1+exp(u))', [700, 0], [0, 0, 0, 0, 0, 0]],
+    ['cosh(u)', [0, 0], [1, 0, 0, 1, 0, 0]],
+  ];
+  for (const [source, point, expected, p] of awkward) {
+    assertNear(byGraph(source, point, p), expected, 1e-15, `${source} at ${point}`);
+  }
+});
+
+test('not finite where the true derivative is not', () => {
+  for (const [source, first] of /** @type {[string, number][]} */ ([
+    ['sqrt(u)', Infinity],
+    ['cbrt(u)', Infinity],
+    ['ln(u)', Infinity],
+    ['1/u', -Infinity],
+  ])) {
+    const [, fu, fv, fuu] = byGraph(source, [0, 0]);
+    assert.equal(fu, first, source);
+    assert.ok(!Number.isFinite(fuu), source);
+    assert.ok(fv === 0, source);
+  }
+  assert.ok(byGraph('sqrt(u)', [-1, 0]).slice(0, 2).every(Number.isNaN));
+});
+
+test('1,000 random formulas against dual numbers', () => {
+  const random = createRandom(11);
+  let compared = 0;
+  for (let k = 0; k < 1000; k++) {
+    const source = randomExpression(random, 1, ['u', 'v', 'p']);
+    const point = [random.between(-2, 2), random.between(-2, 2)];
+    const [actual, expected] = [byGraph(source, point), byDual(source, point)];
+    const scale = Math.max(1, ...expected.map(Math.abs));
+    if (!(scale < 1e6)) continue;
+    compared++;
+    // Relative to the largest derivative: cancellation in sums of terms of that size.
+    assertNear(
+      actual.map((value) => value / scale),
+      expected.map((value) => value / scale),
+      1e-11,
+      `seed 11, formula ${k}: ${source} at ${point}`,
+    );
+  }
+  assert.ok(compared > 400, `only ${compared} were finite`);
+});
+
+test('three variables: order and symmetry of the second derivatives', () => {
+  const { outputs, variables, parameters, box } = SURFACES.genusTwo;
+  const { graph, jet } = compile({ outputs, names: ['f'], variables, parameters, apply });
+  const names = new Map(variables.map((name, value) => [name, /** @type {const} */ ({ kind: 'variable', value })]));
+  const program = parse(outputs[0], names);
+  const random = createRandom(5);
+  for (let k = 0; k < 100; k++) {
+    const point = box.map(([low, high]) => random.between(low, high));
+    const values = evaluateGraph(graph, point, [], apply);
+    const { value, gradient, hessian } = evaluateDual(program, point);
+    const expected = [value, ...gradient, ...[0, 1, 2].flatMap((i) => hessian[i].slice(i))];
+    assert.equal(jet.length, 10);
+    assertNear(
+      jet.map((id) => values[id]),
+      expected,
+      1e-12,
+      `seed 5, ${point}`,
+    );
+  }
+});

@@ -1,0 +1,164 @@
+// Nothing leaks, instances share nothing, and what was disposed of stays so.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
+import { gallery } from '../../web/gallery.js';
+import { ExpressionError, load } from '../../web/index.js';
+import { randomPairs } from '../bench/pairs.js';
+import { createRandom } from '../helpers/random.js';
+
+/** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
+/** @typedef {{ memory: WebAssembly.Memory, __indirect_function_table: WebAssembly.Table, malloc: (bytes: number) => number }} Solver */
+
+const SEED = 424242;
+
+/** Loads an instance and watches what it instantiates, so as to see the solver behind it. @returns {Promise<{ surfpath: Surfpath, solver: Solver }>} */
+async function loadWatched() {
+  const { Instance } = WebAssembly;
+  /** @type {any} */ let solver;
+  WebAssembly.Instance = class extends Instance {
+    /** @param {WebAssembly.Module} module @param {WebAssembly.Imports} [imports] */
+    constructor(module, imports) {
+      super(module, imports);
+      if (this.exports.malloc) solver = this.exports;
+    }
+  };
+  try {
+    const surfpath = await load();
+    return { surfpath, solver };
+  } finally {
+    WebAssembly.Instance = Instance;
+  }
+}
+
+/**
+ * How much memory and table there are, and how many blocks of 256 bytes still fit: what the tests compare. Fills the memory until it grows, so
+ * an instance can be asked once.
+ * @param {Solver} solver
+ */
+function footprint({ memory, __indirect_function_table: table, malloc }) {
+  const { byteLength } = memory.buffer;
+  let blocks = 0;
+  while (memory.buffer.byteLength === byteLength && malloc(256)) blocks++;
+  return { byteLength, slots: table.length, blocks };
+}
+
+/** Two footprints are the same, but for a few blocks that differ in how free memory is cut up. @param {ReturnType<typeof footprint>} after @param {ReturnType<typeof footprint>} before */
+function assertSame(after, before) {
+  assert.deepEqual({ ...after, blocks: 0 }, { ...before, blocks: 0 });
+  assert.ok(Math.abs(after.blocks - before.blocks) <= 4, `${before.blocks} blocks were free, ${after.blocks} are`);
+}
+
+/** Random pairs, over and over. @param {import('../../web/surface.js').Surface} surface @param {number} solves @param {number} points */
+function solveMany(surface, solves, points) {
+  const pairs = randomPairs(surface, createRandom(SEED), 500);
+  let length = 0;
+  for (let i = 0; i < solves; i++) length += surface.shortestPath(pairs[i % 500][0], pairs[i % 500][1], { points }).length || 0;
+  return length;
+}
+
+/** Runs the garbage collector. */
+const collect = () => {
+  setFlagsFromString('--expose-gc');
+  runInNewContext('gc')();
+};
+
+/** What is left after some work in a new instance. @param {(surfpath: Surfpath) => void} work */
+async function footprintAfter(work) {
+  const { surfpath, solver } = await loadWatched();
+  work(surfpath);
+  return footprint(solver);
+}
+
+describe('memory', () => {
+  test(`100,000 solves leave it as it was, seed ${SEED}`, async () => {
+    const work = (/** @type {number} */ solves) => (/** @type {Surfpath} */ surfpath) => {
+      for (const entry of [gallery.saddle, gallery.parametricTorus, gallery.torus, gallery.threeTori])
+        assert.ok(solveMany(surfpath.surface(entry), solves, 16) > 0);
+    };
+    assertSame(await footprintAfter(work(25_000)), await footprintAfter(work(500)));
+  });
+
+  test('3,000 surfaces made and disposed of leave it as it was, and their table slots are used again', async () => {
+    const work = (/** @type {number} */ count) => (/** @type {Surfpath} */ surfpath) => {
+      for (let i = 0; i < count; i++) {
+        const surface = surfpath.surface(i % 2 ? gallery.saddle : gallery.sphere);
+        surface.evaluate(i % 2 ? [0, 0] : [0, 0, 1]);
+        surface.dispose();
+      }
+    };
+    assertSame(await footprintAfter(work(3000)), await footprintAfter(work(2)));
+  });
+
+  test('surfaces that are refused leave it as it was', async () => {
+    const work = (/** @type {number} */ count) => (/** @type {Surfpath} */ surfpath) => {
+      surfpath.surface(gallery.saddle).dispose();
+      for (let i = 0; i < count; i++) {
+        assert.throws(() => surfpath.surface({ ...gallery.saddle, z: 'u+' }), ExpressionError);
+        assert.throws(() => surfpath.surface({ ...gallery.saddle, u: [1, 0] }), /range/);
+        assert.throws(() => surfpath.surface({ ...gallery.sphere, parameters: { r: Number.NaN } }), /finite/);
+      }
+    };
+    assertSame(await footprintAfter(work(1000)), await footprintAfter(work(0)));
+  });
+
+  test('a surface that was disposed of is garbage', async () => {
+    const { surfpath } = await loadWatched();
+    const make = () => {
+      const surface = surfpath.surface(gallery.saddle);
+      surface.dispose();
+      return new WeakRef(surface);
+    };
+    const gone = make();
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    collect();
+    assert.equal(gone.deref(), undefined, 'something still holds it');
+    assert.ok(surfpath.surface(gallery.saddle).evaluate([0, 0]).length === 6);
+  });
+
+  test('a path is a copy: later solves do not change it', async () => {
+    const { surfpath } = await loadWatched();
+    const surface = surfpath.surface(gallery.saddle);
+    const path = surface.shortestPath([-0.9, 0.1], [0.5, 0.9], { record: true });
+    const kept = structuredClone(path);
+    solveMany(surface, 10, 300);
+    surface.dispose();
+    assert.deepEqual(path, kept);
+  });
+});
+
+describe('instances', () => {
+  test('50 work independently, with the same bits', async () => {
+    const instances = await Promise.all(Array.from({ length: 50 }, () => load()));
+    const surfaces = instances.map((surfpath) => surfpath.surface(gallery.parametricTorus));
+    surfaces.forEach((surface, i) => {
+      if (i % 2) surface.set({ R: 5 });
+    });
+    instances[0].dispose();
+    const paths = surfaces.slice(1).map((surface) => surface.shortestPath([0.5, 0.6], [2.6, 1.2]));
+    for (const [i, path] of paths.entries()) assert.deepEqual(path, paths[i % 2], `instance ${i + 1}`);
+    assert.ok(paths[0].length > paths[1].length);
+  });
+
+  test('what was disposed of throws, in words; disposing twice does not', async () => {
+    const surfpath = await load();
+    const [surface, other] = [surfpath.surface(gallery.saddle), surfpath.surface(gallery.sphere)];
+    surface.dispose();
+    surface.dispose();
+    /** @type {(() => void)[]} */
+    const uses = [
+      () => surface.shortestPath([0, 0], [1, 1]),
+      () => surface.evaluate([0, 0]),
+      () => surface.project([0, 0, 0]),
+      () => surface.mesh(),
+      () => surface.set({}),
+    ];
+    for (const use of uses) assert.throws(use, /disposed/);
+    assert.ok(other.shortestPath([1, 0, 0], [0, 1, 0]).converged);
+    surfpath.dispose();
+    surfpath.dispose();
+    assert.throws(() => other.shortestPath([1, 0, 0], [0, 1, 0]), /disposed/);
+    assert.throws(() => surfpath.surface(gallery.saddle), /disposed/);
+  });
+});

@@ -1,0 +1,43 @@
+/* The two stacks of operator precedence: what is written already, and the operators and brackets that wait for their operands. */
+
+/**
+ * One step of a postfix program. `value`: the number, the index of the variable or parameter, or how many arguments a call takes from the stack.
+ * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'call', name: string, value: number, index: number }} Instruction
+ */
+/**
+ * A waiting operator, or an open bracket (precedence 0) with the function it belongs to and the number of arguments before this one.
+ * @typedef {{ name: string, precedence: number, operands: number, index: number, bracket: '' | '(' | '|', count: number }} Entry
+ */
+
+/** A postfix program in the making. */
+export class Postfix {
+  /** @type {Instruction[]} */ program = [];
+  /** @type {Entry[]} */ #waiting = [];
+
+  /** What was pushed last. @returns {Entry | undefined} */
+  get top() {
+    return this.#waiting.at(-1);
+  }
+
+  /** @param {Entry} entry */
+  push(entry) {
+    this.#waiting.push(entry);
+  }
+
+  pop() {
+    return this.#waiting.pop();
+  }
+
+  /** Appends a step. @param {Instruction['kind']} kind @param {string} name @param {number} value @param {number} index of its text in the source */
+  emit(kind, name, value, index) {
+    this.program.push({ kind, name, value, index });
+  }
+
+  /** Emits the waiting operators that bind at least this tightly, up to the innermost bracket. @param {number} precedence at least 1 */
+  reduce(precedence) {
+    for (let top = this.top; top && top.precedence >= precedence; top = this.top) {
+      this.pop();
+      if (top.name) this.emit('call', top.name, top.operands, top.index);
+    }
+  }
+}
