@@ -154,9 +154,11 @@ static double halving_error(const struct sp_polyline *line, double length) {
     return (length - sum) / 3;
 }
 
-double sp_check_length_error(const struct sp_polyline *line, int touches) {
+double sp_check_rounding(double length, double scale) { return 4e-15 * length + 2.2e-16 * scale; }
+
+double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
     struct chord chord;
-    double length = sp_check_length(line), error = 0, least = 4e-15 * length;
+    double length = sp_check_length(line), error = 0, least = sp_check_rounding(length, scale);
     read_node(line, 0, &chord, 0);
     for (int32_t i = 0; i <= line->fold.inner; i++) {
         read_node(line, i + 1, &chord, 1);

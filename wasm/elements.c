@@ -45,6 +45,11 @@ static struct sp_vector element_pull(const struct sp_elements *elements, int32_t
     return sum;
 }
 
+struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts) {
+    differentiate(&elements->reference, charts, elements->velocity);
+    return element_pull(elements, 0);
+}
+
 /* One row, and the coordinates of it that are held. */
 static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct sp_vector pull, double weight, struct sp_row *row,
                              sp_mask *straight, sp_mask held[2]) {

@@ -32,6 +32,10 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
                                      const sp_mask *held, double shift);
 
+/* D at the two ends of the path, lane 0 the first: minus the force that would move them, and so minus the path's velocity into it, over an
+ * element. */
+struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts);
+
 /* As sp_blocks_solve, sp_blocks_descent and sp_blocks_conditioning, after sp_elements_factor. */
 void sp_elements_solve(const struct sp_elements *elements, sp_pair *x);
 int sp_elements_descent(const struct sp_elements *elements, sp_pair *x);

@@ -15,17 +15,6 @@ static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GU
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* Copies the places of a path, so that the arrays it lives in may be used for the next. Returns 0 if the arena is full. */
-static int keep(const struct sp_system *from, struct sp_system *kept, struct sp_arena *arena) {
-    size_t count = (size_t)sp_fold_pairs(from->line.fold) * (size_t)from->line.kind->dimension;
-    *kept = *from;
-    kept->line.nodes.places = sp_arena_take(arena, count, sizeof(sp_pair));
-    if (!kept->line.nodes.places) return 0;
-    for (size_t i = 0; i < count; i++)
-        kept->line.nodes.places[i] = from->line.nodes.places[i];
-    return 1;
-}
-
 /* Where a rung started, to see how far it moved. */
 struct start {
     sp_pair *positions; /* 3 a pair */
@@ -106,10 +95,8 @@ static double tolerance_of(const struct sp_newton *newton, const struct sp_optio
     return larger(options->tolerance, 8 * 2.2e-16 * newton->scale / length);
 }
 
-/* The error is never said to be below what rounding the coordinates leaves. */
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
-    double rounding = 4e-15 * climbed.length + 2.2e-16 * newton->scale;
-    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, rounding)};
+    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, sp_check_rounding(climbed.length, newton->scale))};
 }
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
@@ -133,8 +120,13 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
     double last = first_length, change = first_length;
+    struct sp_storage storage;
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
+        return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
     newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
+    size_t bottom = arena->used;
     for (int r = 0; r < RUNGS; r++) {
+        arena->used = bottom;
         now = climb_guarded(newton, options, &before, first, first_length, LADDER[r], iterations, arena);
         iterations = now.outcome.iterations;
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
@@ -146,37 +138,44 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
         if (astray)
             before = *first;
-        else if (!keep(&newton->system, &before, arena))
-            break;
+        else
+            before = sp_storage_keep(&storage, &newton->system);
     }
     if (now.outcome.status == SP_CONVERGED) now.outcome.status = SP_TOLERANCE_NOT_MET;
     return finish(newton, now, change);
 }
 
+/* The largest rung, two stored paths. */
 double sp_refine_bytes(void) {
-    double bytes = 0;
-    for (int r = 0; r < RUNGS; r++) {
-        double order = sp_elements_order(LADDER[r].degree), half = LADDER[r].count / 2, degree = LADDER[r].degree;
-        double numbers = order * order * half + 3 * (degree + 1) + 6 * (degree * half + 2);
-        bytes += sp_reference_bytes(LADDER[r].degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) + 16 * 16;
-    }
-    return bytes + (SP_REFINE_FIRST + 3) * 3 * sizeof(sp_pair);
+    struct rung last = LADDER[RUNGS - 1];
+    double order = sp_elements_order(last.degree), half = last.count / 2, degree = last.degree, pairs = SP_REFINE_INNER / 2 + 3;
+    double numbers = order * order * half + 3 * (degree + 1) + 3 * pairs + 2 * 3 * pairs;
+    return sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
+           4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct climbed first = {0};
-    struct sp_system kept;
+    struct sp_storage storage;
     newton->decrement = FIRST_DECREMENT;
     first.outcome = sp_newton_run(newton, options, options->max_iterations);
     if (first.outcome.status < 0) return finish(newton, first, 0);
     first.length = sp_check_length(&newton->system.line);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
-    double error = sp_check_length_error(&newton->system.line, first.outcome.active);
-    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0) return finish(newton, first, error);
-    if (!keep(&newton->system, &kept, arena)) {
+    double error = sp_check_length_error(&newton->system.line, newton->scale, first.outcome.active);
+    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0 || first.outcome.active) return finish(newton, first, error);
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) {
         first.outcome.status = SP_OUT_OF_MEMORY;
         return finish(newton, first, error);
     }
+    struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     return climb_all(newton, options, &kept, first.length, first.outcome.iterations, arena);
+}
+
+struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                                   struct sp_arena *arena) {
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
+    double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->scale, chords.outcome.active);
+    return finish(newton, chords, error);
 }

@@ -32,7 +32,7 @@ static void element_place(const struct sp_system *system, double t, double place
             place[j] += values[i] * sp_fold_get(system->line.fold, system->line.nodes.places, dimension, e * p + i, j);
 }
 
-static void place_at(const struct sp_system *system, double t, double place[3]) {
+void sp_sample_place(const struct sp_system *system, double t, double place[3]) {
     if (system->elements.reference.degree == 1)
         polyline_place(system, t, place);
     else
@@ -44,7 +44,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_reference *r
     struct sp_fold fold = sp_fold_of(last - 1);
     for (int32_t i = 0; i <= last; i++) {
         double place[3], t = (i / p + (p > 1 ? reference->node[i % p] : 0)) / count;
-        place_at(from, t, place);
+        sp_sample_place(from, t, place);
         for (int32_t j = 0; j < dimension; j++) {
             double end = i == 0 || i == last
                              ? sp_fold_get(from->line.fold, from->line.nodes.places, dimension, i ? from->line.fold.inner + 1 : 0, j)
@@ -57,11 +57,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_reference *r
     sp_fold_mirror(fold, places, dimension);
 }
 
-/* One sample, put onto the surface. Where that fails, the interpolated point. */
-static void sample(const struct sp_system *system, double scale, double t, double *point, double *parameters) {
-    const struct sp_surface *surface = system->line.surface;
-    double place[3];
-    place_at(system, t, place);
+void sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters) {
     sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
     if (surface->kind == SP_PARAMETRIC) {
         sp_parametric_clip(surface, 1, at);
@@ -76,6 +72,27 @@ static void sample(const struct sp_system *system, double scale, double t, doubl
         parameters[j] = at[j][0];
 }
 
+int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner, struct sp_arena *arena) {
+    storage->places = sp_arena_take(arena, (size_t)sp_fold_pairs(sp_fold_of(inner)) * (size_t)dimension, sizeof(sp_pair));
+    storage->node = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
+    storage->barycentric = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
+    return storage->places && storage->node && storage->barycentric;
+}
+
+struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct sp_system *system) {
+    struct sp_system kept = *system;
+    int32_t count = sp_fold_pairs(system->line.fold) * system->line.kind->dimension, degree = system->elements.reference.degree;
+    for (int32_t i = 0; i < count; i++)
+        storage->places[i] = system->line.nodes.places[i];
+    for (int32_t i = 0; degree > 1 && i <= degree; i++) {
+        storage->node[i] = system->elements.reference.node[i];
+        storage->barycentric[i] = system->elements.reference.barycentric[i];
+    }
+    kept.line.nodes.places = storage->places;
+    kept.elements.reference.node = storage->node, kept.elements.reference.barycentric = storage->barycentric;
+    return kept;
+}
+
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
     struct sp_fold fold = system->line.fold;
     int32_t last = point_count + 1, end = fold.inner + 1;
@@ -83,7 +100,9 @@ void sp_sample_points(const struct sp_system *system, double scale, int32_t poin
     for (int32_t i = 0; i <= last; i++) {
         double *point = points + 3 * i, *place = parameters ? parameters + 2 * i : NULL;
         if (!nodes && i > 0 && i < last) {
-            sample(system, scale, (double)i / last, point, place);
+            double at[3];
+            sp_sample_place(system, (double)i / last, at);
+            sp_sample_point(system->line.surface, scale, at, point, place);
             continue;
         }
         int32_t node = nodes ? i : i ? end : 0;

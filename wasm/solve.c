@@ -1,4 +1,5 @@
 /* From a request to a result: calls the stages in order. The only file that knows them all. */
+#include "arcs.h"
 #include "check.h"
 #include "functions.h"
 #include "refine.h"
@@ -27,7 +28,7 @@ static int32_t inner_nodes(const struct sp_options *options) {
 
 double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
-    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() : 0;
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() : 0;
     return sp_newton_bytes(kind, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
@@ -42,8 +43,8 @@ static void reverse(double *numbers, int32_t count, int32_t size) {
 }
 
 /* Writes the points of the path into the result. `reversed`: it was solved from `to`. */
-static int write_points(const struct sp_newton *newton, int32_t point_count, int reversed, struct sp_arena *arena,
-                        struct sp_result *result) {
+static int write_points(const struct sp_newton *newton, const struct sp_arcs *arcs, int32_t point_count, int reversed,
+                        struct sp_arena *arena, struct sp_result *result) {
     int32_t count = point_count + 2;
     result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
     if (!result->points) return 0;
@@ -51,7 +52,10 @@ static int write_points(const struct sp_newton *newton, int32_t point_count, int
         result->parameters = sp_arena_take(arena, 2 * (size_t)count, sizeof(double));
         if (!result->parameters) return 0;
     }
-    sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
+    if (arcs->count == 0)
+        sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
+    else if (!sp_arcs_sample(arcs, newton->system.line.surface, newton->scale, point_count, result->points, result->parameters, arena))
+        return 0;
     if (!reversed) return 1;
     reverse(result->points, count, 3);
     if (result->parameters) reverse(result->parameters, count, 2);
@@ -95,7 +99,7 @@ static struct sp_refined solve_polyline(struct sp_newton *newton, const struct s
     struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
     if (refined.outcome.status < 0) return refined;
     refined.length = sp_check_length(&newton->system.line);
-    refined.length_error = sp_check_length_error(&newton->system.line, refined.outcome.active);
+    refined.length_error = sp_check_length_error(&newton->system.line, newton->scale, refined.outcome.active);
     return refined;
 }
 
@@ -114,13 +118,16 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
     if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
     if (status != SP_CONVERGED) return status;
+    struct sp_arcs arcs;
+    arcs.count = 0;
     struct sp_refined refined = elements ? sp_refine_run(&newton, options, arena) : solve_polyline(&newton, options);
+    if (elements && refined.outcome.active && refined.outcome.status == SP_CONVERGED) refined = sp_arcs_run(&newton, options, arena, &arcs);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
-    if (status == SP_CONVERGED) status = sp_check_chords(line, newton.scale);
+    if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
     if (status < 0) return status;
     fill(&refined, &newton, result);
-    if (!write_points(&newton, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
+    if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
     return status > 0 ? status : (enum sp_status)refined.outcome.status;
 }
 
