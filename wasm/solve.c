@@ -121,7 +121,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     struct sp_arcs arcs;
     arcs.count = 0;
     struct sp_refined refined = elements ? sp_refine_run(&newton, options, arena) : solve_polyline(&newton, options);
-    if (elements && refined.outcome.active && refined.outcome.status == SP_CONVERGED) refined = sp_arcs_run(&newton, options, arena, &arcs);
+    if (elements && refined.outcome.active && refined.outcome.status == SP_CONVERGED)
+        refined = sp_contact_run(&newton, options, arena, &arcs);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
