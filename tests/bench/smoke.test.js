@@ -1,0 +1,66 @@
+// Every benchmark runs, on a tiny sample, and its figures make sense. Times are not judged.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+
+/** @typedef {import('./bench.js').Row} Row */
+
+const run = promisify(execFile);
+const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
+const result = (/** @type {string} */ name) => path(`../../build/bench/quick/${name}.json`);
+const names = readdirSync(path('.')).flatMap((file) => (file.endsWith('.bench.js') ? [file.slice(0, -'.bench.js'.length)] : []));
+
+/** @param {string} name @returns {Row[]} */
+const rowsOf = (name) => JSON.parse(readFileSync(result(name), 'utf8')).rows;
+
+test('there are benchmarks', () => {
+  assert.deepEqual(names.sort(), ['cold', 'speed', 'surface', 'table1']);
+});
+
+describe('benchmarks, quickly', { concurrency: 2 }, () => {
+  for (const name of names) {
+    test(`${name} prints its table`, async () => {
+      const { stdout, stderr } = await run(process.execPath, [path(`${name}.bench.js`), '--quick']);
+      assert.equal(stderr, '');
+      const rows = rowsOf(name);
+      assert.ok(rows.length > 0);
+      for (const row of rows) {
+        assert.deepEqual(Object.keys(row), Object.keys(rows[0]));
+        for (const [heading, figure] of Object.entries(row)) {
+          assert.ok(stdout.includes(heading), heading);
+          if (typeof figure === 'number') assert.ok(Number.isFinite(figure) && figure >= 0, `${heading} ${figure}`);
+        }
+      }
+    });
+  }
+});
+
+describe('their figures', () => {
+  /** @type {Row[]} */ let solves;
+
+  before(() => {
+    solves = rowsOf('speed');
+  });
+
+  test('the native build computes the same bits as the WebAssembly', () => {
+    assert.equal(solves.length, 8);
+    for (const row of [...solves, ...rowsOf('surface')]) assert.equal(row['same bits'], true, String(row.surface));
+  });
+
+  /* The three tori bend the most: 2 per mille at K = 64, as the open data allow, are 3.3 at K = 50. */
+  test('chords are little shorter than geodesics, and true lengths are known', () => {
+    for (const row of rowsOf('table1')) {
+      assert.ok(Number(row['error ‰']) < 3.3, `${row.surface}: ${row['error ‰']} per mille`);
+      assert.equal(row['no true length'], 0, String(row.surface));
+    }
+  });
+
+  test('two results can be compared', async () => {
+    const { stdout } = await run(process.execPath, [path('compare.js'), result('speed'), result('speed')]);
+    assert.ok(stdout.startsWith('Microseconds a solve'));
+    await assert.rejects(run(process.execPath, [path('compare.js'), result('speed'), result('cold')]), /is of speed/);
+  });
+});

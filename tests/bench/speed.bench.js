@@ -1,0 +1,94 @@
+/** How long a solve takes through the public API, and how long in a native build of the same core on the same pairs. */
+import { load } from 'surfpath';
+import { gallery } from 'surfpath/gallery';
+import { createRandom } from '../helpers/random.js';
+import { compete, quick, report, SEED, warmUp } from './bench.js';
+import { buildNative } from './native.js';
+import { randomPairs } from './pairs.js';
+
+/** @typedef {import('./pairs.js').Pair} Pair */
+/** @typedef {import('surfpath').Surface} Surface */
+
+/** What the paper reports, in microseconds a path. @type {Record<number, number>} */
+const PAPER = { 50: 7_000, 500: 91_000 };
+const PAIRS = quick ? 4 : 32;
+const ROUNDS = quick ? 1 : 15;
+const NANOSECONDS_A_SAMPLE = quick ? 1e6 : 4e7;
+const COUNTS = [50, 500];
+const names = /** @type {const} */ (['saddle', 'parametricTorus', 'dini', 'torus']);
+
+/**
+ * Random pairs whose straight start converges as it stands, without a detour over a period, so that both sides solve the same.
+ * @param {Surface} surface
+ * @returns {Pair[]}
+ */
+function choosePairs(surface) {
+  const candidates = randomPairs(surface, createRandom(SEED), 20 * PAIRS);
+  const isDirect = (/** @type {Pair} */ [from, to], /** @type {number} */ points) => {
+    const { converged, touchesBoundary, parameters } = surface.shortestPath(from, to, { points });
+    const ends = parameters && [...parameters.slice(0, 2), ...parameters.slice(-2)];
+    return converged && !touchesBoundary && (!ends || ends.every((x, i) => x === [...from, ...to][i]));
+  };
+  return candidates.filter((pair) => COUNTS.every((points) => isDirect(pair, points))).slice(0, PAIRS);
+}
+
+/** One pass over all pairs; the sum of the lengths. @param {Surface} surface @param {Pair[]} pairs @param {number} points */
+function solveAll(surface, pairs, points) {
+  let sum = 0;
+  for (const [from, to] of pairs) sum += surface.shortestPath(from, to, { points }).length;
+  return sum;
+}
+
+const surfpath = await load();
+const surfaces = Object.fromEntries(names.map((name) => [name, { entry: gallery[name], surface: surfpath.surface(gallery[name]) }]));
+const native = buildNative('speed', surfaces);
+
+/** @param {string} name @param {number} points */
+function measure(name, points) {
+  const { surface } = surfaces[name];
+  const pairs = choosePairs(surface);
+  warmUp(() => solveAll(surface, pairs, points));
+  const before = performance.now();
+  const expected = solveAll(surface, pairs, points);
+  const repetitions = Math.max(1, Math.round(NANOSECONDS_A_SAMPLE / (1e6 * (performance.now() - before))));
+  let same = true;
+  const watch = (/** @type {number} */ sum) => {
+    same &&= sum === expected;
+  };
+  const { wasm, gcc } = compete(
+    {
+      wasm: () => {
+        const start = performance.now();
+        for (let i = 0; i < repetitions; i++) watch(solveAll(surface, pairs, points));
+        return (1e3 * (performance.now() - start)) / (repetitions * pairs.length);
+      },
+      gcc: () => {
+        const { nanoseconds, sum } = native.solve(name, pairs, points, repetitions);
+        watch(sum);
+        return nanoseconds / 1e3;
+      },
+    },
+    ROUNDS,
+  );
+  return {
+    surface: name,
+    K: points,
+    'µs median': wasm.median,
+    'µs minimum': wasm.minimum,
+    'native µs median': gcc.median,
+    'native µs minimum': gcc.minimum,
+    ratio: wasm.median / gcc.median,
+    'paper µs': PAPER[points],
+    'same bits': same,
+  };
+}
+
+report(
+  'speed',
+  `Microseconds a solve, ${PAIRS} random pairs, default options, straight start: the public API in Node, and a native build (gcc -O3)`,
+  names.flatMap((name) => COUNTS.map((points) => measure(name, points))),
+  [
+    'paper: 7 ms at K = 50 and 91 ms at K = 500, on a surface it does not name',
+    'wanted: the saddle in at most 100 µs at K = 50 and 1,000 µs at K = 500; ratio at most 2.5',
+  ],
+);

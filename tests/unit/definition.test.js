@@ -1,0 +1,91 @@
+// Definitions of surfaces: what is refused, and how.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { ExpressionError, load } from '../../web/index.js';
+import { anything, refuses } from '../helpers/refuses.js';
+
+const surfpath = await load();
+
+describe('definitions', () => {
+  /** @type {[string, unknown, Function, RegExp][]} */
+  const bad = [
+    ['nothing', undefined, TypeError, /parametric: the definition must be an object, not undefined/],
+    ['a missing range', { x: 'u', y: 'v', z: 0, u: [0, 1] }, TypeError, /v is missing/],
+    ['a range that is no range', { ...gallery.saddle, u: 3 }, TypeError, /u must be a range \[from, to\], not 3/],
+    ['a range of three', { ...gallery.saddle, u: [0, 1, 2] }, TypeError, /u must be a range/],
+    ['a reversed range', { ...gallery.saddle, u: [1, 0] }, RangeError, /u must be a range of two numbers, the smaller first/],
+    ['an empty range', { ...gallery.saddle, v: [1, 1] }, RangeError, /v must be a range/],
+    ['an infinite range', { ...gallery.saddle, v: [0, Infinity] }, TypeError, /v must be a string or a finite number/],
+    ['a range that is NaN', { ...gallery.saddle, v: ['sqrt(-1)', 1] }, RangeError, /v must be a range/],
+    ['an unknown name in a range', { ...gallery.saddle, u: [0, '2*q'] }, ExpressionError, /u: unknown name q/],
+    ['an unknown name', { ...gallery.saddle, z: 'w' }, ExpressionError, /z: unknown name w/],
+    ['an empty formula', { ...gallery.saddle, z: '' }, ExpressionError, /z: the expression is empty/],
+    [
+      'null for a formula',
+      { ...gallery.saddle, x: null },
+      TypeError,
+      /parametric: x must be a formula in a string, or a finite number, not null/,
+    ],
+    ['NaN for a formula', { ...gallery.saddle, x: NaN }, TypeError, /parametric: x must be .* not NaN/],
+    ['a function for a formula', { ...gallery.saddle, x: Math.sin }, TypeError, /parametric: x must be/],
+    ['a periodic that is a word', { ...gallery.saddle, periodic: 'yes' }, TypeError, /periodic must be 'auto' or .* not 'yes'/],
+    ['a periodic that is a number', { ...gallery.saddle, periodic: { u: 1 } }, TypeError, /periodic must be .* not u: 1/],
+    ['a parameter that is NaN', { ...gallery.saddle, parameters: { a: NaN } }, RangeError, /parameter a must be a finite number/],
+    ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, RangeError, /parameter a must be a finite number, not '1'/],
+    ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],
+    ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
+    ['a density', { ...gallery.saddle, density: 'u' }, RangeError, /parametric: density is not built yet/],
+    ['a metric', { ...gallery.saddle, metric: { E: 1, F: 0, G: 1 } }, RangeError, /parametric: metric is not built yet/],
+  ];
+  for (const [what, definition, kind, message] of bad)
+    test(`parametric refuses ${what}`, () => refuses(() => surfpath.parametric(anything(definition)), kind, message));
+
+  test('implicit refuses bounds that are no box', () => {
+    const f = 'x^2+y^2+z^2-1';
+    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1]] })), TypeError, /bounds must be \[\[x, x\], \[y, y\], \[z, z\]\]/);
+    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1], [0, 1], 2] })), TypeError, /bounds\[2\] must be a range/);
+    const reversed = anything([
+      [0, 1],
+      [1, 0],
+      [0, 1],
+    ]);
+    refuses(() => surfpath.implicit({ f, bounds: reversed }), RangeError, /bounds\[1\] must be two numbers, the smaller first/);
+    refuses(() => surfpath.implicit(anything({})), TypeError, /f is missing/);
+    refuses(() => surfpath.implicit(anything({ f: 'x', density: 1 })), RangeError, /density is not built yet/);
+  });
+
+  test('surface refuses kinds that do not exist, and says which are not built yet', () => {
+    refuses(() => surfpath.surface(anything(null)), TypeError, /surface: the definition must be an object/);
+    refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be 'parametric' or 'implicit', not undefined/);
+    for (const kind of ['metric', 'graph', 'revolution', 'tube', 'sweep'])
+      refuses(() => surfpath.surface(anything({ kind })), RangeError, /is not built yet/);
+  });
+
+  test('names of Object.prototype are unknown like any other', () => {
+    for (const name of ['constructor', '__proto__', 'toString', 'hasOwnProperty'])
+      refuses(() => surfpath.implicit({ f: `${name}*x` }), ExpressionError, /unknown name/);
+  });
+
+  test('an ExpressionError says where', () => {
+    try {
+      surfpath.implicit({ f: 'x + sinus(y)' });
+      assert.fail('accepted');
+    } catch (error) {
+      assert.ok(error instanceof ExpressionError && error instanceof Error);
+      assert.deepEqual([error.name, error.source, error.index, error.argument], ['ExpressionError', 'x + sinus(y)', 4, 'f']);
+      assert.match(error.message, /did you mean sin\?/);
+    }
+  });
+
+  test('changing a definition afterwards changes nothing', () => {
+    const definition = { x: 'u', y: 'v', z: 'h', u: [0, 1], v: [0, 1], parameters: { h: 1 }, periodic: { u: true } };
+    const plane = surfpath.parametric(anything(definition));
+    definition.u[1] = 5;
+    definition.parameters.h = 7;
+    definition.periodic.u = false;
+    plane.set({ h: 2 });
+    assert.deepEqual(plane.domain, { u: [0, 1], v: [0, 1], periodic: { u: true, v: false } });
+    assert.equal(plane.evaluate([0, 0])[2], 2);
+  });
+});

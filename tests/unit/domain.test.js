@@ -1,0 +1,53 @@
+// Periodic directions: found where the surface closes smoothly, and crossed by paths.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { anything, close, refuses } from '../helpers/refuses.js';
+
+const surfpath = await load();
+const ring = surfpath.surface(gallery.parametricTorus);
+
+describe('periodic directions', () => {
+  /** @param {object} definition */
+  const periodic = (definition) => surfpath.surface(anything({ kind: 'parametric', ...definition })).domain?.periodic;
+
+  test('are found where the surface closes smoothly', () => {
+    assert.deepEqual(periodic(gallery.parametricTorus), { u: true, v: true });
+    assert.deepEqual(periodic(gallery.cylinder), { u: true, v: false });
+    assert.deepEqual(periodic(gallery.globe), { u: true, v: false });
+    assert.deepEqual(periodic(gallery.catenoid), { u: true, v: false });
+    assert.deepEqual(periodic(gallery.saddle), { u: false, v: false });
+  });
+
+  test('are not where it only meets itself, turns over, or all but closes', () => {
+    assert.deepEqual(periodic(gallery.moebius), { u: false, v: false });
+    const crease = { x: 'sin(u)', y: 'sin(u/2)', z: 'v', u: [0, '2*pi'], v: [0, 1] };
+    assert.deepEqual(periodic(crease), { u: false, v: false });
+    assert.deepEqual(periodic({ ...gallery.cylinder, u: [0, '2*pi - 1e-5'] }), { u: false, v: false });
+  });
+
+  test('an explicit answer wins', () => {
+    assert.deepEqual(periodic({ ...gallery.parametricTorus, periodic: { v: true } }), { u: false, v: true });
+    assert.deepEqual(periodic({ ...gallery.parametricTorus, periodic: {} }), { u: false, v: false });
+  });
+
+  test('take any number, and the path goes the short way, its u and v continuous', () => {
+    const path = ring.shortestPath([0.2, 0.1], [6.1, 0.1]);
+    const turned = ring.shortestPath([0.2 + 2 * Math.PI, 0.1], [6.1 - 4 * Math.PI, 0.1]);
+    close(turned.length, path.length);
+    const u = Array.from(/** @type {Float64Array} */ (path.parameters)).filter((_, i) => i % 2 === 0);
+    close(u[0], 0.2);
+    close(/** @type {number} */ (u.at(-1)), 6.1 - 2 * Math.PI);
+    for (let i = 1; i < u.length; i++) assert.ok(Math.abs(u[i] - u[i - 1]) < 0.1);
+  });
+
+  test('set moves the range and finds them anew', () => {
+    const arc = surfpath.parametric({ x: 'cos(u)', y: 'sin(u)', z: 'v', u: [0, 'a'], v: [0, 1], parameters: { a: 3 } });
+    assert.equal(arc.domain?.periodic.u, false);
+    refuses(() => arc.shortestPath([4, 0], [1, 0]), RangeError, /outside the range of u, \[0, 3\]/);
+    arc.set({ a: 2 * Math.PI });
+    assert.deepEqual(arc.domain, { u: [0, 2 * Math.PI], v: [0, 1], periodic: { u: true, v: false } });
+    assert.equal(arc.shortestPath([4, 0], [1, 0]).status, 'converged');
+  });
+});

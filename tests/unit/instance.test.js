@@ -1,0 +1,32 @@
+// Loading, and what cannot be loaded.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { anything } from '../helpers/refuses.js';
+
+const surfpath = await load();
+const saddle = surfpath.surface(gallery.saddle);
+
+describe('load', () => {
+  test('refuses misuse', async () => {
+    await assert.rejects(load(anything(null)), /load: options must be an object, not null/);
+    await assert.rejects(load(anything({ wsam: 1 })), /load: there is no option 'wsam'; the options are wasm/);
+    await assert.rejects(
+      load(anything({ wasm: 5 })),
+      /load: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module/,
+    );
+    await assert.rejects(load({ wasm: new Uint8Array(4) }), WebAssembly.CompileError);
+  });
+
+  test('takes the module as bytes, a file: URL, or compiled', async () => {
+    const url = new URL('../../dist/surfpath.wasm', import.meta.url);
+    const module = new WebAssembly.Module((await import('../../dist/wasm.js')).default);
+    for (const wasm of [url, url.href, module]) {
+      const instance = await load({ wasm });
+      const path = instance.surface(gallery.saddle).shortestPath([-0.9, 0.1], [0.5, 0.9]);
+      assert.deepEqual(path, saddle.shortestPath([-0.9, 0.1], [0.5, 0.9]));
+      instance.dispose();
+    }
+  });
+});

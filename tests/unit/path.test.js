@@ -1,0 +1,240 @@
+// Options in, Path out: every option, every status that can be provoked, and that results are plain data and copies.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { anything, close, refuses } from '../helpers/refuses.js';
+
+const surfpath = await load();
+const saddle = surfpath.surface(gallery.saddle);
+const sphere = surfpath.surface(gallery.sphere);
+const ring = surfpath.surface(gallery.parametricTorus);
+
+/** @typedef {import('../../web/index.js').Path} Path */
+
+/** What a path without points looks like. @param {Path} path @param {string} status */
+function assertNoPath(path, status) {
+  assert.equal(path.status, status);
+  assert.equal(path.converged, false);
+  for (const number of [path.length, path.lengthError, path.energy, path.gradientNorm]) assert.ok(Number.isNaN(number));
+  assert.deepEqual([path.points.length, path.parameters, path.history.length, path.index], [0, null, 0, -1]);
+}
+
+describe('options', () => {
+  /** @type {[unknown, Function, RegExp][]} */
+  const bad = [
+    [null, TypeError, /options must be an object, not null/],
+    ['fast', TypeError, /options must be an object, not 'fast'/],
+    [{ pionts: 3 }, TypeError, /there is no option 'pionts'; the options are algorithm, points/],
+    [{ algorithm: 'elements' }, RangeError, /'elements' is not built yet/],
+    [{ algorithm: 'fast' }, RangeError, /algorithm must be 'polyline' or 'paper', not 'fast'/],
+    [{ start: 'global' }, RangeError, /'global' is not built yet/],
+    [{ start: 'curved' }, TypeError, /start must be 'straight', a polyline .* not 'curved'/],
+    [{ tolerance: 1e-9 }, RangeError, /tolerance is not built yet/],
+    [{ via: [[0, 0]] }, RangeError, /via is not built yet/],
+    [{ points: 0 }, RangeError, /points must be a whole number from 1 to 100000, not 0/],
+    [{ points: 100_001 }, RangeError, /points must be/],
+    [{ points: 2.5 }, RangeError, /points must be a whole number/],
+    [{ points: NaN }, RangeError, /points must be a whole number/],
+    [{ points: '64' }, TypeError, /points must be a number, not '64'/],
+    [{ maxIterations: -1 }, RangeError, /maxIterations must be a whole number from 0 to 10000/],
+    [{ gradientTolerance: 0 }, RangeError, /gradientTolerance must be a positive number, not 0/],
+    [{ gradientTolerance: '1' }, RangeError, /gradientTolerance must be a positive number, not '1'/],
+    [{ record: 1 }, TypeError, /record must be true or false, not 1/],
+    [{ start: [0, 0, 1] }, RangeError, /start must be a flat array of u v, 2 to 1,000,000 points, not 3 numbers/],
+    [{ start: [0, 0] }, RangeError, /start must be a flat array/],
+    [{ start: [0, 0, NaN, 1] }, RangeError, /start\[2\] must be a finite number, not NaN/],
+    [
+      {
+        start: [
+          [0, 0],
+          [0.5, 0.5],
+          [1, 1],
+          [1, 1],
+        ],
+      },
+      RangeError,
+      /start\[0\] must be a finite number, not an array of 2/,
+    ],
+  ];
+  for (const [options, kind, message] of bad)
+    test(`shortestPath refuses ${JSON.stringify(options)}`, () =>
+      refuses(() => saddle.shortestPath([0, 0], [0.5, 0.5], anything(options)), kind, message));
+
+  test('an option that is undefined counts as not given', () => {
+    const path = saddle.shortestPath([0, 0], [0.5, 0.5], { algorithm: undefined, points: undefined, start: undefined });
+    assert.deepEqual(path, saddle.shortestPath([0, 0], [0.5, 0.5]));
+  });
+
+  test('points: as many as asked, from 1 to 100,000', () => {
+    for (const points of [1, 2, 3, 50, 100_000]) {
+      const path = saddle.shortestPath([-0.9, 0.1], [0.5, 0.9], { points });
+      assert.deepEqual([path.status, path.points.length, path.parameters?.length], ['converged', 3 * (points + 2), 2 * (points + 2)]);
+    }
+  });
+
+  test('points: too few to see the surface between them is stalled, not converged', () => {
+    assert.equal(ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points: 1 }).status, 'stalled');
+  });
+
+  test('more points: closer to the geodesic, and lengthError says how close', () => {
+    const fine = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points: 2000 });
+    for (const points of [16, 64, 256]) {
+      const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points });
+      close(path.lengthError / (fine.length + fine.lengthError - path.length), 1, 0.05);
+    }
+  });
+
+  test('gradientTolerance is the paper’s stopping rule', () => {
+    const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { gradientTolerance: 0.5 });
+    assert.ok(path.converged && path.gradientNorm <= 0.5 && path.gradientNorm > 1e-6);
+    assert.ok(path.history.slice(0, -1).every((entry) => entry.gradientNorm > 0.5));
+  });
+
+  test('history: one entry a step and one for the end; record keeps the polylines', () => {
+    const [from, to, points] = [[0.5, 0.6], [2.6, 1.2], 7];
+    const plain = ring.shortestPath(from, to, { points });
+    const path = ring.shortestPath(from, to, { points, record: true });
+    assert.equal(path.history.length, path.iterations + 1);
+    assert.ok(plain.history.every((entry) => !('points' in entry)));
+    for (const entry of path.history) {
+      assert.deepEqual(Object.keys(entry), ['energy', 'gradientNorm', 'decrement', 'step', 'points']);
+      assert.equal(entry.points?.length, 3 * (points + 2));
+    }
+    const last = /** @type {import('../../web/runtime/heap.js').Iterate} */ (path.history.at(-1));
+    assert.deepEqual([last.step, last.energy, last.gradientNorm], [0, path.energy, path.gradientNorm]);
+    assert.deepEqual(last.points, path.points);
+    const energies = path.history.map((entry) => entry.energy);
+    assert.deepEqual(
+      [...energies].sort((a, b) => b - a),
+      energies,
+    );
+  });
+
+  test('start: a polyline, an earlier path, one of another number of points', () => {
+    const [from, to] = [
+      [0.5, 0.6],
+      [2.6, 1.2],
+    ];
+    const path = ring.shortestPath(from, to);
+    const bent = ring.shortestPath(from, to, { start: [0.5, 0.6, 1.5, 1.6, 2.6, 1.2] });
+    assert.equal(bent.status, 'converged');
+    close(bent.length, path.length, 1e-10);
+    for (const start of [path, ring.shortestPath(from, to, { points: 500 }), path.parameters ?? []]) {
+      const warm = ring.shortestPath(from, to, { start });
+      assert.ok(warm.converged && warm.iterations <= 3, `${warm.status} after ${warm.iterations}`);
+      close(warm.length, path.length, 1e-10);
+    }
+    const onSphere = sphere.shortestPath([1, 0, 0], [0, 1, 0], { start: sphere.shortestPath([1, 0, 0], [0, 1, 0]) });
+    assert.ok(onSphere.converged && onSphere.iterations <= 3);
+  });
+
+  test('start: a path around the other side stays there', () => {
+    const other = ring.shortestPath([0.2, 0.1], [6.1, 0.1], { start: [0.2, 0.1, 3, 0.1, 6.1, 0.1] });
+    const near = ring.shortestPath([0.2, 0.1], [6.1, 0.1]);
+    close(near.length, 2.1045, 1e-4);
+    assert.ok(other.length > 10);
+  });
+
+  test('start: a path that has no points is refused', () => {
+    const failed = sphere.shortestPath([3, 0, 0], [0, 1, 0]);
+    refuses(
+      () => sphere.shortestPath([1, 0, 0], [0, 1, 0], { start: failed }),
+      RangeError,
+      /a path without x y z, of status 'off-surface'/,
+    );
+    const implicit = sphere.shortestPath([1, 0, 0], [0, 1, 0]);
+    refuses(() => saddle.shortestPath([0, 0], [0.5, 0.5], { start: implicit }), RangeError, /a path without u v/);
+  });
+});
+
+describe('statuses', () => {
+  test('singular-metric: a constant surface, a curve, grad f = 0 at an end, a cuspidal edge between the ends', () => {
+    const constant = surfpath.parametric({ x: 1, y: 2, z: 3, u: [0, 1], v: [0, 1] });
+    const curve = surfpath.parametric({ x: 'u', y: 'u^2', z: 0, u: [0, 1], v: [0, 1] });
+    for (const surface of [constant, curve]) assertNoPath(surface.shortestPath([0, 0], [1, 1]), 'singular-metric');
+    assertNoPath(surfpath.implicit({ f: 'x*y' }).shortestPath([0, 0, 0], [1, 0, 1]), 'singular-metric');
+    assertNoPath(surfpath.implicit({ f: 1 }).shortestPath([0, 0, 0], [1, 1, 1]), 'singular-metric');
+    assertNoPath(sphere.shortestPath([0, 0, 0], [1, 0, 0]), 'singular-metric');
+    const dini = surfpath.parametric({ ...gallery.dini, v: [0.1, 2] });
+    assertNoPath(dini.shortestPath([0, 1.2], [1, 1.9]), 'singular-metric');
+  });
+
+  test('not-finite: a formula outside its domain', () => {
+    const half = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(u-0.5)', u: [0, 1], v: [0, 1] });
+    assertNoPath(half.shortestPath([0, 0], [1, 1]), 'not-finite');
+    assertNoPath(surfpath.implicit({ f: 'sqrt(-1-x^2)' }).shortestPath([0, 0, 0], [1, 1, 1]), 'not-finite');
+  });
+
+  test('sheet-jump: two components', () => {
+    const two = surfpath.implicit({ f: '((x-2)^2+y^2+z^2-1)*((x+2)^2+y^2+z^2-1)' });
+    assertNoPath(two.shortestPath([-3, 0, 0], [3, 0, 0]), 'sheet-jump');
+  });
+
+  test('saddle: what the paper’s sign test accepts; the certified method leaves it', () => {
+    const bumpy = surfpath.surface(gallery.bumpy);
+    const [from, to] = [
+      [-1, 0.5236],
+      [2.5, 0.5236],
+    ];
+    const paper = bumpy.shortestPath(from, to, { algorithm: 'paper' });
+    assert.deepEqual([paper.status, paper.converged], ['saddle', false]);
+    assert.ok(paper.index > 0 && paper.points.length > 0);
+    const path = bumpy.shortestPath(from, to);
+    assert.deepEqual([path.status, path.index], ['converged', 0]);
+    assert.ok(path.length < paper.length);
+  });
+
+  test('iteration-limit: a usable path that is no worse than its start', () => {
+    const straight = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { maxIterations: 0 });
+    const short = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { maxIterations: 2 });
+    assert.deepEqual([straight.status, straight.iterations], ['iteration-limit', 0]);
+    assert.deepEqual([short.status, short.iterations], ['iteration-limit', 2]);
+    assert.ok(short.energy < straight.energy && short.points.length === straight.points.length);
+  });
+
+  test('antipodal points of a sphere, joined by infinitely many shortest paths, are not called converged', () => {
+    const path = sphere.shortestPath([1, 0, 0], [-1, 0, 0]);
+    assert.equal(path.converged, false);
+    close(path.length + path.lengthError, Math.PI, 1e-5); // the estimate is good to fourth order
+  });
+});
+
+describe('results', () => {
+  test('are plain data: a Path survives structuredClone', () => {
+    for (const path of [ring.shortestPath([0.5, 0.6], [2.6, 1.2], { record: true }), sphere.shortestPath([3, 0, 0], [0, 1, 0])])
+      assert.deepEqual(structuredClone(path), path);
+  });
+
+  test('are copies: nothing that is done to one reaches the next', () => {
+    const [from, to] = [
+      [0.5, 0.6],
+      [2.6, 1.2],
+    ];
+    const path = ring.shortestPath(from, to, { record: true });
+    const kept = structuredClone(path);
+    for (const array of [path.points, path.parameters, path.history[0].points]) array?.fill(NaN);
+    const again = ring.shortestPath(from, to, { record: true });
+    assert.deepEqual(again, kept);
+    ring.shortestPath([0, 0], [1, 1], { points: 5000 });
+    assert.deepEqual(again, kept);
+    const mesh = sphere.mesh({ resolution: 6 });
+    const meshKept = structuredClone(mesh);
+    sphere.mesh({ resolution: 20 });
+    assert.deepEqual(mesh, meshKept);
+    anything(ring.domain).u[1] = 1;
+    assert.equal(ring.domain?.u[1], 2 * Math.PI);
+  });
+
+  test('exchanging the ends reverses the path to the bit', () => {
+    for (const [surface, a, b] of /** @type {const} */ ([
+      [ring, [0.5, 0.6], [2.6, 1.2]],
+      [sphere, [1, 0, 0], [0, 0.6, 0.8]],
+    ])) {
+      const [there, back] = [surface.shortestPath(a, b), surface.shortestPath(b, a)];
+      assert.equal(back.length, there.length);
+      const turned = Array.from({ length: 66 }, (_, i) => Array.from(back.points.subarray(3 * (65 - i), 3 * (66 - i)))).flat();
+      assert.deepEqual(turned, Array.from(there.points));
+    }
+  });
+});
