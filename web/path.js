@@ -99,7 +99,8 @@ function refuseUnbuilt(caller, options) {
 /** @param {string} caller @param {unknown} [tolerance] */
 function readTolerance(caller, tolerance = 1e-9) {
   if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
-  if (!(tolerance >= 1e-15 && tolerance <= 0.1)) throw new RangeError(`${caller}: options.tolerance must lie between 1e-15 and 0.1, not ${tolerance}`);
+  if (!(tolerance >= 1e-15 && tolerance <= 0.1))
+    throw new RangeError(`${caller}: options.tolerance must lie between 1e-15 and 0.1, not ${tolerance}`);
   return tolerance;
 }
 
@@ -117,11 +118,16 @@ export function readOptions(caller, given) {
   checkNames(caller, options, KNOWN);
   const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'straight' } = options;
   if (options.tolerance !== undefined && algorithm !== 'elements')
-    throw new RangeError(`${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`);
+    throw new RangeError(
+      `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
+    );
   const code = ALGORITHMS.get(algorithm);
-  if (code === undefined) throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
+  if (code === undefined)
+    throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
   if (gradientTolerance !== undefined && algorithm === 'elements')
-    throw new RangeError(`${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`);
+    throw new RangeError(
+      `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,
+    );
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
   if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
