@@ -24,7 +24,8 @@ static void count_pivot(struct sp_inertia *inertia, struct block p, int lane) {
 }
 
 static struct block shifted(const struct sp_row *row, double shift) {
-    return (struct block){row->a + 2 * shift * row->e, row->b + 2 * shift * row->f, row->d + 2 * shift * row->g};
+    sp_pair by = shift * row->weight;
+    return (struct block){row->a + by * row->e, row->b + by * row->f, row->d + by * row->g};
 }
 
 static void set_pivot(struct sp_row *row, struct block p, sp_pair s1, sp_pair s2) {
@@ -168,10 +169,10 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
     return 0;
 }
 
-/* Smaller eigenvalue of P relative to M = 2 [e f; f g]: the smaller root of det(P - x M) = 0. */
+/* Smaller eigenvalue of P relative to M: the smaller root of det(P - x M) = 0. */
 static double relative_eigenvalue(const struct sp_row *row, int lane) {
     double a = row->pa[lane], b = row->pb[lane], d = row->pd[lane];
-    double e = 2 * row->e[lane], f = 2 * row->f[lane], g = 2 * row->g[lane];
+    double weight = row->weight[lane], e = weight * row->e[lane], f = weight * row->f[lane], g = weight * row->g[lane];
     double second = e * g - f * f, first = 0.5 * (a * g + d * e - 2 * b * f), zeroth = a * d - b * b;
     double root = first * first - second * zeroth;
     return zeroth / (first + sp_square_root(sp_splat(root > 0 ? root : 0))[0]);

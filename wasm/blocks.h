@@ -1,7 +1,7 @@
 /* Block-tridiagonal systems with symmetric 2 x 2 blocks, folded: LDL' from both ends towards the middle, O(n). Knows nothing of paths.
  *
- * H has diagonal blocks [a b; b d] and, between neighbours k and k + 1, the block -Q. M = 2 [e f; f g] is block diagonal: the metric that
- * shifts and eigenvalues are measured in. Rows stand one per pair of nodes (polyline.h). MATH.md, "The block solve". */
+ * H has diagonal blocks [a b; b d] and, between neighbours k and k + 1, the block -Q. M = weight [e f; f g] is block diagonal: the metric
+ * that shifts and eigenvalues are measured in. Rows stand one per pair of nodes (polyline.h). MATH.md, "The block solve". */
 #ifndef SURFPATH_BLOCKS_H
 #define SURFPATH_BLOCKS_H
 
@@ -9,7 +9,8 @@
 
 struct sp_row {
     sp_pair a, b, d;            /* diagonal block of H */
-    sp_pair e, f, g;            /* first fundamental form at the node: M = 2 [e f; f g] */
+    sp_pair e, f, g;            /* first fundamental form at the node */
+    sp_pair weight;             /* M = weight [e f; f g]; 2 along a polyline */
     sp_pair q11, q12, q21, q22; /* Q, towards the next pair */
     sp_pair r1, r2;             /* right-hand side, -gradient */
     sp_pair pa, pb, pd;         /* pivot block after elimination */

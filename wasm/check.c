@@ -1,5 +1,6 @@
 /* Chords against the surface: sheets, singular curves, length. Independent of how the path was found. MATH.md, "Checks". */
 #include "check.h"
+#include "energy.h"
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
@@ -122,18 +123,7 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
     return worst;
 }
 
-double sp_check_length(const struct sp_polyline *line) {
-    sp_pair sum = sp_splat(0.0);
-    const sp_pair *charts = line->nodes.charts;
-    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
-        struct sp_vector chord = sp_subtract(sp_load(charts + SP_CHART * k), sp_load(charts + SP_CHART * (k - 1)));
-        sum += sp_square_root(sp_dot(chord, chord));
-    }
-    double length = sum[0] + sum[1];
-    if (line->fold.odd) return length;
-    struct sp_vector here = sp_load(charts + SP_CHART * line->fold.both), middle = sp_subtract(here, sp_swap_vector(here));
-    return length + root(sp_dot(middle, middle)[0]);
-}
+double sp_check_length(const struct sp_polyline *line) { return sp_polyline_length(line->fold, line->nodes.charts); }
 
 /* (2 a^2 - a b + 2 b^2)/30 of the chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
  */
@@ -164,9 +154,11 @@ static double halving_error(const struct sp_polyline *line, double length) {
     return (length - sum) / 3;
 }
 
-double sp_check_length_error(const struct sp_polyline *line, int touches) {
+double sp_check_rounding(double length, double scale) { return 4e-15 * length + 2.2e-16 * scale; }
+
+double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
     struct chord chord;
-    double length = sp_check_length(line), error = 0, least = 4e-15 * length;
+    double length = sp_check_length(line), error = 0, least = sp_check_rounding(length, scale);
     read_node(line, 0, &chord, 0);
     for (int32_t i = 0; i <= line->fold.inner; i++) {
         read_node(line, i + 1, &chord, 1);

@@ -16,17 +16,28 @@ double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts) {
     return squares + sp_dot(middle, middle)[0];
 }
 
-/* The row of one pair but for Q: `pull` is D = 2 X_k - X_k-1 - X_k+1. */
-static void assemble_row(const sp_pair *chart, struct sp_vector pull, sp_mask coordinate, struct sp_row *row) {
+double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
+    sp_pair sum = sp_splat(0.0);
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++) {
+        struct sp_vector chord = sp_subtract(sp_load(charts + SP_CHART * k), sp_load(charts + SP_CHART * (k - 1)));
+        sum += sp_square_root(sp_dot(chord, chord));
+    }
+    double length = sum[0] + sum[1];
+    if (fold.odd) return length;
+    struct sp_vector here = sp_load(charts + SP_CHART * fold.both), middle = sp_subtract(here, sp_swap_vector(here));
+    return length + sp_square_root(sp_dot(middle, middle))[0];
+}
+
+void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, double weight, sp_mask coordinate, struct sp_row *row) {
     struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2), normal = sp_cross(b1, b2);
-    row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2);
+    row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2), row->weight = sp_splat(weight);
     row->r1 = -sp_dot(b1, pull), row->r2 = -sp_dot(b2, pull);
     struct sp_vector part = sp_scale(normal, sp_dot(pull, normal) / sp_dot(normal, normal));
     part = (struct sp_vector){sp_select(coordinate, pull.x, part.x), sp_select(coordinate, pull.y, part.y),
                               sp_select(coordinate, pull.z, part.z)};
-    row->a = 2.0 * row->e + sp_dot(part, sp_load(chart + SP_CHART_11));
-    row->b = 2.0 * row->f + sp_dot(part, sp_load(chart + SP_CHART_12));
-    row->d = 2.0 * row->g + sp_dot(part, sp_load(chart + SP_CHART_22));
+    row->a = weight * row->e + sp_dot(part, sp_load(chart + SP_CHART_11));
+    row->b = weight * row->f + sp_dot(part, sp_load(chart + SP_CHART_12));
+    row->d = weight * row->g + sp_dot(part, sp_load(chart + SP_CHART_22));
 }
 
 static void assemble_coupling(const sp_pair *chart, const sp_pair *next, struct sp_row *row) {
@@ -44,42 +55,51 @@ static struct sp_vector pull_at(struct sp_fold fold, const sp_pair *charts, int3
     return sp_subtract(before, sp_subtract(sp_load(chart + SP_CHART), here));
 }
 
-/* Coordinate j of pair k is on a wall of the rectangle and its force -gradient pushes it outwards. */
-static sp_mask active_coordinate(const struct sp_surface *surface, const sp_pair *place, int j, sp_pair force) {
-    sp_pair zero = sp_splat(0.0);
-    sp_mask low = (place[j] <= sp_splat(surface->lower[j])) & (force < zero);
-    return low | ((place[j] >= sp_splat(surface->upper[j])) & (force > zero));
+int sp_row_find_held(const struct sp_surface *surface, const sp_pair *place, const struct sp_row *row, sp_mask held[2]) {
+    sp_pair force[2] = {row->r1, row->r2}, zero = sp_splat(0.0);
+    for (int j = 0; j < 2; j++)
+        held[j] = ((place[j] <= sp_splat(surface->lower[j])) & (force[j] < zero)) |
+                  ((place[j] >= sp_splat(surface->upper[j])) & (force[j] > zero));
+    return sp_any(held[0] | held[1]);
 }
 
-/* Rows and columns of held coordinates become those of the identity, in the pair itself and in the Q that leads to it. */
-static void hold(struct sp_row *row, struct sp_row *before, sp_mask held1, sp_mask held2) {
+void sp_row_hold(struct sp_row *row, const sp_mask held[2]) {
     sp_pair zero = sp_splat(0.0), one = sp_splat(1.0);
-    row->a = sp_select(held1, one, row->a), row->d = sp_select(held2, one, row->d);
-    row->b = sp_select(held1 | held2, zero, row->b);
-    row->e = sp_select(held1, 0.5 * one, row->e), row->g = sp_select(held2, 0.5 * one, row->g);
-    row->f = sp_select(held1 | held2, zero, row->f);
-    row->r1 = sp_select(held1, zero, row->r1), row->r2 = sp_select(held2, zero, row->r2);
-    row->q11 = sp_select(held1, zero, row->q11), row->q12 = sp_select(held1, zero, row->q12);
-    row->q21 = sp_select(held2, zero, row->q21), row->q22 = sp_select(held2, zero, row->q22);
-    before->q11 = sp_select(held1, zero, before->q11), before->q21 = sp_select(held1, zero, before->q21);
-    before->q12 = sp_select(held2, zero, before->q12), before->q22 = sp_select(held2, zero, before->q22);
+    row->a = sp_select(held[0], one, row->a), row->d = sp_select(held[1], one, row->d);
+    row->b = sp_select(held[0] | held[1], zero, row->b);
+    row->e = sp_select(held[0], one / row->weight, row->e), row->g = sp_select(held[1], one / row->weight, row->g);
+    row->f = sp_select(held[0] | held[1], zero, row->f);
+    row->r1 = sp_select(held[0], zero, row->r1), row->r2 = sp_select(held[1], zero, row->r2);
+}
+
+double sp_rows_gradient_squared(struct sp_fold fold, const struct sp_row *rows) {
+    double sum = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        sum += sp_fold_sum(fold, k, rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2);
+    return sum;
+}
+
+/* Q between a pair and the next without the rows of coordinates held in this pair, the columns of those held in the next. */
+static void hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_mask next[2]) {
+    sp_pair zero = sp_splat(0.0);
+    row->q11 = sp_select(here[0] | next[0], zero, row->q11), row->q12 = sp_select(here[0] | next[1], zero, row->q12);
+    row->q21 = sp_select(here[1] | next[0], zero, row->q21), row->q22 = sp_select(here[1] | next[1], zero, row->q22);
 }
 
 /* Holds the active coordinates of pair k; the node takes the coordinate Hessian and a straight step. */
 static int32_t hold_active(const struct sp_polyline *line, int32_t k, struct sp_row *rows, sp_mask *straight) {
-    const sp_pair *place = line->nodes.places + 2 * k;
-    struct sp_row *row = rows + k;
-    sp_mask held1 = active_coordinate(line->surface, place, 0, row->r1), held2 = active_coordinate(line->surface, place, 1, row->r2);
-    sp_mask held = held1 | held2;
-    if (!sp_any(held)) return 0;
-    straight[k] |= held;
-    assemble_row(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), straight[k], row);
-    hold(row, row - 1, held1, held2);
-    if (!line->fold.odd && k == line->fold.both) /* the last Q leads to the same pair, lanes exchanged */
-        hold(&(struct sp_row){0}, row, sp_bits(sp_swap(sp_from_bits(held1))), sp_bits(sp_swap(sp_from_bits(held2))));
+    sp_mask held[2], none[2] = {{0}, {0}};
+    if (!sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held)) return 0;
+    straight[k] |= held[0] | held[1];
+    sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), 2, straight[k], rows + k);
+    sp_row_hold(rows + k, held);
+    sp_mask mirrored[2] = {sp_swap_mask(held[0]), sp_swap_mask(held[1])};
+    int meets_itself = !line->fold.odd && k == line->fold.both; /* the last Q leads to the same pair, lanes exchanged */
+    hold_coupling(rows + k, held, meets_itself ? mirrored : none);
+    hold_coupling(rows + k - 1, none, held);
     int32_t lanes = k > line->fold.both ? 1 : 2, count = 0;
     for (int lane = 0; lane < lanes; lane++)
-        count += (held1[lane] != 0) + (held2[lane] != 0);
+        count += (held[0][lane] != 0) + (held[1][lane] != 0);
     return count;
 }
 
@@ -91,15 +111,11 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     int32_t unknown = sp_fold_unknown(fold);
     for (int32_t k = 1; k <= unknown; k++) {
         straight[k] = coordinate;
-        assemble_row(charts + SP_CHART * k, pull_at(fold, charts, k), coordinate, rows + k);
+        sp_row_assemble(charts + SP_CHART * k, pull_at(fold, charts, k), 2, coordinate, rows + k);
         if (k <= fold.both) assemble_coupling(charts + SP_CHART * k, charts + SP_CHART * (k + 1), rows + k);
     }
     for (int32_t k = 1; line->surface->kind == SP_PARAMETRIC && k <= unknown; k++)
         energy.active += hold_active(line, k, rows, straight);
-    sp_pair sum = sp_splat(0.0);
-    for (int32_t k = 1; k <= fold.both; k++)
-        sum += rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2;
-    energy.gradient_squared = sum[0] + sum[1];
-    if (fold.odd) energy.gradient_squared += (rows[unknown].r1 * rows[unknown].r1 + rows[unknown].r2 * rows[unknown].r2)[0];
+    energy.gradient_squared = sp_rows_gradient_squared(fold, rows);
     return energy;
 }

@@ -19,8 +19,25 @@ struct sp_energy {
     int32_t active;          /* coordinates held at a wall */
 };
 
+/* Diagonal block, metric and right-hand side of one pair of nodes: `pull` is D, minus the force on the node, `weight` the stiffness of the
+ * node itself. */
+void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, double weight, sp_mask coordinate, struct sp_row *row);
+
+/* Coordinates of a pair that lie on a wall of the surface's rectangle and that their force pushes outwards. Returns whether there are any.
+ */
+int sp_row_find_held(const struct sp_surface *surface, const sp_pair *place, const struct sp_row *row, sp_mask held[2]);
+
+/* Makes held coordinates those of the identity: they do not move. */
+void sp_row_hold(struct sp_row *row, const sp_mask held[2]);
+
+/* Sum of squares of the scaled gradient. */
+double sp_rows_gradient_squared(struct sp_fold fold, const struct sp_row *rows);
+
 /* sum |X_i+1 - X_i|^2 */
 double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts);
+
+/* sum |X_i+1 - X_i| */
+double sp_polyline_length(struct sp_fold fold, const sp_pair *charts);
 
 /* Assembles gradient and Hessian into `rows` (1 … sp_fold_unknown). Coordinates that lie on a wall of the surface's rectangle and are
  * pushed outwards are active: their rows become the identity and their node takes the coordinate Hessian; `straight`, a mask a pair, is set

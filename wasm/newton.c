@@ -1,78 +1,53 @@
 /* Newton with shift, Armijo search, escape from saddles and a certificate; and the paper's own variant of it. MATH.md, "Newton". */
 #include "newton.h"
+#include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
 static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, PAPER_TOLERANCE = 1e-6;
-enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
+enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3, HISTORY_EXTRA = 16 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static int is_finite(double x) { return x - x == 0; }
 static double not_a_number(void) { return __builtin_nan(""); }
 
-int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, struct sp_arena *arena) {
-    struct sp_polyline *line = &newton->line;
-    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(options->point_count);
-    size_t pairs = (size_t)sp_fold_pairs(line->fold), dimension = (size_t)line->kind->dimension,
-           entries = (size_t)options->max_iterations + 1;
+int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
+                   struct sp_arena *arena) {
+    struct sp_system *system = &newton->system;
+    struct sp_polyline *line = &system->line;
+    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(inner);
+    size_t pairs = (size_t)sp_fold_pairs(line->fold), dimension = (size_t)line->kind->dimension;
     struct sp_nodes *both[2] = {&line->nodes, &newton->trial};
     for (int i = 0; i < 2; i++) {
         both[i]->places = sp_arena_take(arena, pairs * dimension, sizeof(sp_pair));
         both[i]->charts = sp_arena_take(arena, pairs * SP_CHART, sizeof(sp_pair));
         if (!both[i]->places || !both[i]->charts) return 0;
     }
-    newton->rows = sp_arena_take(arena, pairs, sizeof(struct sp_row));
+    system->elements.reference.degree = 1;
+    system->rows = sp_arena_take(arena, pairs, sizeof(struct sp_row));
+    system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
+    system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
-    newton->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
-    newton->history = sp_arena_take(arena, entries, sizeof(struct sp_iterate));
-    newton->record = options->record ? sp_arena_take(arena, entries * 3 * ((size_t)options->point_count + 2), sizeof(double)) : NULL;
-    return newton->rows && newton->step && newton->straight && newton->history && (newton->record || !options->record);
+    newton->decrement = DECREMENT;
+    newton->history_count = 0, newton->history_capacity = options->max_iterations + HISTORY_EXTRA,
+    newton->record_points = options->point_count;
+    newton->history = sp_arena_take(arena, (size_t)newton->history_capacity, sizeof(struct sp_iterate));
+    size_t record = (size_t)newton->history_capacity * 3 * ((size_t)options->point_count + 2);
+    newton->record = options->record ? sp_arena_take(arena, record, sizeof(double)) : NULL;
+    return system->rows && system->straight && system->held && newton->step && newton->history && (newton->record || !options->record);
 }
 
-double sp_newton_bytes(int32_t kind, const struct sp_options *options) {
-    double pairs = sp_fold_pairs(sp_fold_of(options->point_count)), entries = options->max_iterations + 1.0;
+double sp_newton_bytes(int32_t kind, const struct sp_options *options, int32_t inner) {
+    double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + (double)HISTORY_EXTRA;
     double dimension = kind == SP_IMPLICIT ? SP_IMPLICIT_INPUTS : SP_PARAMETRIC_INPUTS;
-    double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * (dimension + SP_CHART) + 2) + sizeof(sp_mask));
+    double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * (dimension + SP_CHART) + 2) + 3 * sizeof(sp_mask));
     double record = options->record ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
     return rows + entries * sizeof(struct sp_iterate) + record + 16 * 16;
 }
 
-/* r . x over all unknowns: minus the slope of the scaled energy along x. */
-static double descent(const struct sp_newton *newton, const sp_pair *x) {
-    struct sp_fold fold = newton->line.fold;
-    double sum = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        sum += sp_fold_sum(fold, k, newton->rows[k].r1 * x[2 * k] + newton->rows[k].r2 * x[2 * k + 1]);
-    return sum;
-}
-
-/* 2 g'M^-1 g / squares: how far from stationary, whatever the Hessian. */
-static double steepness(const struct sp_newton *newton, double squares) {
-    struct sp_fold fold = newton->line.fold;
-    double sum = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++) {
-        const struct sp_row *row = newton->rows + k;
-        sp_pair form = row->g * row->r1 * row->r1 - 2.0 * row->f * row->r1 * row->r2 + row->e * row->r2 * row->r2;
-        sum += sp_fold_sum(fold, k, form / (row->e * row->g - row->f * row->f));
-    }
-    return root(sum / squares);
-}
-
-/* Largest length of x at a node. */
-static double largest_step(const struct sp_newton *newton, const sp_pair *x) {
-    double largest = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(newton->line.fold); k++) {
-        const struct sp_row *row = newton->rows + k;
-        sp_pair u = x[2 * k], v = x[2 * k + 1], squared = row->e * u * u + 2.0 * row->f * u * v + row->g * v * v;
-        for (int lane = 0; lane < 2; lane++)
-            if (squared[lane] > largest) largest = squared[lane];
-    }
-    return root(largest);
-}
-
 /* No node's normal may turn by more than a right angle in one step: it would have changed sheets. */
 static int normals_kept(const struct sp_newton *newton) {
-    for (int32_t k = 1; k <= sp_fold_unknown(newton->line.fold); k++) {
-        struct sp_vector old = sp_chart_normal(newton->line.nodes.charts + SP_CHART * k);
+    for (int32_t k = 1; k <= sp_fold_unknown(newton->system.line.fold); k++) {
+        struct sp_vector old = sp_chart_normal(newton->system.line.nodes.charts + SP_CHART * k);
         if (sp_any(sp_dot(old, sp_chart_normal(newton->trial.charts + SP_CHART * k)) <= sp_splat(0.0))) return 0;
     }
     return 1;
@@ -80,31 +55,31 @@ static int normals_kept(const struct sp_newton *newton) {
 
 /* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
 static double try_step(struct sp_newton *newton, double scale) {
-    struct sp_polyline *line = &newton->line;
+    struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
     sp_pair *places = newton->trial.places, *charts = newton->trial.charts;
     for (int32_t j = 0; j < dimension; j++)
         places[j] = line->nodes.places[j];
     if (!line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
-                          newton->straight + 1, scale, places + dimension))
+                          newton->system.straight + 1, scale, places + dimension))
         return not_a_number();
     sp_fold_mirror(line->fold, places, dimension);
     sp_polyline_charts(line, newton->trial);
     if (line->surface->kind == SP_IMPLICIT && !normals_kept(newton)) return not_a_number();
-    return sp_polyline_squares(line->fold, charts);
+    return sp_system_squares(&newton->system, charts);
 }
 
 static void accept(struct sp_newton *newton) {
-    struct sp_nodes kept = newton->line.nodes;
-    newton->line.nodes = newton->trial;
+    struct sp_nodes kept = newton->system.line.nodes;
+    newton->system.line.nodes = newton->trial;
     newton->trial = kept;
 }
 
 /* Whether some unknown of these places lies on a wall of the rectangle. */
 static int touches_wall(const struct sp_newton *newton, const sp_pair *places) {
-    const struct sp_surface *surface = newton->line.surface;
+    const struct sp_surface *surface = newton->system.line.surface;
     if (surface->kind != SP_PARAMETRIC) return 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(newton->line.fold); k++)
+    for (int32_t k = 1; k <= sp_fold_unknown(newton->system.line.fold); k++)
         for (int j = 0; j < 2; j++)
             if (sp_any((places[2 * k + j] <= sp_splat(surface->lower[j])) | (places[2 * k + j] >= sp_splat(surface->upper[j])))) return 1;
     return 0;
@@ -112,12 +87,12 @@ static int touches_wall(const struct sp_newton *newton, const sp_pair *places) {
 
 /* r . (trial - path): the decrease that the clipped step promises to first order. */
 static double clipped_descent(const struct sp_newton *newton) {
-    const sp_pair *from = newton->line.nodes.places, *to = newton->trial.places;
-    struct sp_fold fold = newton->line.fold;
+    const sp_pair *from = newton->system.line.nodes.places, *to = newton->trial.places;
+    struct sp_fold fold = newton->system.line.fold;
     double sum = 0;
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        sum +=
-            sp_fold_sum(fold, k, newton->rows[k].r1 * (to[2 * k] - from[2 * k]) + newton->rows[k].r2 * (to[2 * k + 1] - from[2 * k + 1]));
+        sum += sp_fold_sum(
+            fold, k, newton->system.rows[k].r1 * (to[2 * k] - from[2 * k]) + newton->system.rows[k].r2 * (to[2 * k + 1] - from[2 * k + 1]));
     return sum;
 }
 
@@ -149,8 +124,8 @@ static double search_paper(struct sp_newton *newton, double squares, double slop
 /* Along a direction of negative curvature, first as far as an eighth of the path is long; of the two ways the one with less energy, on a
  * tie the first. */
 static double search_escape(struct sp_newton *newton, double squares) {
-    double length = root(squares * (newton->line.fold.inner + 1));
-    double scale = 0.125 * length / largest_step(newton, newton->step);
+    double length = root(squares * sp_system_segments(&newton->system));
+    double scale = 0.125 * length / sp_system_largest(&newton->system, newton->step);
     for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
         double ahead = try_step(newton, scale), behind = try_step(newton, -scale), limit = squares * (1 - SLACK);
         if (behind < limit && !(ahead <= behind)) return -scale;
@@ -168,25 +143,25 @@ struct round {
 
 static void assemble(struct sp_newton *newton, const struct sp_options *options, struct round *round) {
     enum sp_hessian hessian = options->algorithm == SP_PAPER ? SP_COORDINATE : SP_COVARIANT;
-    round->energy = sp_polyline_assemble(&newton->line, hessian, newton->rows, newton->straight);
-    round->inertia = sp_blocks_factor(newton->line.fold, newton->rows, 0);
-    round->gradient_norm = 2.0 * (newton->line.fold.inner + 1) * root(round->energy.gradient_squared);
+    round->energy = sp_system_assemble(&newton->system, hessian);
+    round->inertia = sp_system_factor(&newton->system, 0);
+    round->gradient_norm = 2.0 * sp_system_segments(&newton->system) * root(round->energy.gradient_squared);
     round->decrement = not_a_number();
     if (!round->inertia.usable) return;
-    sp_blocks_solve(newton->line.fold, newton->rows, newton->step);
-    if (round->inertia.negative == 0) round->decrement = root(2 * descent(newton, newton->step) / round->energy.squares);
+    sp_system_solve(&newton->system, newton->step);
+    if (round->inertia.negative == 0) round->decrement = root(2 * sp_system_descent(&newton->system, newton->step) / round->energy.squares);
 }
 
 /* The step of H + shift M, with a shift that makes it positive definite. Returns 0 if none does. */
 static int shifted_step(struct sp_newton *newton, struct round *round, double least) {
-    double segments = newton->line.fold.inner + 1;
+    double segments = newton->system.line.fold.inner + 1;
     double shift = round->shift > 0 ? 0.25 * round->shift : 1 / (segments * segments);
     if (shift < least) shift = least;
     for (int i = 0; i < SHIFTS; i++, shift *= 4) {
-        struct sp_inertia inertia = sp_blocks_factor(newton->line.fold, newton->rows, shift);
+        struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
         if (!inertia.usable || inertia.negative) continue;
         round->shift = shift;
-        sp_blocks_solve(newton->line.fold, newton->rows, newton->step);
+        sp_system_solve(&newton->system, newton->step);
         return 1;
     }
     return 0;
@@ -196,41 +171,40 @@ static int shifted_step(struct sp_newton *newton, struct round *round, double le
 static double step_certified(struct sp_newton *newton, struct round *round) {
     double squares = round->energy.squares;
     int definite = round->inertia.usable && round->inertia.negative == 0;
-    if (!definite && steepness(newton, squares) <= STATIONARY && sp_blocks_descent(newton->line.fold, newton->rows, newton->step))
+    if (!definite && sp_system_steepness(&newton->system, squares) <= STATIONARY && sp_system_negative(&newton->system, newton->step))
         return search_escape(newton, squares);
     if (!definite && !shifted_step(newton, round, 0)) return 0;
-    double scale = search_armijo(newton, squares, descent(newton, newton->step));
+    double scale = search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
     if (scale > 0 || !shifted_step(newton, round, 1)) return scale;
-    return search_armijo(newton, squares, descent(newton, newton->step));
+    return search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
 }
 
 /* One step of the paper's method: Newton's, or its reverse where Eq. 25 fails. */
 static double step_paper(struct sp_newton *newton, struct round *round) {
     if (!round->inertia.usable) return 0;
-    double slope = descent(newton, newton->step);
+    double slope = sp_system_descent(&newton->system, newton->step);
     if (slope < 0)
-        for (int32_t k = 0; k < 2 * sp_fold_pairs(newton->line.fold); k++)
+        for (int32_t k = 0; k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
             newton->step[k] = -newton->step[k];
     return search_paper(newton, round->energy.squares, slope < 0 ? -slope : slope);
 }
 
-static void note(struct sp_newton *newton, struct sp_outcome *outcome, const struct round *round, double step) {
-    int32_t inner = newton->line.fold.inner, last = inner + 1;
-    newton->history[outcome->history_count] =
-        (struct sp_iterate){(inner + 1) * round->energy.squares, round->gradient_norm, round->decrement, step};
+/* Adds an entry to the history, and the path's points to the record. */
+static void note(struct sp_newton *newton, const struct round *round, double step) {
+    if (newton->history_count >= newton->history_capacity) return;
+    newton->history[newton->history_count] =
+        (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm, round->decrement, step};
     if (newton->record)
-        for (int32_t i = 0; i <= last; i++)
-            for (int32_t j = 0; j < 3; j++)
-                newton->record[((size_t)outcome->history_count * (size_t)(inner + 2) + (size_t)i) * 3 + (size_t)j] =
-                    sp_fold_get(newton->line.fold, newton->line.nodes.charts, SP_CHART, i, j);
-    outcome->history_count++;
+        sp_sample_points(&newton->system, newton->scale, newton->record_points,
+                         newton->record + (size_t)newton->history_count * 3 * ((size_t)newton->record_points + 2), NULL);
+    newton->history_count++;
 }
 
-/* Below this the decrement is rounding: sums of n chords, each rounded like the coordinates. */
+/* Below this the decrement is rounding: measured noise is 0.6 … 1 times 1e-16 N (1 + size/length). */
 static double decrement_floor(const struct sp_newton *newton, double squares) {
-    double segments = newton->line.fold.inner + 1, length = root(squares * segments);
-    double floor = 1e-17 * segments * segments * (1 + newton->scale / length);
-    return floor > DECREMENT ? floor : DECREMENT;
+    double nodes = newton->system.line.fold.inner + 1, length = root(squares * sp_system_segments(&newton->system));
+    double floor = 1e-15 * nodes * (1 + newton->scale / length);
+    return floor > newton->decrement ? floor : newton->decrement;
 }
 
 /* Whether the stopping rule holds, whatever the index. */
@@ -247,7 +221,7 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
-    return sp_blocks_conditioning(newton->line.fold, newton->rows) < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
+    return sp_system_conditioning(&newton->system) < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
 }
 
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
@@ -256,8 +230,17 @@ static int32_t idle_count(int32_t idle, const struct round *before, const struct
     return falls ? 0 : idle + 1;
 }
 
+/* Stationary, and some pivot is zero up to rounding: no step can be computed because none is needed (ends exactly conjugate). */
+static int is_undetermined(struct sp_newton *newton, const struct round *round) {
+    sp_system_factor(&newton->system, 0);
+    double conditioning = sp_system_conditioning(&newton->system);
+    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && conditioning < CONDITIONING &&
+           conditioning > -CONDITIONING;
+}
+
 /* Takes steps until the stopping rule holds; fills outcome->status. */
-static void iterate(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+static void iterate(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, struct round *round,
+                    struct sp_outcome *outcome) {
     for (int32_t idle = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
         int definite = round->inertia.usable && round->inertia.negative == 0;
@@ -265,16 +248,14 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
             outcome->status = certify(newton, round);
             return;
         }
-        outcome->status = outcome->iterations >= options->max_iterations ? SP_ITERATION_LIMIT
-                          : idle >= IDLE_LIMIT                           ? SP_STALLED
-                                                                         : SP_CONVERGED;
+        outcome->status = outcome->iterations >= iterations_left ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
         if (outcome->status) return;
         double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
         if (scale == 0) {
-            outcome->status = rest ? SP_SADDLE : SP_STALLED;
+            outcome->status = rest ? SP_SADDLE : is_undetermined(newton, round) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
-        note(newton, outcome, round, scale);
+        note(newton, round, scale);
         accept(newton);
         outcome->iterations++;
         struct round before = *round;
@@ -285,29 +266,29 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
 
 /* One full step more: at the stopping decrement the error left is of its square. Kept only if the energy does not rise. */
 static void polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
-    sp_blocks_solve(newton->line.fold, newton->rows, newton->step);
+    sp_system_solve(&newton->system, newton->step);
     double now = try_step(newton, 1);
     if (!(now <= round->energy.squares * (1 + SLACK))) return;
-    note(newton, outcome, round, 1);
+    note(newton, round, 1);
     accept(newton);
     outcome->iterations++;
     assemble(newton, options, round);
     outcome->status = certify(newton, round);
 }
 
-struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
-    struct sp_outcome outcome = {SP_NOT_FINITE, 0, -1, 0, 0, not_a_number(), not_a_number()};
+struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left) {
+    struct sp_outcome outcome = {SP_NOT_FINITE, 0, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
-    sp_polyline_charts(&newton->line, newton->line.nodes);
+    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) return outcome;
-    iterate(newton, options, &round, &outcome);
+    iterate(newton, options, iterations_left, &round, &outcome);
     int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
-    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && outcome.iterations < options->max_iterations)
+    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && outcome.iterations < iterations_left)
         polish(newton, options, &round, &outcome);
-    note(newton, &outcome, &round, 0);
+    note(newton, &round, 0);
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.squares = round.energy.squares, outcome.gradient_norm = round.gradient_norm;
-    outcome.active = touches_wall(newton, newton->line.nodes.places);
+    outcome.active = touches_wall(newton, newton->system.line.nodes.places);
     return outcome;
 }

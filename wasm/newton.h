@@ -2,34 +2,36 @@
 #ifndef SURFPATH_NEWTON_H
 #define SURFPATH_NEWTON_H
 
-#include "energy.h"
 #include "surfpath.h"
+#include "system.h"
 
 /* Everything Newton works on, in the caller's arena. */
 struct sp_newton {
-    struct sp_polyline line;    /* the path so far; its places filled by the start */
+    struct sp_system system;    /* the path so far, its places filled by the start, and its equations */
     struct sp_nodes trial;      /* the path after a step, of the same size */
-    struct sp_row *rows;        /* one a pair */
     sp_pair *step;              /* two numbers a pair */
-    sp_mask *straight;          /* one a pair: nodes that move along straight lines of the parameters */
-    struct sp_iterate *history; /* max_iterations + 1 entries */
-    double *record;             /* history_count polylines of 3 (n + 2) numbers, or NULL */
-    double scale;               /* size of the coordinates, for rounding */
+    struct sp_iterate *history; /* history_capacity entries */
+    double *record;             /* as many polylines of 3 (record_points + 2) numbers, or NULL */
+    int32_t history_count, history_capacity, record_points;
+    double scale;     /* size of the coordinates, for rounding */
+    double decrement; /* stop at this relative Newton decrement */
 };
 
-/* How it ended. */
+/* How a run ended. */
 struct sp_outcome {
-    int32_t status, iterations, index, active, history_count;
+    int32_t status, iterations, index, active;
     double squares, gradient_norm;
 };
 
-/* Lays out the arrays for n inner nodes. Returns 0 if the arena is full. */
-int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, struct sp_arena *arena);
+/* Lays out the arrays for at most `inner` unknown nodes and as many steps as the options allow. Returns 0 if the arena is full. */
+int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
+                   struct sp_arena *arena);
 
 /* Bytes that sp_newton_take takes. */
-double sp_newton_bytes(int32_t kind, const struct sp_options *options);
+double sp_newton_bytes(int32_t kind, const struct sp_options *options, int32_t inner);
 
-/* Runs until converged or beaten; the path is left in newton->line and never has more energy than the start. */
-struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options);
+/* Runs until converged or beaten, or out of steps (`iterations_left`); the path is left in newton->system.line and never has more energy
+ * than the start. */
+struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left);
 
 #endif

@@ -35,6 +35,8 @@ static inline sp_pair sp_absolute(sp_pair x) { return sp_from_bits(sp_bits(x) & 
 /* Lanes exchanged. */
 static inline sp_pair sp_swap(sp_pair x) { return (sp_pair){x[1], x[0]}; }
 
+static inline sp_mask sp_swap_mask(sp_mask x) { return (sp_mask){x[1], x[0]}; }
+
 static inline int sp_any(sp_mask mask) { return (mask[0] | mask[1]) != 0; }
 
 /* Correctly rounded square root. */

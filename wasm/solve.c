@@ -1,13 +1,15 @@
 /* From a request to a result: calls the stages in order. The only file that knows them all. */
+#include "arcs.h"
 #include "check.h"
 #include "functions.h"
-#include "newton.h"
+#include "refine.h"
+#include "sample.h"
 #include "start.h"
 #include "surfpath.h"
 
 static double not_a_number(void) { return __builtin_nan(""); }
 
-void sp_default_options(struct sp_options *options) { *options = (struct sp_options){0, SP_POLYLINE, 64, 100, 0}; }
+void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 100, 0}; }
 
 static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
@@ -15,43 +17,51 @@ static struct sp_options clamped(const struct sp_options *options) {
     struct sp_options clean = *options;
     clean.point_count = clamp(clean.point_count, 1, 100000);
     clean.max_iterations = clamp(clean.max_iterations, 0, 10000);
+    if (!(clean.tolerance >= 1e-15)) clean.tolerance = 1e-15;
     return clean;
+}
+
+/* Most inner nodes that the solve will use. */
+static int32_t inner_nodes(const struct sp_options *options) {
+    return options->algorithm == SP_ELEMENTS ? SP_REFINE_INNER : options->point_count;
 }
 
 double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
-    return sp_newton_bytes(kind, &clean) + 5 * (clean.point_count + 2.0) * sizeof(double) + 8.0 * start_count + 4 * 16;
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() : 0;
+    return sp_newton_bytes(kind, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
+           8.0 * start_count + 4 * 16;
 }
 
-/* Takes the places and charts apart into the arrays of the result. `reversed`: the path was solved from `to`. */
-static int write_points(const struct sp_polyline *line, int reversed, struct sp_arena *arena, struct sp_result *result) {
-    int32_t last = line->fold.inner + 1;
-    result->points = sp_arena_take(arena, 3 * ((size_t)last + 1), sizeof(double));
+/* Exchanges the ends of `count` points of `size` numbers. */
+static void reverse(double *numbers, int32_t count, int32_t size) {
+    for (int32_t i = 0, j = count - 1; i < j; i++, j--)
+        for (int32_t k = 0; k < size; k++) {
+            double kept = numbers[size * i + k];
+            numbers[size * i + k] = numbers[size * j + k], numbers[size * j + k] = kept;
+        }
+}
+
+/* Writes the points of the path into the result. `reversed`: it was solved from `to`. */
+static int write_points(const struct sp_newton *newton, const struct sp_arcs *arcs, int32_t point_count, int reversed,
+                        struct sp_arena *arena, struct sp_result *result) {
+    int32_t count = point_count + 2;
+    result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
     if (!result->points) return 0;
-    if (line->surface->kind == SP_PARAMETRIC) {
-        result->parameters = sp_arena_take(arena, 2 * ((size_t)last + 1), sizeof(double));
+    if (newton->system.line.surface->kind == SP_PARAMETRIC) {
+        result->parameters = sp_arena_take(arena, 2 * (size_t)count, sizeof(double));
         if (!result->parameters) return 0;
     }
-    for (int32_t i = 0; i <= last; i++) {
-        int32_t to = reversed ? last - i : i;
-        for (int32_t j = 0; j < 3; j++)
-            result->points[3 * to + j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
-        for (int32_t j = 0; result->parameters && j < 2; j++)
-            result->parameters[2 * to + j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
-    }
+    if (arcs->count == 0)
+        sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
+    else if (!sp_arcs_sample(arcs, newton->system.line.surface, newton->scale, point_count, result->points, result->parameters, arena))
+        return 0;
+    if (!reversed) return 1;
+    reverse(result->points, count, 3);
+    if (result->parameters) reverse(result->parameters, count, 2);
+    for (int32_t i = 0; newton->record && i < newton->history_count; i++)
+        reverse(newton->record + (size_t)i * 3 * (size_t)count, count, 3);
     return 1;
-}
-
-/* Recorded polylines of a reversed solve run from `to`: turned round in place. */
-static void reverse_record(double *record, int32_t polylines, int32_t points) {
-    for (int32_t p = 0; record && p < polylines; p++) {
-        double *polyline = record + (size_t)p * 3 * (size_t)points;
-        for (int32_t i = 0, j = points - 1; i < j; i++, j--)
-            for (int k = 0; k < 3; k++) {
-                double kept = polyline[3 * i + k];
-                polyline[3 * i + k] = polyline[3 * j + k], polyline[3 * j + k] = kept;
-            }
-    }
 }
 
 /* The ends in the order in which they are solved: without a given start the lexicographically smaller first. */
@@ -76,36 +86,50 @@ static enum sp_status check_ends(const struct sp_polyline *line) {
     return SP_CONVERGED;
 }
 
-static void fill(const struct sp_outcome *outcome, const struct sp_newton *newton, struct sp_result *result) {
-    double segments = newton->line.fold.inner + 1;
-    result->length = sp_check_length(&newton->line);
-    result->length_error = sp_check_length_error(&newton->line, outcome->active);
-    result->energy = segments * outcome->squares, result->gradient_norm = outcome->gradient_norm;
+static void fill(const struct sp_refined *refined, const struct sp_newton *newton, struct sp_result *result) {
+    const struct sp_outcome *outcome = &refined->outcome;
+    result->length = refined->length, result->length_error = refined->length_error;
+    result->energy = sp_system_segments(&newton->system) * outcome->squares, result->gradient_norm = outcome->gradient_norm;
     result->iterations = outcome->iterations, result->index = outcome->index, result->touches_boundary = outcome->active;
-    result->history = newton->history, result->history_count = outcome->history_count, result->record = newton->record;
+    result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
+}
+
+/* The polyline through exactly K points. */
+static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
+    struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
+    if (refined.outcome.status < 0) return refined;
+    refined.length = sp_check_length(&newton->system.line);
+    refined.length_error = sp_check_length_error(&newton->system.line, newton->scale, refined.outcome.active);
+    return refined;
 }
 
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
     struct sp_newton newton = {0};
+    struct sp_polyline *line = &newton.system.line;
     double from[3] = {0}, to[3] = {0};
-    if (!sp_newton_take(&newton, surface, options, arena)) return SP_OUT_OF_MEMORY;
+    int elements = options->algorithm == SP_ELEMENTS;
+    if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
+    if (elements) line->fold = sp_fold_of(SP_REFINE_FIRST);
     int reversed = order_ends(surface, request, from, to);
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, from);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
-    if (status == SP_CONVERGED) status = sp_start_polyline(&newton.line, request, from, to, newton.scale, arena);
+    if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
     if (status != SP_CONVERGED) return status;
-    struct sp_outcome outcome = sp_newton_run(&newton, options);
-    if (outcome.status < 0) return (enum sp_status)outcome.status;
-    status = check_ends(&newton.line);
-    if (status == SP_CONVERGED) status = sp_check_chords(&newton.line, newton.scale);
+    struct sp_arcs arcs;
+    arcs.count = 0;
+    struct sp_refined refined = elements ? sp_refine_run(&newton, options, arena) : solve_polyline(&newton, options);
+    if (elements && refined.outcome.active && refined.outcome.status == SP_CONVERGED)
+        refined = sp_contact_run(&newton, options, arena, &arcs);
+    if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
+    status = check_ends(line);
+    if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
     if (status < 0) return status;
-    fill(&outcome, &newton, result);
-    if (reversed) reverse_record(newton.record, outcome.history_count, options->point_count + 2);
-    if (!write_points(&newton.line, reversed, arena, result)) return SP_OUT_OF_MEMORY;
-    return status > 0 ? status : (enum sp_status)outcome.status;
+    fill(&refined, &newton, result);
+    if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
+    return status > 0 ? status : (enum sp_status)refined.outcome.status;
 }
 
 int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,

@@ -3,9 +3,18 @@
 
 static double norm3(const double x[3]) { return sp_square_root(sp_splat(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))[0]; }
 
+/* |X| of a given end. */
+static double size_of(const struct sp_surface *surface, const double point[3]) {
+    if (surface->kind == SP_IMPLICIT) return norm3(point);
+    sp_pair place[2] = {sp_splat(point[0]), sp_splat(point[1])}, position[SP_PARAMETRIC_VALUES];
+    surface->value(1, place, position);
+    double at[3] = {position[0][0], position[1][0], position[2][0]};
+    return norm3(at);
+}
+
 double sp_start_scale(const struct sp_surface *surface, const struct sp_request *request) {
     if (surface->extent > 0) return surface->extent;
-    double from = norm3(request->from), to = norm3(request->to);
+    double from = size_of(surface, request->from), to = size_of(surface, request->to);
     return from > to ? from : to;
 }
 
@@ -17,7 +26,7 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     sp_pair place[3] = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(point[2])}, values[SP_IMPLICIT_VALUES];
     surface->value(1, place, values);
     if (!(values[0][0] - values[0][0] == 0)) return SP_NOT_FINITE;
-    if (sp_dot(sp_load(values + 1), sp_load(values + 1))[0] == 0) return SP_SINGULAR_METRIC;
+    if (values[1][0] == 0 && values[2][0] == 0 && values[3][0] == 0) return SP_SINGULAR_METRIC;
     if (!sp_implicit_settle(surface, 1, place, scale)) return SP_OFF_SURFACE;
     double moved[3] = {place[0][0] - point[0], place[1][0] - point[1], place[2][0] - point[2]};
     if (!(norm3(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;

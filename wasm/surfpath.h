@@ -13,12 +13,14 @@
 #include "surface.h"
 
 enum sp_algorithm {
+    SP_ELEMENTS = 0, /* high-order elements, as many as the tolerance asks for */
     SP_POLYLINE = 1, /* covariant Newton on a polyline of chords, shifted until positive definite, certified by its Morse index */
     SP_PAPER = 2     /* the paper's: coordinate Hessian, sign test (Eq. 25, 26), interpolating line search */
 };
 
 /* What to compute besides the ends. Fill with sp_default_options, then change. */
 struct sp_options {
+    double tolerance;          /* SP_ELEMENTS: wanted relative error of the length and of positions over the length; at least 1e-15 */
     double gradient_tolerance; /* > 0: stop at |grad E| <= this (Eq. 19's factor n + 1; units length^2 per coordinate); 0: at a relative
                                   Newton decrement of 1e-7. SP_PAPER reads 0 as 1e-6 */
     int32_t algorithm;         /* enum sp_algorithm */
@@ -96,12 +98,13 @@ SP_AT(sp_surface, kind, 8);
 SP_AT(sp_surface, lower, 16);
 SP_AT(sp_surface, upper, 32);
 SP_AT(sp_surface, extent, 48);
-SP_SIZE(sp_options, 24);
-SP_AT(sp_options, gradient_tolerance, 0);
-SP_AT(sp_options, algorithm, 8);
-SP_AT(sp_options, point_count, 12);
-SP_AT(sp_options, max_iterations, 16);
-SP_AT(sp_options, record, 20);
+SP_SIZE(sp_options, 32);
+SP_AT(sp_options, tolerance, 0);
+SP_AT(sp_options, gradient_tolerance, 8);
+SP_AT(sp_options, algorithm, 16);
+SP_AT(sp_options, point_count, 20);
+SP_AT(sp_options, max_iterations, 24);
+SP_AT(sp_options, record, 28);
 SP_SIZE(sp_request, 64);
 SP_AT(sp_request, from, 0);
 SP_AT(sp_request, to, 24);

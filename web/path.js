@@ -44,21 +44,23 @@ export const STATUS = new Map([
 
 /**
  * @typedef {object} PathOptions
- * @property {'polyline' | 'paper'} [algorithm] 'polyline' (default): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
+ * @property {'elements' | 'polyline' | 'paper'} [algorithm] 'elements': high-order elements, as many as `tolerance` asks for; 'polyline' (default): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
  *   paper's sign test and line search
  * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64
  * @property {'straight' | ArrayLike<number> | Path} [start] default 'straight': the straight line of the parameters (implicit: of space, projected); a
  *   polyline (u v or x y z, ends included) or an earlier path: a warm start
  * @property {number} [maxIterations] Newton steps at most, default 100
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
+ * @property {number} [tolerance] 'elements': wanted relative error of the length, and of positions over the length, 1e-15 … 0.1, default 1e-9
  * @property {boolean} [record] keep every iterate's points in `history`
  */
 
 const ALGORITHMS = new Map([
+  ['elements', 0],
   ['polyline', 1],
   ['paper', 2],
 ]);
-const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record'];
+const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance'];
 const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
@@ -88,12 +90,18 @@ export function checkNames(caller, options, known) {
 /** What is designed but not built yet is refused, never silently replaced. @param {string} caller @param {Record<string, unknown>} options */
 function refuseUnbuilt(caller, options) {
   const unbuilt = [
-    [options.algorithm === 'elements', "algorithm 'elements' is not built yet: use 'polyline'"],
     [options.start === 'global', "start 'global' is not built yet: use 'straight', a polyline or an earlier path"],
-    [options.tolerance !== undefined, 'tolerance is not built yet: choose `points`, and look at lengthError'],
     [options.via !== undefined, 'via is not built yet: solve piece by piece'],
   ];
   for (const [asked, message] of unbuilt) if (asked) throw new RangeError(`${caller}: ${message}`);
+}
+
+/** @param {string} caller @param {unknown} [tolerance] */
+function readTolerance(caller, tolerance = 1e-9) {
+  if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
+  if (!(tolerance >= 1e-15 && tolerance <= 0.1))
+    throw new RangeError(`${caller}: options.tolerance must lie between 1e-15 and 0.1, not ${tolerance}`);
+  return tolerance;
 }
 
 /**
@@ -109,12 +117,22 @@ export function readOptions(caller, given) {
   refuseUnbuilt(caller, options);
   checkNames(caller, options, KNOWN);
   const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'straight' } = options;
+  if (options.tolerance !== undefined && algorithm !== 'elements')
+    throw new RangeError(
+      `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
+    );
   const code = ALGORITHMS.get(algorithm);
-  if (code === undefined) throw new RangeError(`${caller}: options.algorithm must be 'polyline' or 'paper', not ${describe(algorithm)}`);
+  if (code === undefined)
+    throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
+  if (gradientTolerance !== undefined && algorithm === 'elements')
+    throw new RangeError(
+      `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,
+    );
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
   if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
   const solve = {
+    tolerance: readTolerance(caller, options.tolerance),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
     points: integer(caller, 'points', points, 1, MOST_POINTS),

@@ -14,31 +14,33 @@ enum { LARGEST = 12 };
 /* A random path of n inner nodes on a surface, in memory of its own. */
 static struct sp_newton random_path(const struct sp_surface *surface, int32_t inner, struct sp_arena *arena, uint64_t *seed) {
     struct sp_newton newton = {0};
-    struct sp_options options = {0, SP_POLYLINE, inner, 10, 0};
+    struct sp_options options = {.algorithm = SP_POLYLINE, .point_count = inner, .max_iterations = 10};
     arena->used = 0;
-    CHECK(sp_newton_take(&newton, surface, &options, arena), "arena");
-    int dimension = newton.line.kind->dimension;
+    CHECK(sp_newton_take(&newton, surface, &options, inner, arena), "arena");
+    int dimension = newton.system.line.kind->dimension;
     for (int32_t i = 0; i <= inner + 1; i++)
         for (int j = 0; j < dimension; j++) {
             double value = 0.9 * (2 * random_unit(seed) - 1) + (surface->kind == SP_IMPLICIT && j == 0 ? 2.5 : 0);
-            newton.line.nodes.places[dimension * sp_fold_pair(newton.line.fold, i) + j][sp_fold_lane(newton.line.fold, i)] = value;
+            newton.system.line.nodes
+                .places[dimension * sp_fold_pair(newton.system.line.fold, i) + j][sp_fold_lane(newton.system.line.fold, i)] = value;
         }
-    sp_pair *middle = newton.line.nodes.places + dimension * (newton.line.fold.both + 1);
-    for (int j = 0; j < dimension && newton.line.fold.odd; j++)
+    sp_pair *middle = newton.system.line.nodes.places + dimension * (newton.system.line.fold.both + 1);
+    for (int j = 0; j < dimension && newton.system.line.fold.odd; j++)
         middle[j] = sp_splat(middle[j][0]);
-    if (surface->kind == SP_IMPLICIT) sp_implicit_settle(surface, sp_fold_unknown(newton.line.fold) + 1, newton.line.nodes.places, 1);
-    sp_fold_mirror(newton.line.fold, newton.line.nodes.places, dimension);
-    sp_polyline_charts(&newton.line, newton.line.nodes);
+    if (surface->kind == SP_IMPLICIT)
+        sp_implicit_settle(surface, sp_fold_unknown(newton.system.line.fold) + 1, newton.system.line.nodes.places, 1);
+    sp_fold_mirror(newton.system.line.fold, newton.system.line.nodes.places, dimension);
+    sp_polyline_charts(&newton.system.line, newton.system.line.nodes);
     return newton;
 }
 
 /* Half the sum of squares after moving along `step` by t: curved steps are geodesics to second order, so this is E along them. */
 static double energy_along(struct sp_newton *newton, const sp_pair *step, double t) {
-    struct sp_polyline *line = &newton->line;
+    struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
     memcpy(newton->trial.places, line->nodes.places, sizeof(sp_pair) * (size_t)dimension);
-    line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, step + 2, newton->straight + 1,
-                     t, newton->trial.places + dimension);
+    line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, step + 2,
+                     newton->system.straight + 1, t, newton->trial.places + dimension);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
     sp_polyline_charts(line, newton->trial);
     return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts);
@@ -46,11 +48,11 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
 
 /* x'Hx and r'x as the rows say. */
 static double quadratic(const struct sp_newton *newton, const sp_pair *x, double *linear) {
-    struct sp_fold fold = newton->line.fold;
+    struct sp_fold fold = newton->system.line.fold;
     double sum = 0;
     *linear = 0;
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++) {
-        const struct sp_row *row = newton->rows + k;
+        const struct sp_row *row = newton->system.rows + k;
         sp_pair u = x[2 * k], v = x[2 * k + 1], nu = x[2 * k + 2], nv = x[2 * k + 3];
         sum += sp_fold_sum(fold, k, row->a * u * u + 2.0 * row->b * u * v + row->d * v * v);
         *linear += sp_fold_sum(fold, k, row->r1 * u + row->r2 * v);
@@ -75,9 +77,9 @@ static void random_step(struct sp_fold fold, sp_pair *x, uint64_t *seed) {
 static void check_derivatives(const struct sp_surface *surface, enum sp_hessian hessian, int32_t inner, struct sp_arena *arena,
                               uint64_t *seed) {
     struct sp_newton newton = random_path(surface, inner, arena, seed);
-    sp_polyline_assemble(&newton.line, hessian, newton.rows, newton.straight);
+    sp_polyline_assemble(&newton.system.line, hessian, newton.system.rows, newton.system.straight);
     sp_pair x[2 * (LARGEST + 2)];
-    random_step(newton.line.fold, x, seed);
+    random_step(newton.system.line.fold, x, seed);
     double linear, second = quadratic(&newton, x, &linear), h = surface->kind == SP_IMPLICIT ? 4e-3 : 2e-3, first_difference[2],
                    second_difference[2];
     for (int i = 0; i < 2; i++) {
@@ -92,13 +94,13 @@ static void check_derivatives(const struct sp_surface *surface, enum sp_hessian 
 
 /* The dense matrix that the folded rows stand for, unknowns in the order of the path. */
 static void unfold(const struct sp_newton *newton, int32_t inner, double *matrix, double *right) {
-    struct sp_fold fold = newton->line.fold;
+    struct sp_fold fold = newton->system.line.fold;
     int32_t size = 2 * inner;
     memset(matrix, 0, sizeof(double) * (size_t)(size * size));
     for (int32_t i = 1; i <= inner; i++) {
         int32_t k = sp_fold_pair(fold, i), at = 2 * (i - 1);
         int lane = sp_fold_lane(fold, i);
-        const struct sp_row *row = newton->rows + k;
+        const struct sp_row *row = newton->system.rows + k;
         matrix[at * size + at] = row->a[lane], matrix[(at + 1) * size + at + 1] = row->d[lane];
         matrix[at * size + at + 1] = matrix[(at + 1) * size + at] = row->b[lane];
         right[at] = row->r1[lane], right[at + 1] = row->r2[lane];
@@ -150,24 +152,25 @@ static int dense_solve(int32_t size, double *matrix, double *x, int *negative) {
 /* Solution, inertia and descent direction of the folded rows against the dense matrix. */
 static void check_solve(const struct sp_surface *surface, int32_t inner, struct sp_arena *arena, uint64_t *seed) {
     struct sp_newton newton = random_path(surface, inner, arena, seed);
-    sp_polyline_assemble(&newton.line, SP_COORDINATE, newton.rows, newton.straight);
+    sp_polyline_assemble(&newton.system.line, SP_COORDINATE, newton.system.rows, newton.system.straight);
     double matrix[4 * LARGEST * LARGEST], right[2 * LARGEST];
     unfold(&newton, inner, matrix, right);
     int negative;
     dense_solve(2 * inner, matrix, right, &negative);
-    struct sp_inertia inertia = sp_blocks_factor(newton.line.fold, newton.rows, 0);
+    struct sp_inertia inertia = sp_blocks_factor(newton.system.line.fold, newton.system.rows, 0);
     CHECK(inertia.usable && inertia.negative == negative, "n = %d: %d negative, dense %d", inner, inertia.negative, negative);
     sp_pair x[2 * (LARGEST + 2)];
-    sp_blocks_solve(newton.line.fold, newton.rows, x);
+    sp_blocks_solve(newton.system.line.fold, newton.system.rows, x);
     double largest = 0, error = 0;
     for (int32_t i = 0; i < 2 * inner; i++) {
-        double mine = sp_fold_get(newton.line.fold, x, 2, 1 + i / 2, i % 2);
+        double mine = sp_fold_get(newton.system.line.fold, x, 2, 1 + i / 2, i % 2);
         largest = fmax(largest, fabs(right[i])), error = fmax(error, fabs(right[i] - mine));
     }
     CHECK(error <= 1e-9 * largest, "n = %d: error %g of %g", inner, error, largest);
     double linear;
     if (negative)
-        CHECK(sp_blocks_descent(newton.line.fold, newton.rows, x) && quadratic(&newton, x, &linear) < 0, "n = %d: no descent", inner);
+        CHECK(sp_blocks_descent(newton.system.line.fold, newton.system.rows, x) && quadratic(&newton, x, &linear) < 0, "n = %d: no descent",
+              inner);
 }
 
 int main(void) {

@@ -19,7 +19,7 @@ static struct sp_result solve(const struct sp_surface *surface, struct sp_reques
 static struct sp_options options_of(int32_t points, double gradient_tolerance) {
     struct sp_options options;
     sp_default_options(&options);
-    options.point_count = points, options.gradient_tolerance = gradient_tolerance;
+    options.algorithm = SP_POLYLINE, options.point_count = points, options.gradient_tolerance = gradient_tolerance;
     return options;
 }
 
@@ -98,9 +98,10 @@ static void hostile_jet(int32_t count, const sp_pair *in, sp_pair *out) {
     for (int32_t i = 0; i < count * SP_PARAMETRIC_JET; i++)
         out[i] = sp_splat(hostile_value);
 }
+static int32_t hostile_values;
 static void hostile_value_only(int32_t count, const sp_pair *in, sp_pair *out) {
     (void)in;
-    for (int32_t i = 0; i < count * SP_IMPLICIT_VALUES; i++)
+    for (int32_t i = 0; i < count * hostile_values; i++)
         out[i] = sp_splat(hostile_value);
 }
 
@@ -109,7 +110,7 @@ static void check_hostile(void) {
     for (int i = 0; i < 9; i++)
         for (int kind = 0; kind < 2; kind++)
             for (int32_t points = 1; points < 8; points++) {
-                hostile_value = values[i];
+                hostile_value = values[i], hostile_values = kind ? SP_IMPLICIT_VALUES : SP_PARAMETRIC_VALUES;
                 struct sp_surface surface = {hostile_jet, hostile_value_only, kind, 0, {-1, -1}, {1, 1}, kind ? 3 : 0};
                 struct sp_request request = {{0.1, 0.2, 0.3}, {0.5, -0.5, 0.1}, NULL, 0, 0};
                 struct sp_result result = solve(&surface, request, options_of(points, 0));

@@ -6,7 +6,7 @@
 /** Byte offsets in WebAssembly of the structs of wasm/surfpath.h and wasm/surface.h. */
 export const LAYOUT = {
   sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, lower: 16, upper: 32, extent: 48 },
-  sp_options: { bytes: 24, gradient_tolerance: 0, algorithm: 8, point_count: 12, max_iterations: 16, record: 20 },
+  sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
   sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52 },
   sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
   sp_result: {
@@ -32,7 +32,7 @@ export const LAYOUT = {
 const OUT_OF_MEMORY = -6;
 
 /** @typedef {{ kind: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
-/** @typedef {{ gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
+/** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
 /** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
 /**
  * @typedef {object} RawPath what sp_solve_path wrote, copied
@@ -195,8 +195,8 @@ export class Heap {
   /** @param {SolveOptions} options */
   #writeOptions(options) {
     const at = this.#structs.options;
-    this.writeDoubles(at, [options.gradientTolerance]);
-    this.#words(at + 8, 4).set([options.algorithm, options.points, options.maxIterations, options.record ? 1 : 0]);
+    this.writeDoubles(at, [options.tolerance, options.gradientTolerance]);
+    this.#words(at + 16, 4).set([options.algorithm, options.points, options.maxIterations, options.record ? 1 : 0]);
   }
 
   /** Copies the result struct and its arrays. @param {number} count points of a polyline @returns {RawPath} */

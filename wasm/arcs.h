@@ -1,0 +1,44 @@
+/* A path as a list of arcs: free geodesics, and pieces along the edges of the parameter rectangle, joined where they touch. Restores the
+ * order that a contact takes from a single Newton solve. MATH.md, "Arcs". */
+#ifndef SURFPATH_ARCS_H
+#define SURFPATH_ARCS_H
+
+#include "refine.h"
+
+enum { SP_MAX_ARCS = 16 };
+
+struct sp_arc {
+    double length;
+    struct sp_system system; /* a free arc: its elements; places and reference in the arena */
+    int32_t reversed;        /* 1: the free arc runs from its system's end to its start */
+    int32_t on_edge;         /* 1: along an edge, on which coordinate `across` is `value` and the other runs from ends[0] to ends[1] */
+    int32_t across;
+    double value, ends[2];
+};
+
+struct sp_arcs {
+    int32_t count;
+    struct sp_arc arc[SP_MAX_ARCS];
+};
+
+/* Solves a path that touches the walls. newton->system.line holds the projected Newton's polyline; `arcs` is filled. Where the arcs do not
+ * fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,
+ * SP_TOLERANCE_NOT_MET if that is not enough. */
+struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs);
+
+/* Solves a path through the point to which an edge of the rectangle collapses (a pole, an apex): two free arcs. newton->system.line holds
+ * any polyline from end to end. `edge`: 2 * coordinate + side. */
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
+                              struct sp_arcs *arcs);
+
+/* Sets the lengths of the pieces of edges, by quadrature, and returns the whole length; NaN if the arena is full. */
+double sp_arcs_measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena);
+
+/* Writes K + 2 points and places at equal steps of length along the arcs. Returns 0 if the arena is full. */
+int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
+                   double *parameters, struct sp_arena *arena);
+
+/* Bytes of arena that all of these take besides sp_refine_bytes. */
+double sp_arcs_bytes(void);
+
+#endif

@@ -1,0 +1,241 @@
+/* Contacts with the walls: where a free arc meets an edge it must be tangent to it, sin(angle) = 0, one equation for one unknown.
+ * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
+#include "arcs.h"
+#include "check.h"
+#include "piece.h"
+
+static const double DIFFERENCE = 1e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
+enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256 };
+
+static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+static double absolute(double x) { return x < 0 ? -x : x; }
+static double smaller(double a, double b) { return a < b ? a : b; }
+
+/* Nodes first … last of the polyline that lie on one edge. */
+struct run {
+    int32_t first, last, across, side;
+};
+
+/* The edge on which a node lies: 2 * coordinate + side, or -1. */
+static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
+    for (int32_t j = 0; j < 2; j++) {
+        double x = sp_fold_get(line->fold, line->nodes.places, 2, node, j);
+        if (x <= line->surface->lower[j]) return 2 * j;
+        if (x >= line->surface->upper[j]) return 2 * j + 1;
+    }
+    return -1;
+}
+
+/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. An end of the path that is alone on its edge is no
+ * run. */
+static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_ARCS]) {
+    int32_t count = 0, last = line->fold.inner + 1;
+    for (int32_t i = 0; i <= last; i++) {
+        int32_t edge = edge_of(line, i);
+        if (edge < 0) continue;
+        struct run *before = count ? runs + count - 1 : NULL;
+        if (before && 2 * before->across + before->side == edge && i - before->last <= MERGED_GAP + 1)
+            before->last = i;
+        else if (count < SP_MAX_ARCS)
+            runs[count++] = (struct run){i, i, edge / 2, edge % 2};
+    }
+    int32_t kept = 0;
+    for (int32_t r = 0; r < count; r++) {
+        int alone = runs[r].first == runs[r].last && (runs[r].first == 0 || runs[r].first == last);
+        if (!alone) runs[kept++] = runs[r];
+    }
+    return kept;
+}
+
+/* Sine of the angle between the path and the edge at both ends, inwards positive: from the force that holds the end node, which is accurate
+ * to the order of the length. */
+static void contact_sines(const struct sp_newton *newton, struct sp_piece *piece) {
+    const struct sp_system *system = &newton->system;
+    struct sp_vector inwards = sp_scale(sp_elements_end_pull(&system->elements, system->line.nodes.charts), sp_splat(-1.0));
+    const sp_pair *chart = system->line.nodes.charts;
+    struct sp_vector normal = sp_chart_normal(chart);
+    for (int end = 0; end < 2; end++) {
+        struct sp_vector along = sp_load(chart + (piece->joint[end].across ? SP_CHART_1 : SP_CHART_2)), beside = sp_cross(normal, along);
+        double across = sp_dot(inwards, beside)[end] / root(sp_dot(beside, beside)[end]);
+        double forwards = sp_dot(inwards, along)[end] / root(sp_dot(along, along)[end]);
+        piece->sine[end] = piece->joint[end].slides ? across / root(across * across + forwards * forwards) : 0;
+    }
+}
+
+/* Solves a piece and measures its angles. */
+static int solve_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
+                       int32_t *iterations) {
+    if (!sp_piece_solve(newton, options, piece, arena, iterations)) return 0;
+    contact_sines(newton, piece);
+    return 1;
+}
+
+static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
+
+/* |S_t| along the edge at a joint: what a unit of its coordinate is long. */
+static double edge_speed(const struct sp_newton *newton, const struct sp_piece *piece, int end) {
+    const sp_pair *chart = newton->system.line.nodes.charts;
+    struct sp_vector along = sp_load(chart + (piece->joint[end].across ? SP_CHART_1 : SP_CHART_2));
+    return root(sp_dot(along, along)[end]);
+}
+
+/* Derivatives of both sines with respect to the sliding ends, by differences. */
+static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
+                            struct sp_arena *arena, int32_t *iterations, double jacobian[2][2]) {
+    double step[2];
+    for (int end = 0; end < 2; end++)
+        step[end] = DIFFERENCE * piece->length / edge_speed(newton, piece, end);
+    for (int end = 0; end < 2; end++) {
+        jacobian[0][end] = 0, jacobian[1][end] = end == 1;
+        if (end == 0) jacobian[0][0] = 1;
+        if (!piece->joint[end].slides) continue;
+        struct sp_piece moved = *piece;
+        *slide(&moved, end) += step[end];
+        int solved = solve_piece(newton, options, &moved, arena, iterations);
+        if (!solved) return 0;
+        for (int i = 0; i < 2; i++)
+            if (piece->joint[i].slides) jacobian[i][end] = (moved.sine[i] - piece->sine[i]) / step[end];
+    }
+    return 1;
+}
+
+/* Slides the contacts of a piece until it is tangent to its edges: Newton, a step at most half the arc. */
+static int fit_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
+                     int32_t *iterations) {
+    double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
+    if (enough < LEAST_SINE) enough = LEAST_SINE;
+    for (int round = 0; round < CONTACT_ROUNDS; round++) {
+        if (!solve_piece(newton, options, piece, arena, iterations)) return 0;
+        sp_piece_keep(newton, piece);
+        if (absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough) return 1;
+        double jacobian[2][2], speed[2] = {edge_speed(newton, piece, 0), edge_speed(newton, piece, 1)};
+        if (!contact_jacobian(newton, options, piece, arena, iterations, jacobian)) return 0;
+        double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+        double move[2] = {-(jacobian[1][1] * piece->sine[0] - jacobian[0][1] * piece->sine[1]) / determinant,
+                          -(jacobian[0][0] * piece->sine[1] - jacobian[1][0] * piece->sine[0]) / determinant};
+        for (int end = 0; end < 2; end++) {
+            double most = 0.5 * piece->length / speed[end];
+            if (!piece->joint[end].slides) continue;
+            if (!(move[end] - move[end] == 0)) return 0;
+            *slide(piece, end) += move[end] > most ? most : move[end] < -most ? -most : move[end];
+        }
+    }
+    return 0;
+}
+
+/* Whether the free arc stays in the rectangle it was solved without. */
+static int inside(const struct sp_surface *surface, const struct sp_piece *piece) {
+    const struct sp_polyline *line = &piece->system.line;
+    for (int32_t i = 1; i <= line->fold.inner; i++)
+        for (int32_t j = 0; j < 2; j++) {
+            double x = sp_fold_get(line->fold, line->nodes.places, 2, i, j), slack = INSIDE * (surface->upper[j] - surface->lower[j]);
+            if (x < surface->lower[j] - slack || x > surface->upper[j] + slack) return 0;
+        }
+    return 1;
+}
+
+/* The pieces and edge arcs that the runs cut the polyline into, pieces still to be fitted. Returns how many pieces, or -1. */
+static int32_t cut(const struct sp_system *system, const struct run *runs, int32_t count, struct sp_piece *pieces, struct sp_arcs *arcs) {
+    const struct sp_polyline *line = &system->line;
+    int32_t last = line->fold.inner + 1, from = 0, made = 0;
+    struct sp_joint start = {0, 0, {0, 0}};
+    for (int32_t j = 0; j < 2; j++)
+        start.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, 0, j);
+    arcs->count = 0;
+    for (int32_t r = 0; r <= count; r++) {
+        int32_t to = r < count ? runs[r].first : last;
+        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, {0, 0}};
+        for (int32_t j = 0; j < 2; j++)
+            end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
+        if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
+        if (to > from && arcs->count < SP_MAX_ARCS) {
+            pieces[made++] =
+                (struct sp_piece){.joint = {start, end}, .system = *system, .first = (double)from / last, .last = (double)to / last};
+            arcs->arc[arcs->count++] = (struct sp_arc){.on_edge = 0};
+        }
+        if (r == count) break;
+        if (arcs->count >= SP_MAX_ARCS - 1) return -1;
+        const struct sp_surface *surface = line->surface;
+        int32_t across = runs[r].across;
+        double value = runs[r].side ? surface->upper[across] : surface->lower[across];
+        struct sp_arc *arc = arcs->arc + arcs->count++;
+        *arc = (struct sp_arc){.on_edge = 1, .across = across, .value = value};
+        for (int e = 0; e < 2; e++)
+            arc->ends[e] = sp_fold_get(line->fold, line->nodes.places, 2, e ? runs[r].last : runs[r].first, 1 - across);
+        from = runs[r].last;
+        start = (struct sp_joint){from < last, across, {0, 0}};
+        start.place[across] = value, start.place[1 - across] = arc->ends[1];
+    }
+    return made;
+}
+
+/* Takes the fitted pieces into the list and lets the edge arcs begin and end where they touch. Returns 0 if an edge arc would run
+ * backwards. */
+static int assemble(struct sp_arcs *arcs, struct sp_piece *pieces) {
+    int32_t piece = 0;
+    for (int32_t i = 0; i < arcs->count; i++) {
+        struct sp_arc *arc = arcs->arc + i;
+        if (!arc->on_edge) {
+            arc->system = pieces[piece].system, arc->length = pieces[piece].length;
+            piece++;
+            continue;
+        }
+        double direction = arc->ends[1] - arc->ends[0];
+        if (i > 0) arc->ends[0] = *slide(pieces + piece - 1, 1);
+        if (i + 1 < arcs->count) arc->ends[1] = *slide(pieces + piece, 0);
+        if (direction * (arc->ends[1] - arc->ends[0]) < 0) return 0;
+    }
+    return 1;
+}
+
+/* Room for what outlives the solves: the path of every piece. */
+static int take_storage(struct sp_piece *pieces, int32_t made, struct sp_arena *arena) {
+    for (int32_t i = 0; i < made; i++)
+        if (!sp_storage_take(&pieces[i].storage, 2, SP_REFINE_INNER, arena)) return 0;
+    return 1;
+}
+
+/* The best that chords can do, where arcs do not fit. */
+static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *contact,
+                                   struct sp_arena *arena) {
+    struct sp_refined chords = sp_refine_chords(newton, options, FALLBACK_CHORDS, contact, arena);
+    if (chords.outcome.status == SP_CONVERGED && chords.length_error > options->tolerance * chords.length)
+        chords.outcome.status = SP_TOLERANCE_NOT_MET;
+    return chords;
+}
+
+/* Fits every piece, on the surface without walls: what leaves the rectangle has been cut wrongly. Returns 0 if one does not fit. */
+static int fit_pieces(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *pieces, int32_t made,
+                      struct sp_arena *arena, int32_t *iterations) {
+    const struct sp_surface *surface = newton->system.line.surface;
+    struct sp_surface open = *surface;
+    int fits = made >= 0;
+    for (int j = 0; j < 2; j++)
+        open.lower[j] = -__builtin_inf(), open.upper[j] = __builtin_inf();
+    newton->system.line.surface = &open;
+    for (int32_t i = 0; fits && i < made; i++)
+        fits = fit_piece(newton, options, pieces + i, arena, iterations) && inside(surface, pieces + i);
+    newton->system.line.surface = surface;
+    return fits;
+}
+
+struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs) {
+    struct sp_piece pieces[SP_MAX_ARCS];
+    struct run runs[SP_MAX_ARCS];
+    struct sp_storage storage;
+    struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
+    if (!sp_storage_take(&storage, 2, CONTACT_NODES, arena)) return refined;
+    struct sp_system contact = sp_storage_keep(&storage, &newton->system);
+    struct sp_refined chords = sp_refine_chords(newton, options, CONTACT_NODES, &contact, arena);
+    if (chords.outcome.status < 0) return chords;
+    contact = sp_storage_keep(&storage, &newton->system);
+    int32_t made = cut(&contact, runs, find_runs(&contact.line, runs), pieces, arcs), iterations = chords.outcome.iterations;
+    if (!take_storage(pieces, made, arena)) return refined;
+    int fits = fit_pieces(newton, options, pieces, made, arena, &iterations) && assemble(arcs, pieces);
+    if (!fits) return arcs->count = 0, fall_back(newton, options, &contact, arena);
+    refined.outcome = chords.outcome, refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
+    for (int32_t i = 0; i < made; i++)
+        refined.length_error += pieces[i].error;
+    refined.length = sp_arcs_measure(arcs, newton->system.line.surface, arena);
+    return refined;
+}

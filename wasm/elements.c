@@ -1,0 +1,285 @@
+/* High-order elements: gradient and Hessian of their energy, static condensation, two mirrored elements at a time. MATH.md, "Elements". */
+#include "elements.h"
+
+/* The charts of the p + 1 nodes of element pair e. */
+static const sp_pair *element_charts(const struct sp_elements *elements, const sp_pair *charts, int32_t e) {
+    return charts + (size_t)SP_CHART * (size_t)(e * elements->reference.degree);
+}
+
+/* V_q = sum_j D_qj (X_j - X_q), the derivative of the interpolated path at the nodes of an element, into `velocity`. */
+static void differentiate(const struct sp_reference *reference, const sp_pair *charts, sp_pair *velocity) {
+    int32_t p = reference->degree;
+    for (int32_t q = 0; q <= p; q++) {
+        struct sp_vector here = sp_load(charts + SP_CHART * q), sum = {{0}, {0}, {0}};
+        for (int32_t j = 0; j <= p; j++) {
+            if (j == q) continue;
+            struct sp_vector there = sp_load(charts + SP_CHART * j);
+            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(reference->derivative[q * (p + 1) + j])));
+        }
+        sp_store(sum, velocity + 3 * q);
+    }
+}
+
+double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length) {
+    sp_pair squares = sp_splat(0.0), along = sp_splat(0.0);
+    for (int32_t e = 0; e < elements->count / 2; e++) {
+        differentiate(&elements->reference, element_charts(elements, charts, e), elements->velocity);
+        for (int32_t q = 0; q <= elements->reference.degree; q++) {
+            struct sp_vector v = sp_load(elements->velocity + 3 * q);
+            sp_pair squared = sp_dot(v, v);
+            squares += elements->reference.weight[q] * squared;
+            along += elements->reference.weight[q] * sp_square_root(squared);
+        }
+    }
+    if (length) *length = along[0] + along[1];
+    return squares[0] + squares[1];
+}
+
+/* D_i = sum_q D_qi weight_q V_q, what node i of the element in `velocity` adds to minus the force on it. */
+static struct sp_vector element_pull(const struct sp_elements *elements, int32_t i) {
+    const struct sp_reference *reference = &elements->reference;
+    struct sp_vector sum = {{0}, {0}, {0}};
+    for (int32_t q = 0; q <= reference->degree; q++)
+        sum = sp_add(sum, sp_scale(sp_load(elements->velocity + 3 * q),
+                                   sp_splat(reference->derivative[q * (reference->degree + 1) + i] * reference->weight[q])));
+    return sum;
+}
+
+struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts) {
+    differentiate(&elements->reference, charts, elements->velocity);
+    return element_pull(elements, 0);
+}
+
+/* One row, and the coordinates of it that are held. */
+static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct sp_vector pull, double weight, struct sp_row *row,
+                             sp_mask *straight, sp_mask held[2]) {
+    const sp_pair *chart = line->nodes.charts + SP_CHART * k;
+    sp_row_assemble(chart, pull, weight, *straight, row);
+    held[0] = held[1] = (sp_mask){0, 0};
+    if (line->surface->kind != SP_PARAMETRIC || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
+    *straight |= held[0] | held[1];
+    sp_row_assemble(chart, pull, weight, *straight, row);
+    sp_row_hold(row, held);
+    return 1;
+}
+
+struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
+                                      struct sp_row *rows, sp_mask *straight, sp_mask *held) {
+    const struct sp_reference *reference = &elements->reference;
+    int32_t p = reference->degree, size = p + 1, pairs = elements->count / 2;
+    struct sp_energy energy = {0};
+    struct sp_vector carried = {{0}, {0}, {0}};
+    sp_pair squares = sp_splat(0.0);
+    for (int32_t e = 0; e < pairs; e++) {
+        differentiate(reference, element_charts(elements, line->nodes.charts, e), elements->velocity);
+        for (int32_t i = 0; i <= p; i++) {
+            struct sp_vector velocity = sp_load(elements->velocity + 3 * i), pull = element_pull(elements, i);
+            int32_t k = e * p + i, border = i == 0 || i == p;
+            squares += reference->weight[i] * sp_dot(velocity, velocity);
+            if (i == 0) pull = sp_add(pull, carried);
+            if (i == p && e < pairs - 1) carried = pull;
+            if (k == 0 || (i == p && e < pairs - 1)) continue;
+            if (k == p * pairs) pull = sp_add(pull, sp_swap_vector(pull));
+            straight[k] = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
+            double weight = (border ? 2 : 1) * reference->stiffness[i * size + i];
+            energy.active += assemble_node(line, k, pull, weight, rows + k, straight + k, held + 2 * k);
+        }
+    }
+    energy.squares = squares[0] + squares[1];
+    energy.gradient_squared = sp_rows_gradient_squared(line->fold, rows);
+    return energy;
+}
+
+/* The order of an element's unknowns in its matrix: inner nodes, then the outer border, then the inner one (towards the middle), then the
+ * right-hand side. */
+static int32_t position(int32_t degree, int32_t i) { return i == 0 ? 2 * (degree - 1) : i == degree ? 2 * degree : 2 * (i - 1); }
+
+/* The tangent vectors of a node, zero in held coordinates. */
+static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vector frame[2]) {
+    sp_pair zero = sp_splat(0.0);
+    for (int a = 0; a < 2; a++) {
+        frame[a] = sp_load(chart + (a ? SP_CHART_2 : SP_CHART_1));
+        frame[a] = (struct sp_vector){sp_select(held[a], zero, frame[a].x), sp_select(held[a], zero, frame[a].y),
+                                      sp_select(held[a], zero, frame[a].z)};
+    }
+}
+
+/* Puts a number into the upper triangle. */
+static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair value) {
+    matrix[i < j ? i * order + j : j * order + i] = value;
+}
+
+/* The upper triangle of one element's matrix: K_ij B_i'B_j between its nodes, the diagonal blocks of its inner nodes, in the last column
+ * their right-hand sides. */
+static void fill_matrix(const struct sp_elements *elements, const sp_pair *charts, const struct sp_row *rows, const sp_mask *held,
+                        double shift, sp_pair *matrix) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    struct sp_vector frames[2 * (SP_MAX_DEGREE + 1)];
+    for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
+        matrix[k] = sp_splat(0.0);
+    for (int32_t k = 0; k < 2 * (p - 1); k++)
+        matrix[k * order + order - 1] = sp_splat(0.0);
+    for (int32_t i = 0; i <= p; i++) {
+        int32_t row = position(p, i);
+        load_frame(charts + SP_CHART * i, held + 2 * i, frames + 2 * i);
+        for (int32_t j = 0; j < i; j++) {
+            double stiffness = elements->reference.stiffness[i * (p + 1) + j];
+            int32_t column = position(p, j);
+            for (int32_t a = 0; a < 2; a++)
+                for (int32_t b = 0; b < 2; b++)
+                    put(matrix, order, row + a, column + b, stiffness * sp_dot(frames[2 * i + a], frames[2 * j + b]));
+        }
+        if (i == 0 || i == p) continue;
+        const struct sp_row *node = rows + i;
+        sp_pair by = shift * node->weight;
+        put(matrix, order, row, row, node->a + by * node->e);
+        put(matrix, order, row, row + 1, node->b + by * node->f);
+        put(matrix, order, row + 1, row + 1, node->d + by * node->g);
+        put(matrix, order, row, order - 1, node->r1), put(matrix, order, row + 1, order - 1, node->r2);
+    }
+}
+
+/* LDL' of the first `inner` rows, in place: D on the diagonal, L' and, in the last column, D^-1 L^-1 r beside it; what is left below is the
+ * Schur complement. */
+static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
+    struct sp_inertia inertia = {0, 1};
+    for (int32_t k = 0; k < inner; k++) {
+        sp_pair *row = matrix + k * order, pivot = row[k], reciprocal = 1.0 / pivot;
+        for (int lane = 0; lane < 2; lane++) {
+            if (!(pivot[lane] != 0 && pivot[lane] - pivot[lane] == 0)) inertia.usable = 0;
+            inertia.negative += pivot[lane] < 0;
+        }
+        for (int32_t i = k + 1; i < order - 1; i++) {
+            sp_pair factor = row[i] * reciprocal, *target = matrix + i * order;
+            for (int32_t j = i; j < order; j++)
+                target[j] -= factor * row[j];
+        }
+        for (int32_t j = k + 1; j < order; j++)
+            row[j] *= reciprocal;
+    }
+    return inertia;
+}
+
+/* Rows of the skeleton begin as those of their nodes; elements add their Schur complements. */
+static void start_skeleton(const struct sp_elements *elements, const struct sp_row *rows, double shift) {
+    int32_t p = elements->reference.degree;
+    for (int32_t e = 1; e <= elements->count / 2; e++) {
+        struct sp_row *row = elements->skeleton + e;
+        *row = rows[e * p];
+        sp_pair by = shift * row->weight;
+        row->a += by * row->e, row->b += by * row->f, row->d += by * row->g;
+        row->weight = sp_splat(2.0);
+    }
+}
+
+/* Adds what condensing element pair e leaves to its two borders. */
+static void add_schur(const struct sp_elements *elements, const sp_pair *matrix, int32_t e) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), outer = 2 * (p - 1), inner = 2 * p, last = order - 1;
+    struct sp_row *before = elements->skeleton + e, *after = before + 1;
+    sp_pair a = matrix[inner * order + inner], b = matrix[inner * order + inner + 1], d = matrix[(inner + 1) * order + inner + 1];
+    sp_pair r1 = matrix[inner * order + last], r2 = matrix[(inner + 1) * order + last];
+    if (e == elements->count / 2 - 1) a += sp_swap(a), b += sp_swap(b), d += sp_swap(d), r1 += sp_swap(r1), r2 += sp_swap(r2);
+    after->a += a, after->b += b, after->d += d, after->r1 += r1, after->r2 += r2;
+    before->q11 = -matrix[outer * order + inner], before->q12 = -matrix[outer * order + inner + 1];
+    before->q21 = -matrix[(outer + 1) * order + inner], before->q22 = -matrix[(outer + 1) * order + inner + 1];
+    if (e == 0) return;
+    before->a += matrix[outer * order + outer], before->b += matrix[outer * order + outer + 1];
+    before->d += matrix[(outer + 1) * order + outer + 1];
+    before->r1 += matrix[outer * order + last], before->r2 += matrix[(outer + 1) * order + last];
+}
+
+static struct sp_fold skeleton_fold(const struct sp_elements *elements) { return sp_fold_of(elements->count - 1); }
+
+static sp_pair *matrix_of(const struct sp_elements *elements, int32_t e) {
+    int32_t order = sp_elements_order(elements->reference.degree);
+    return elements->matrices + (size_t)e * (size_t)(order * order);
+}
+
+struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
+                                     const sp_mask *held, double shift) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    struct sp_inertia inertia = {0, 1};
+    start_skeleton(elements, rows, shift);
+    for (int32_t e = 0; e < elements->count / 2; e++) {
+        sp_pair *matrix = matrix_of(elements, e);
+        fill_matrix(elements, element_charts(elements, line->nodes.charts, e), rows + e * p, held + 2 * e * p, shift, matrix);
+        struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));
+        inertia.negative += inner.negative, inertia.usable &= inner.usable;
+        add_schur(elements, matrix, e);
+    }
+    struct sp_inertia skeleton = sp_blocks_factor(skeleton_fold(elements), elements->skeleton, 0);
+    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable};
+}
+
+/* Inner unknowns of element pair e from its borders, which `x` holds: backwards through L'. */
+static void back_substitute(const struct sp_elements *elements, int32_t e, int32_t from, int add_right, sp_pair *x) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), inner = 2 * (p - 1);
+    const sp_pair *matrix = matrix_of(elements, e);
+    sp_pair values[2 * (SP_MAX_DEGREE + 1)], *nodes = x + 2 * e * p;
+    for (int32_t j = 0; j < inner; j++)
+        values[j] = nodes[2 + j];
+    values[inner] = nodes[0], values[inner + 1] = nodes[1];
+    values[inner + 2] = nodes[2 * p], values[inner + 3] = nodes[2 * p + 1];
+    for (int32_t k = from; k >= 0; k--) {
+        const sp_pair *row = matrix + k * order;
+        sp_pair sum = add_right ? row[order - 1] : sp_splat(0.0);
+        for (int32_t j = k + 1; j < inner + 4; j++)
+            sum -= row[j] * values[j];
+        values[k] = sum;
+    }
+    for (int32_t j = 0; j < inner; j++)
+        nodes[2 + j] = values[j];
+}
+
+/* From the skeleton's solution, at its nodes' places in x, to all nodes. */
+static void expand(const struct sp_elements *elements, int add_right, sp_pair *x) {
+    int32_t inner = 2 * (elements->reference.degree - 1);
+    for (int32_t e = 0; e < elements->count / 2; e++)
+        back_substitute(elements, e, inner - 1, add_right, x);
+}
+
+/* Moves the skeleton's solution, two numbers a pair at the front of x, to its nodes' places; last first, as they only move up. */
+static void spread(const struct sp_elements *elements, sp_pair *x) {
+    int32_t p = elements->reference.degree;
+    for (int32_t e = elements->count / 2; e >= 1; e--)
+        for (int32_t j = 0; j < 2; j++) {
+            sp_pair value = x[2 * e + j];
+            x[2 * e + j] = sp_splat(0.0);
+            x[2 * e * p + j] = value;
+        }
+}
+
+void sp_elements_solve(const struct sp_elements *elements, sp_pair *x) {
+    sp_blocks_solve(skeleton_fold(elements), elements->skeleton, x);
+    spread(elements, x);
+    expand(elements, 1, x);
+}
+
+/* The first negative pivot inside an element: that unknown and what follows from it within the element. */
+static int descend_inside(const struct sp_elements *elements, sp_pair *x) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    for (int32_t e = 0; e < elements->count / 2; e++)
+        for (int32_t k = 0; k < 2 * (p - 1); k++)
+            for (int lane = 0; lane < 2; lane++) {
+                if (!(matrix_of(elements, e)[k * order + k][lane] < 0)) continue;
+                x[2 * e * p + 2 + k][lane] = 1;
+                back_substitute(elements, e, k - 1, 0, x);
+                return 1;
+            }
+    return 0;
+}
+
+int sp_elements_descent(const struct sp_elements *elements, sp_pair *x) {
+    int32_t count = 2 * (elements->reference.degree * elements->count / 2 + 1);
+    for (int32_t k = 0; k < count; k++)
+        x[k] = sp_splat(0.0);
+    if (descend_inside(elements, x)) return 1;
+    if (!sp_blocks_descent(skeleton_fold(elements), elements->skeleton, x)) return 0;
+    spread(elements, x);
+    expand(elements, 0, x);
+    return 1;
+}
+
+double sp_elements_conditioning(const struct sp_elements *elements) {
+    return sp_blocks_conditioning(skeleton_fold(elements), elements->skeleton);
+}

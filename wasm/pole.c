@@ -1,0 +1,66 @@
+/* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
+ * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
+#include "arcs.h"
+#include "piece.h"
+
+enum { ROUNDS = 12 };
+static const double ENOUGH = 1e-13;
+
+/* Coordinate j at the end of the path in `system`, extrapolated from the other nodes of its last element. */
+static double extrapolated(const struct sp_system *system, int32_t j) {
+    const struct sp_reference *reference = &system->elements.reference;
+    int32_t p = reference->degree, last = system->line.fold.inner + 1;
+    double value = 0;
+    for (int32_t i = 0; i < p; i++) {
+        double weight = 1;
+        for (int32_t k = 0; k < p; k++)
+            if (k != i) weight *= (1 - reference->node[k]) / (reference->node[i] - reference->node[k]);
+        value += weight * sp_fold_get(system->line.fold, system->line.nodes.places, 2, last - p + i, j);
+    }
+    return value;
+}
+
+/* Solves the arc from an end to the pole, until its end in the chart continues it. */
+static int fit(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int32_t across, double range,
+               struct sp_arena *arena, int32_t *iterations) {
+    double *end = piece->joint[1].place + 1 - across;
+    for (int round = 0; round < ROUNDS; round++) {
+        if (!sp_piece_solve(newton, options, piece, arena, iterations)) return 0;
+        sp_piece_keep(newton, piece);
+        double next = extrapolated(&piece->system, 1 - across), change = next - *end;
+        if (change * change <= ENOUGH * ENOUGH * range * range) return 1;
+        *end = next;
+    }
+    return 1;
+}
+
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
+                              struct sp_arcs *arcs) {
+    struct sp_polyline *line = &newton->system.line;
+    const struct sp_surface *surface = line->surface;
+    struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
+    struct sp_storage storage;
+    int32_t across = edge / 2, last = line->fold.inner + 1, iterations = 0;
+    struct sp_surface open = *surface;
+    arcs->count = 0;
+    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return refined;
+    struct sp_system given = sp_storage_keep(&storage, &newton->system);
+    open.lower[across] = -__builtin_inf(), open.upper[across] = __builtin_inf();
+    line->surface = &open;
+    for (int i = 0; i < 2; i++) {
+        struct sp_piece piece = {.system = given, .first = i ? 1 : 0, .last = i ? 1 : 0};
+        for (int32_t j = 0; j < 2; j++)
+            piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
+        piece.joint[1].place[across] = edge % 2 ? surface->upper[across] : surface->lower[across];
+        if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
+        refined.outcome.status = SP_STALLED;
+        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena, &iterations)) break;
+        arcs->arc[arcs->count++] = (struct sp_arc){.length = piece.length, .system = piece.system, .reversed = i};
+        refined.length_error += piece.error;
+    }
+    line->surface = surface;
+    if (arcs->count < 2) return arcs->count = 0, refined;
+    refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
+    refined.length = sp_arcs_measure(arcs, surface, arena);
+    return refined;
+}

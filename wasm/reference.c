@@ -1,0 +1,104 @@
+/* Gauss–Lobatto–Legendre nodes by Newton on (1 - x^2) P'_p, and what follows from them. MATH.md, "Elements". */
+#include "reference.h"
+#include "functions.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* P_p(x), and P_(p-1)(x), by the three-term recurrence. */
+static double legendre(int32_t degree, double x, double *before) {
+    double now = x, last = 1;
+    for (int32_t k = 2; k <= degree; k++) {
+        double next = ((2 * k - 1) * x * now - (k - 1) * last) / k;
+        last = now, now = next;
+    }
+    *before = last;
+    return now;
+}
+
+/* Node i of -1 … 1: the Chebyshev–Lobatto point, then Newton; P'_p (1 - x^2) = p (P_(p-1) - x P_p). */
+static double lobatto(int32_t degree, int32_t i) {
+    if (i == 0) return -1;
+    if (2 * i == degree) return 0;
+    double x = -sp_cos(sp_splat(PI * i / degree))[0], before;
+    for (int round = 0; round < 12; round++) {
+        double value = legendre(degree, x, &before), step = (x * value - before) / ((degree + 1) * value);
+        x -= step;
+        if (step * step < 1e-31) break;
+    }
+    return x;
+}
+
+static void fill_nodes(struct sp_reference *reference) {
+    int32_t p = reference->degree;
+    for (int32_t i = 0; 2 * i <= p; i++) {
+        double x = lobatto(p, i), before, value = legendre(p, x, &before), weight = 1 / (p * (p + 1) * value * value);
+        reference->node[i] = 0.5 * (1 + x), reference->node[p - i] = 0.5 * (1 - x);
+        reference->weight[i] = reference->weight[p - i] = weight;
+        reference->barycentric[i] = 1 / value, reference->barycentric[p - i] = (p % 2 ? -1 : 1) / value;
+    }
+}
+
+/* D_ij = b_j/(b_i (t_i - t_j)), rows adding up to 0. */
+static void fill_derivative(struct sp_reference *reference) {
+    int32_t p = reference->degree;
+    for (int32_t i = 0; i <= p; i++) {
+        double *row = reference->derivative + i * (p + 1), sum = 0;
+        for (int32_t j = 0; j <= p; j++) {
+            if (j == i) continue;
+            row[j] = reference->barycentric[j] / (reference->barycentric[i] * (reference->node[i] - reference->node[j]));
+            sum += row[j];
+        }
+        row[i] = -sum;
+    }
+}
+
+static void fill_stiffness(struct sp_reference *reference) {
+    int32_t p = reference->degree, size = p + 1;
+    for (int32_t i = 0; i <= p; i++) {
+        double sum = 0;
+        for (int32_t j = 0; j <= p; j++) {
+            double entry = 0;
+            for (int32_t q = 0; q <= p; q++)
+                entry += reference->weight[q] * reference->derivative[q * size + i] * reference->derivative[q * size + j];
+            reference->stiffness[i * size + j] = entry;
+            sum += j == i ? 0 : entry;
+        }
+        reference->stiffness[i * size + i] = -sum;
+    }
+}
+
+double sp_reference_bytes(int32_t degree) {
+    double size = degree + 1.0;
+    return (3 * size + 2 * size * size) * sizeof(double) + 5 * 16;
+}
+
+int sp_reference_make(struct sp_reference *reference, int32_t degree, struct sp_arena *arena) {
+    size_t size = (size_t)degree + 1;
+    double **vectors[] = {&reference->node, &reference->weight, &reference->barycentric, &reference->derivative, &reference->stiffness};
+    reference->degree = degree;
+    for (int i = 0; i < 5; i++) {
+        *vectors[i] = sp_arena_take(arena, i < 3 ? size : size * size, sizeof(double));
+        if (!*vectors[i]) return 0;
+    }
+    fill_nodes(reference);
+    fill_derivative(reference);
+    fill_stiffness(reference);
+    return 1;
+}
+
+void sp_reference_interpolate(const struct sp_reference *reference, double t, double values[SP_MAX_DEGREE + 1]) {
+    int32_t p = reference->degree;
+    double sum = 0;
+    for (int32_t j = 0; j <= p; j++) {
+        double away = t - reference->node[j];
+        if (away == 0) {
+            for (int32_t k = 0; k <= p; k++)
+                values[k] = k == j;
+            return;
+        }
+        values[j] = reference->barycentric[j] / away;
+        sum += values[j];
+    }
+    for (int32_t j = 0; j <= p; j++)
+        values[j] /= sum;
+}

@@ -1,0 +1,181 @@
+/* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
+#include "refine.h"
+#include "check.h"
+#include "sample.h"
+
+struct rung {
+    int32_t degree, count;
+};
+
+static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
+enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]) };
+
+static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04;
+
+static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+static double larger(double a, double b) { return a > b ? a : b; }
+
+/* Where a rung started, to see how far it moved. */
+struct start {
+    sp_pair *positions; /* 3 a pair */
+};
+
+static int note_start(const struct sp_system *system, struct start *start, struct sp_arena *arena) {
+    int32_t pairs = sp_fold_pairs(system->line.fold);
+    start->positions = sp_arena_take(arena, 3 * (size_t)pairs, sizeof(sp_pair));
+    if (!start->positions) return 0;
+    for (int32_t k = 0; k < pairs; k++)
+        sp_store(sp_load(system->line.nodes.charts + SP_CHART * k), start->positions + 3 * k);
+    return 1;
+}
+
+/* Largest distance that a node has moved. */
+static double displacement(const struct sp_system *system, const struct start *start) {
+    double largest = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
+        struct sp_vector moved = sp_subtract(sp_load(system->line.nodes.charts + SP_CHART * k), sp_load(start->positions + 3 * k));
+        sp_pair squared = sp_dot(moved, moved);
+        for (int lane = 0; lane < 2; lane++)
+            largest = larger(largest, squared[lane]);
+    }
+    return root(largest);
+}
+
+/* Sets the system up as `rung`, started from the path of `from`. */
+static enum sp_status start_rung(struct sp_newton *newton, const struct sp_system *from, struct rung rung, struct start *start,
+                                 struct sp_arena *arena) {
+    struct sp_system *system = &newton->system;
+    struct sp_elements *elements = &system->elements;
+    size_t order = (size_t)sp_elements_order(rung.degree);
+    if (!sp_reference_make(&elements->reference, rung.degree, arena)) return SP_OUT_OF_MEMORY;
+    elements->count = rung.count;
+    elements->matrices = sp_arena_take(arena, order * order * (size_t)rung.count / 2, sizeof(sp_pair));
+    elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 1), sizeof(sp_pair));
+    elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
+    if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
+    system->line.fold = sp_fold_of(rung.degree * rung.count - 1);
+    sp_sample_places(from, &elements->reference, rung.count, system->line.nodes.places);
+    int32_t unknown = sp_fold_unknown(system->line.fold);
+    if (system->line.surface->kind == SP_PARAMETRIC)
+        sp_parametric_clip(system->line.surface, unknown, system->line.nodes.places + 2);
+    else if (!sp_implicit_settle(system->line.surface, unknown, system->line.nodes.places + 3, newton->scale))
+        return SP_SHEET_JUMP;
+    sp_polyline_charts(&system->line, system->line.nodes);
+    return note_start(system, start, arena) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
+}
+
+/* One rung from one start: its outcome, length and how far it moved. */
+struct climbed {
+    struct sp_outcome outcome;
+    double length, moved;
+};
+
+static struct climbed climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, struct rung rung,
+                            int32_t iterations_left, struct sp_arena *arena) {
+    struct climbed climbed = {0};
+    struct start start;
+    climbed.outcome.status = start_rung(newton, from, rung, &start, arena);
+    if (climbed.outcome.status != SP_CONVERGED) return climbed;
+    climbed.outcome = sp_newton_run(newton, options, iterations_left);
+    if (climbed.outcome.status < 0) return climbed;
+    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes.charts);
+    climbed.moved = displacement(&newton->system, &start);
+    return climbed;
+}
+
+/* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
+static int strayed(const struct climbed *climbed, double first_length) {
+    double change = climbed->length / first_length - 1;
+    return climbed->outcome.status < 0 || climbed->outcome.status == SP_STALLED || change > LENGTH_GUARD || change < -LENGTH_GUARD ||
+           climbed->moved > DISPLACEMENT_GUARD * climbed->length;
+}
+
+/* The smallest relative error that the coordinates' rounding allows. */
+static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
+    return larger(options->tolerance, 8 * 2.2e-16 * newton->scale / length);
+}
+
+static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
+    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, sp_check_rounding(climbed.length, newton->scale))};
+}
+
+/* A rung from the path of the rung before; if that leads astray, from the path of chords. */
+static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *before,
+                                    const struct sp_system *first, double first_length, struct rung rung, int32_t iterations,
+                                    struct sp_arena *arena) {
+    size_t bottom = arena->used;
+    struct climbed now = climb(newton, options, before, rung, options->max_iterations - iterations, arena);
+    if (strayed(&now, first_length) && before->elements.reference.degree > 1) {
+        iterations += now.outcome.iterations;
+        arena->used = bottom;
+        now = climb(newton, options, first, rung, options->max_iterations - iterations, arena);
+    }
+    now.outcome.iterations += iterations;
+    return now;
+}
+
+/* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
+static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *first,
+                                   double first_length, int32_t iterations, struct sp_arena *arena) {
+    struct climbed now = {.length = first_length};
+    struct sp_system before = *first;
+    double last = first_length, change = first_length;
+    struct sp_storage storage;
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
+        return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
+    newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
+    size_t bottom = arena->used;
+    for (int r = 0; r < RUNGS; r++) {
+        arena->used = bottom;
+        now = climb_guarded(newton, options, &before, first, first_length, LADDER[r], iterations, arena);
+        iterations = now.outcome.iterations;
+        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
+            return finish(newton, now, now.length > last ? now.length - last : last - now.length);
+        double allowed = tolerance_of(newton, options, now.length) * now.length;
+        int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
+        change = now.length > last ? now.length - last : last - now.length;
+        last = now.length;
+        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
+        if (astray)
+            before = *first;
+        else
+            before = sp_storage_keep(&storage, &newton->system);
+    }
+    if (now.outcome.status == SP_CONVERGED) now.outcome.status = SP_TOLERANCE_NOT_MET;
+    return finish(newton, now, change);
+}
+
+/* The largest rung, two stored paths. */
+double sp_refine_bytes(void) {
+    struct rung last = LADDER[RUNGS - 1];
+    double order = sp_elements_order(last.degree), half = last.count / 2, degree = last.degree, pairs = SP_REFINE_INNER / 2 + 3;
+    double numbers = order * order * half + 3 * (degree + 1) + 3 * pairs + 2 * 3 * pairs;
+    return sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
+           4 * (degree + 1) * sizeof(double) + 20 * 16;
+}
+
+struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
+    struct climbed first = {0};
+    struct sp_storage storage;
+    newton->decrement = FIRST_DECREMENT;
+    first.outcome = sp_newton_run(newton, options, options->max_iterations);
+    if (first.outcome.status < 0) return finish(newton, first, 0);
+    first.length = sp_check_length(&newton->system.line);
+    enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
+    if (chords < 0) first.outcome.status = chords;
+    double error = sp_check_length_error(&newton->system.line, newton->scale, first.outcome.active);
+    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0 || first.outcome.active) return finish(newton, first, error);
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) {
+        first.outcome.status = SP_OUT_OF_MEMORY;
+        return finish(newton, first, error);
+    }
+    struct sp_system kept = sp_storage_keep(&storage, &newton->system);
+    return climb_all(newton, options, &kept, first.length, first.outcome.iterations, arena);
+}
+
+struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                                   struct sp_arena *arena) {
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
+    double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->scale, chords.outcome.active);
+    return finish(newton, chords, error);
+}

@@ -1,0 +1,28 @@
+/* A tolerance that is kept: a ladder of discretisations, each started from the one before, until two agree. MATH.md, "The ladder". */
+#ifndef SURFPATH_REFINE_H
+#define SURFPATH_REFINE_H
+
+#include "newton.h"
+
+/* Most inner nodes of any rung. */
+enum { SP_REFINE_INNER = 32 * 16 - 1, SP_REFINE_FIRST = 31 };
+
+/* What the ladder found: as sp_newton_run, and the length with its error. */
+struct sp_refined {
+    struct sp_outcome outcome;
+    double length, length_error;
+};
+
+/* Solves to `options->tolerance`, unless the path touches the walls: then outcome.active is set, and the path is one of chords (see
+ * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes; in the end, the path of the last rung.
+ */
+struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
+
+/* A path of `count` chords, even, from another path, which is not in newton's own arrays. */
+struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                                   struct sp_arena *arena);
+
+/* Bytes of arena that sp_refine_run takes. */
+double sp_refine_bytes(void);
+
+#endif

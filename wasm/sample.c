@@ -1,0 +1,114 @@
+/* Interpolation along a path: elements by their Lagrange polynomials, polylines by cubics through four neighbours. MATH.md, "Elements". */
+#include "sample.h"
+
+/* The place at t of a polyline: cubic through the four nodes around it. */
+static void polyline_place(const struct sp_system *system, double t, double place[3]) {
+    struct sp_fold fold = system->line.fold;
+    int32_t dimension = system->line.kind->dimension, last = fold.inner + 1, first = (int32_t)(t * last) - 1,
+            count = last < 3 ? last + 1 : 4;
+    first = first < 0 ? 0 : first > last + 1 - count ? last + 1 - count : first;
+    for (int j = 0; j < 3; j++)
+        place[j] = 0;
+    for (int32_t i = 0; i < count; i++) {
+        double weight = 1, at = t * last - first;
+        for (int32_t k = 0; k < count; k++)
+            if (k != i) weight *= (at - k) / (i - k);
+        for (int32_t j = 0; j < dimension; j++)
+            place[j] += weight * sp_fold_get(fold, system->line.nodes.places, dimension, first + i, j);
+    }
+}
+
+/* The place at t of elements. */
+static void element_place(const struct sp_system *system, double t, double place[3]) {
+    const struct sp_elements *elements = &system->elements;
+    int32_t dimension = system->line.kind->dimension, p = elements->reference.degree, e = (int32_t)(t * elements->count);
+    if (e > elements->count - 1) e = elements->count - 1;
+    double values[SP_MAX_DEGREE + 1];
+    sp_reference_interpolate(&elements->reference, t * elements->count - e, values);
+    for (int j = 0; j < 3; j++)
+        place[j] = 0;
+    for (int32_t i = 0; i <= p; i++)
+        for (int32_t j = 0; j < dimension; j++)
+            place[j] += values[i] * sp_fold_get(system->line.fold, system->line.nodes.places, dimension, e * p + i, j);
+}
+
+void sp_sample_place(const struct sp_system *system, double t, double place[3]) {
+    if (system->elements.reference.degree == 1)
+        polyline_place(system, t, place);
+    else
+        element_place(system, t, place);
+}
+
+void sp_sample_places(const struct sp_system *from, const struct sp_reference *reference, int32_t count, sp_pair *places) {
+    int32_t p = reference->degree, last = p * count, dimension = from->line.kind->dimension;
+    struct sp_fold fold = sp_fold_of(last - 1);
+    for (int32_t i = 0; i <= last; i++) {
+        double place[3], t = (i / p + (p > 1 ? reference->node[i % p] : 0)) / count;
+        sp_sample_place(from, t, place);
+        for (int32_t j = 0; j < dimension; j++) {
+            double end = i == 0 || i == last
+                             ? sp_fold_get(from->line.fold, from->line.nodes.places, dimension, i ? from->line.fold.inner + 1 : 0, j)
+                             : place[j];
+            places[dimension * sp_fold_pair(fold, i) + j][sp_fold_lane(fold, i)] = end;
+        }
+    }
+    for (int32_t j = 0; j < dimension && fold.odd; j++)
+        places[dimension * (fold.both + 1) + j] = sp_splat(places[dimension * (fold.both + 1) + j][0]);
+    sp_fold_mirror(fold, places, dimension);
+}
+
+void sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters) {
+    sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
+    if (surface->kind == SP_PARAMETRIC) {
+        sp_parametric_clip(surface, 1, at);
+        surface->value(1, at, position);
+    } else {
+        sp_implicit_settle(surface, 1, at, scale);
+        sp_store(sp_load(at), position);
+    }
+    for (int j = 0; j < 3; j++)
+        point[j] = position[j][0];
+    for (int j = 0; parameters && j < 2; j++)
+        parameters[j] = at[j][0];
+}
+
+int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner, struct sp_arena *arena) {
+    storage->places = sp_arena_take(arena, (size_t)sp_fold_pairs(sp_fold_of(inner)) * (size_t)dimension, sizeof(sp_pair));
+    storage->node = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
+    storage->barycentric = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
+    return storage->places && storage->node && storage->barycentric;
+}
+
+struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct sp_system *system) {
+    struct sp_system kept = *system;
+    int32_t count = sp_fold_pairs(system->line.fold) * system->line.kind->dimension, degree = system->elements.reference.degree;
+    for (int32_t i = 0; i < count; i++)
+        storage->places[i] = system->line.nodes.places[i];
+    for (int32_t i = 0; degree > 1 && i <= degree; i++) {
+        storage->node[i] = system->elements.reference.node[i];
+        storage->barycentric[i] = system->elements.reference.barycentric[i];
+    }
+    kept.line.nodes.places = storage->places;
+    kept.elements.reference.node = storage->node, kept.elements.reference.barycentric = storage->barycentric;
+    return kept;
+}
+
+void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
+    struct sp_fold fold = system->line.fold;
+    int32_t last = point_count + 1, end = fold.inner + 1;
+    int nodes = system->elements.reference.degree == 1 && fold.inner == point_count;
+    for (int32_t i = 0; i <= last; i++) {
+        double *point = points + 3 * i, *place = parameters ? parameters + 2 * i : NULL;
+        if (!nodes && i > 0 && i < last) {
+            double at[3];
+            sp_sample_place(system, (double)i / last, at);
+            sp_sample_point(system->line.surface, scale, at, point, place);
+            continue;
+        }
+        int32_t node = nodes ? i : i ? end : 0;
+        for (int32_t j = 0; j < 3; j++)
+            point[j] = sp_fold_get(fold, system->line.nodes.charts, SP_CHART, node, j);
+        for (int32_t j = 0; place && j < 2; j++)
+            place[j] = sp_fold_get(fold, system->line.nodes.places, 2, node, j);
+    }
+}

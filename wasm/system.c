@@ -1,0 +1,74 @@
+/* Chooses between polyline and elements, and measures steps. MATH.md, "Newton". */
+#include "system.h"
+
+static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+
+static int is_polyline(const struct sp_system *system) { return system->elements.reference.degree == 1; }
+
+double sp_system_squares(const struct sp_system *system, const sp_pair *charts) {
+    return is_polyline(system) ? sp_polyline_squares(system->line.fold, charts) : sp_elements_squares(&system->elements, charts, NULL);
+}
+
+double sp_system_length(const struct sp_system *system, const sp_pair *charts) {
+    double length;
+    if (is_polyline(system)) return sp_polyline_length(system->line.fold, charts);
+    sp_elements_squares(&system->elements, charts, &length);
+    return length;
+}
+
+struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
+    if (is_polyline(system)) return sp_polyline_assemble(&system->line, hessian, system->rows, system->straight);
+    return sp_elements_assemble(&system->elements, &system->line, hessian, system->rows, system->straight, system->held);
+}
+
+struct sp_inertia sp_system_factor(struct sp_system *system, double shift) {
+    if (is_polyline(system)) return sp_blocks_factor(system->line.fold, system->rows, shift);
+    return sp_elements_factor(&system->elements, &system->line, system->rows, system->held, shift);
+}
+
+void sp_system_solve(const struct sp_system *system, sp_pair *x) {
+    if (is_polyline(system))
+        sp_blocks_solve(system->line.fold, system->rows, x);
+    else
+        sp_elements_solve(&system->elements, x);
+}
+
+int sp_system_negative(const struct sp_system *system, sp_pair *x) {
+    if (is_polyline(system)) return sp_blocks_descent(system->line.fold, system->rows, x);
+    return sp_elements_descent(&system->elements, x);
+}
+
+double sp_system_conditioning(const struct sp_system *system) {
+    if (is_polyline(system)) return sp_blocks_conditioning(system->line.fold, system->rows);
+    return sp_elements_conditioning(&system->elements);
+}
+
+double sp_system_descent(const struct sp_system *system, const sp_pair *x) {
+    struct sp_fold fold = system->line.fold;
+    double sum = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        sum += sp_fold_sum(fold, k, system->rows[k].r1 * x[2 * k] + system->rows[k].r2 * x[2 * k + 1]);
+    return sum;
+}
+
+double sp_system_steepness(const struct sp_system *system, double squares) {
+    struct sp_fold fold = system->line.fold;
+    double sum = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++) {
+        const struct sp_row *row = system->rows + k;
+        sp_pair form = row->g * row->r1 * row->r1 - 2.0 * row->f * row->r1 * row->r2 + row->e * row->r2 * row->r2;
+        sum += sp_fold_sum(fold, k, 2.0 * form / (row->weight * (row->e * row->g - row->f * row->f)));
+    }
+    return root(sum / squares);
+}
+
+double sp_system_largest(const struct sp_system *system, const sp_pair *x) {
+    double largest = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
+        const struct sp_row *row = system->rows + k;
+        sp_pair u = x[2 * k], v = x[2 * k + 1], squared = row->e * u * u + 2.0 * row->f * u * v + row->g * v * v;
+        for (int lane = 0; lane < 2; lane++)
+            if (squared[lane] > largest) largest = squared[lane];
+    }
+    return root(largest);
+}

@@ -1,0 +1,42 @@
+/* The Newton system of a path, whether polyline or elements: one face for both. MATH.md, "Newton". */
+#ifndef SURFPATH_SYSTEM_H
+#define SURFPATH_SYSTEM_H
+
+#include "elements.h"
+
+struct sp_system {
+    struct sp_polyline line;     /* nodes; for elements those of all of them, ends shared */
+    struct sp_row *rows;         /* one a pair */
+    sp_mask *straight;           /* one a pair: nodes that move along straight lines of the parameters */
+    sp_mask *held;               /* two a pair: coordinates that do not move; elements only */
+    struct sp_elements elements; /* degree 1: a polyline, nothing else in it used */
+};
+
+/* Number of elements or chords, m: the energy is m times `squares`. */
+static inline int32_t sp_system_segments(const struct sp_system *system) {
+    return system->elements.reference.degree == 1 ? system->line.fold.inner + 1 : system->elements.count;
+}
+
+/* Energy over m of nodes with these charts. */
+double sp_system_squares(const struct sp_system *system, const sp_pair *charts);
+
+/* Length of the path of the nodes with these charts: sum of chords, or quadrature. */
+double sp_system_length(const struct sp_system *system, const sp_pair *charts);
+
+/* The pieces of a Newton step: energy.h, blocks.h, elements.h. */
+struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian);
+struct sp_inertia sp_system_factor(struct sp_system *system, double shift);
+void sp_system_solve(const struct sp_system *system, sp_pair *x);
+int sp_system_negative(const struct sp_system *system, sp_pair *x);
+double sp_system_conditioning(const struct sp_system *system);
+
+/* r . x over all unknowns: minus the slope of the scaled energy along x. */
+double sp_system_descent(const struct sp_system *system, const sp_pair *x);
+
+/* sqrt(2 g'M^-1 g / squares): how far from stationary, whatever the Hessian. */
+double sp_system_steepness(const struct sp_system *system, double squares);
+
+/* Largest length of x at a node, in the metric of the surface. */
+double sp_system_largest(const struct sp_system *system, const sp_pair *x);
+
+#endif
