@@ -12,13 +12,17 @@ WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch])
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch])
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
 
 # One set of flags for every compiler. No contraction into fused operations: the same bits everywhere.
 CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP
-EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -msimd128 -mbulk-memory -DNDEBUG
+# What runs once a path is made small; what runs once a node, fast: -O2, without what makes code longer but not faster here.
+EMCC := emcc $(CFLAGS) -msimd128 -mbulk-memory -DNDEBUG
+SMALL := -Oz
+FAST := -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20
+HOT := newton blocks energy elements system parametric implicit functions functions_trigonometric functions_exponential functions_inverse
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
@@ -82,12 +86,12 @@ $(NPM): package-lock.json | tools
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(EMCC) -c $< -o $@
+	@$(EMCC) $(if $(filter $*,$(HOT)),$(FAST),$(SMALL)) -c $< -o $@
 
 dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -O2 $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # JavaScript and types
 

@@ -154,7 +154,7 @@ static double halving_error(const struct sp_polyline *line, double length) {
     return (length - sum) / 3;
 }
 
-double sp_check_rounding(double length, double scale) { return 4e-15 * length + 2.2e-16 * scale; }
+double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-15 * length + 2.2e-16 * scale : 0; }
 
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
     struct chord chord;

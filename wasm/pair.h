@@ -19,28 +19,28 @@ typedef double sp_pair __attribute__((vector_size(16)));
 /* Two lane masks or bit patterns: what comparing two pairs gives, all bits set where true. */
 typedef int64_t sp_mask __attribute__((vector_size(16)));
 
-static inline sp_pair sp_splat(double x) { return (sp_pair){x, x}; }
+static inline __attribute__((always_inline)) sp_pair sp_splat(double x) { return (sp_pair){x, x}; }
 
-static inline sp_mask sp_bits(sp_pair x) { return (sp_mask)x; }
+static inline __attribute__((always_inline)) sp_mask sp_bits(sp_pair x) { return (sp_mask)x; }
 
-static inline sp_pair sp_from_bits(sp_mask bits) { return (sp_pair)bits; }
+static inline __attribute__((always_inline)) sp_pair sp_from_bits(sp_mask bits) { return (sp_pair)bits; }
 
 /* `mask ? yes : no`, lane by lane. */
-static inline sp_pair sp_select(sp_mask mask, sp_pair yes, sp_pair no) {
+static inline __attribute__((always_inline)) sp_pair sp_select(sp_mask mask, sp_pair yes, sp_pair no) {
     return sp_from_bits((mask & sp_bits(yes)) | (~mask & sp_bits(no)));
 }
 
-static inline sp_pair sp_absolute(sp_pair x) { return sp_from_bits(sp_bits(x) & INT64_MAX); }
+static inline __attribute__((always_inline)) sp_pair sp_absolute(sp_pair x) { return sp_from_bits(sp_bits(x) & INT64_MAX); }
 
 /* Lanes exchanged. */
-static inline sp_pair sp_swap(sp_pair x) { return (sp_pair){x[1], x[0]}; }
+static inline __attribute__((always_inline)) sp_pair sp_swap(sp_pair x) { return (sp_pair){x[1], x[0]}; }
 
-static inline sp_mask sp_swap_mask(sp_mask x) { return (sp_mask){x[1], x[0]}; }
+static inline __attribute__((always_inline)) sp_mask sp_swap_mask(sp_mask x) { return (sp_mask){x[1], x[0]}; }
 
-static inline int sp_any(sp_mask mask) { return (mask[0] | mask[1]) != 0; }
+static inline __attribute__((always_inline)) int sp_any(sp_mask mask) { return (mask[0] | mask[1]) != 0; }
 
 /* Correctly rounded square root. */
-static inline sp_pair sp_square_root(sp_pair x) {
+static inline __attribute__((always_inline)) sp_pair sp_square_root(sp_pair x) {
 #ifdef __wasm_simd128__
     return (sp_pair)wasm_f64x2_sqrt((v128_t)x);
 #elif defined(__SSE2__)
