@@ -62,7 +62,7 @@ struct sp_result {
     int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
     int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
     int32_t history_count;
-    int32_t unused;
+    int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
 };
 
 /* Writes the defaults: SP_POLYLINE, K = 64, 100 iterations, stop by decrement, no record. */
@@ -129,6 +129,7 @@ SP_AT(sp_result, iterations, 52);
 SP_AT(sp_result, index, 56);
 SP_AT(sp_result, touches_boundary, 60);
 SP_AT(sp_result, history_count, 64);
+SP_AT(sp_result, crosses_singularity, 68);
 SP_SIZE(sp_arena, 12);
 SP_AT(sp_arena, base, 0);
 SP_AT(sp_arena, size, 4);

@@ -182,7 +182,7 @@ export function makePath(raw) {
     gradientNorm: raw.gradientNorm,
     index: raw.index,
     touchesBoundary: raw.touchesBoundary,
-    crossesSingularity: false,
+    crossesSingularity: raw.crossesSingularity,
     conjugate: null,
     history: raw.history,
   };

@@ -24,6 +24,7 @@ export const LAYOUT = {
     index: 56,
     touches_boundary: 60,
     history_count: 64,
+    crosses_singularity: 68,
   },
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
@@ -44,6 +45,7 @@ const OUT_OF_MEMORY = -6;
  * @property {number} iterations
  * @property {number} index
  * @property {boolean} touchesBoundary
+ * @property {boolean} crossesSingularity
  * @property {Float64Array} points
  * @property {Float64Array | null} parameters
  * @property {Iterate[]} history
@@ -203,7 +205,7 @@ export class Heap {
   #readResult(count) {
     const at = this.#structs.result;
     const [length, lengthError, energy, gradientNorm] = this.#doubles(at, 4);
-    const [pointsAt, parametersAt, historyAt, recordAt, status, iterations, index, touches, entries] = this.#words(at + 32, 9);
+    const [pointsAt, parametersAt, historyAt, recordAt, status, iterations, index, touches, entries, crosses] = this.#words(at + 32, 10);
     const history = this.#readHistory(historyAt, recordAt, entries, count);
     return {
       status,
@@ -214,6 +216,7 @@ export class Heap {
       iterations,
       index,
       touchesBoundary: touches !== 0,
+      crossesSingularity: crosses !== 0,
       points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
       parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
       history,
@@ -259,7 +262,7 @@ export class Heap {
 /** @param {number} status @returns {RawPath} */
 export function emptyPath(status) {
   const none = { length: Number.NaN, lengthError: Number.NaN, energy: Number.NaN, gradientNorm: Number.NaN };
-  return { status, ...none, iterations: 0, index: -1, touchesBoundary: false, points: new Float64Array(0), parameters: null, history: [] };
+  return { status, ...none, iterations: 0, index: -1, touchesBoundary: false, crossesSingularity: false, points: new Float64Array(0), parameters: null, history: [] };
 }
 
 /** @param {number} status */
