@@ -104,11 +104,12 @@ static struct sp_refined solve_polyline(struct sp_newton *newton, const struct s
 }
 
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
-static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena,
+static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
                                         struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     int parametric = newton->system.line.surface->kind == SP_PARAMETRIC;
+    if (pole > 0 && parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     refined = sp_refine_run(newton, options, arena);
@@ -135,7 +136,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status != SP_CONVERGED) return status;
     struct sp_arcs arcs;
     arcs.count = 0;
-    struct sp_refined refined = elements ? solve_elements(&newton, options, arena, &arcs, result) : solve_polyline(&newton, options);
+    struct sp_refined refined =
+        elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);

@@ -37,7 +37,7 @@ struct sp_request {
                             NULL: the straight line from end to end, solved from the lexicographically smaller end, so that
                             exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
-    int32_t unused;
+    int32_t pole; /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; 0: none */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. */
@@ -110,6 +110,7 @@ SP_AT(sp_request, from, 0);
 SP_AT(sp_request, to, 24);
 SP_AT(sp_request, start, 48);
 SP_AT(sp_request, start_count, 52);
+SP_AT(sp_request, pole, 56);
 SP_SIZE(sp_iterate, 32);
 SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);

@@ -7,7 +7,7 @@
 export const LAYOUT = {
   sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, lower: 16, upper: 32, extent: 48 },
   sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
-  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52 },
+  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52, pole: 56 },
   sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
   sp_result: {
     bytes: 72,
@@ -128,7 +128,7 @@ export class Heap {
   /**
    * Runs sp_solve_path.
    * @param {number} surface address of its record
-   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null }} request
+   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request
    * @param {SolveOptions} options
    * @returns {RawPath}
    */
@@ -144,7 +144,7 @@ export class Heap {
     if (start) this.writeDoubles(this.#arenaBase, start);
     this.writeDoubles(requestAt, [...request.from, 0].slice(0, 3));
     this.writeDoubles(requestAt + LAYOUT.sp_request.to, [...request.to, 0].slice(0, 3));
-    this.#words(requestAt + LAYOUT.sp_request.start, 2).set([start ? this.#arenaBase : 0, startCount]);
+    this.#words(requestAt + LAYOUT.sp_request.start, 3).set([start ? this.#arenaBase : 0, startCount, request.pole ?? 0]);
     this.#words(arena, 3).set([this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0]);
     this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
     return this.#readResult(options.points + 2);
