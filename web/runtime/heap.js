@@ -262,7 +262,17 @@ export class Heap {
 /** @param {number} status @returns {RawPath} */
 export function emptyPath(status) {
   const none = { length: Number.NaN, lengthError: Number.NaN, energy: Number.NaN, gradientNorm: Number.NaN };
-  return { status, ...none, iterations: 0, index: -1, touchesBoundary: false, crossesSingularity: false, points: new Float64Array(0), parameters: null, history: [] };
+  return {
+    status,
+    ...none,
+    iterations: 0,
+    index: -1,
+    touchesBoundary: false,
+    crossesSingularity: false,
+    points: new Float64Array(0),
+    parameters: null,
+    history: [],
+  };
 }
 
 /** @param {number} status */
