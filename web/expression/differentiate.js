@@ -34,7 +34,7 @@ export function differentiate(graph, program, variableCount, order) {
 }
 
 /** The rules of differentiation, on jets. */
-class Calculus {
+export class Calculus {
   /** The pairs of variables of the second derivatives. @type {[number, number][]} */ #pairs = [];
   #g;
   #variables;
