@@ -1,13 +1,14 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
-import { checkBounds, checkDefinition, checkParameters, checkPeriodic, checkPoints, checkRange, readNumbers } from './definition.js';
+import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
 import { enterDomain, findDomain, liftEnds } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { meshRectangle } from './mesh.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { ReferenceFinder } from './reference.js';
 import { LAYOUT } from './runtime/heap.js';
+import { readShape } from './shapes.js';
 
-/** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
@@ -20,18 +21,21 @@ const RESOLUTION = { parametric: 96, implicit: 64 };
 
 /** What the two kinds differ in. */
 const SHAPE = {
-  parametric: { names: ['x', 'y', 'z'], variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
-  implicit: { names: ['f'], variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
+  parametric: { variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
+  implicit: { variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
 };
 
 export class Surface {
   /** @type {'parametric' | 'implicit'} */ kind;
   #solver;
   #forget;
-  /** @type {Expression[][]} */ #ranges = [];
+  /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
   /** @type {Record<string, number>} */ #parameters;
+  /** @type {ReferenceFinder | null} */ #finder = null;
+  /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
+  #reference = { wanted: null, compiled: null };
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
@@ -39,29 +43,18 @@ export class Surface {
   #generation = 0;
   #disposed = false;
 
-  /** Made by `parametric` and `implicit` of an instance. @param {import('./runtime/solver.js').Solver} solver @param {'parametric' | 'implicit'} kind @param {any} definition @param {() => void} forget called when the surface is disposed */
+  /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when the surface is disposed */
   constructor(solver, kind, definition, forget) {
-    const shape = SHAPE[kind];
-    checkDefinition(kind, definition, kind === 'parametric' ? [...shape.names, ...shape.variables] : shape.names, shape.names);
-    this.kind = kind;
+    this.#shape = readShape(kind, definition);
+    this.kind = kind === 'implicit' ? kind : 'parametric';
     this.#solver = solver;
     this.#forget = forget;
-    for (const name of kind === 'parametric' ? shape.variables : []) {
-      checkRange(kind, definition[name], name);
-      this.#ranges.push([...definition[name]]);
-    }
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
-    this.#compiled = compile({
-      outputs: shape.names.map((name) => definition[name]),
-      names: shape.names,
-      variables: shape.variables,
-      parameters: this.#parameters,
-      apply: solver.apply,
-      valueOrder: shape.valueOrder,
-    });
+    if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
+    this.#compiled = this.#compile();
     this.#install();
     this.#settle(range);
   }
@@ -175,16 +168,17 @@ export class Surface {
         throw new RangeError(
           `${caller}: the surface has no parameter '${name}'; it has ${Object.keys(this.#parameters).join(', ') || 'none'}`,
         );
-    const before = this.#parameters;
+    const [before, reference] = [this.#parameters, this.#reference.wanted];
     this.#wake();
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
-      this.#writeParameters();
+      this.#refresh();
       this.#settle(range);
     } catch (error) {
       this.#parameters = before;
-      this.#writeParameters();
+      this.#reference.wanted = reference;
+      this.#refresh();
       throw error;
     }
   }
@@ -193,10 +187,7 @@ export class Surface {
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
-    if (this.#installed && this.#generation === this.#solver.generation) {
-      this.#solver.remove(this.#installed);
-      this.#solver.heap.release(this.#record);
-    }
+    if (this.#installed && this.#generation === this.#solver.generation) this.#uninstall();
     this.#installed = null;
     this.#forget();
   }
@@ -204,6 +195,34 @@ export class Surface {
   /** @param {string} caller */
   #checkAlive(caller) {
     if (this.#disposed) throw new Error(`${caller}: this surface was disposed`);
+  }
+
+  #compile() {
+    const { outputs, names, variables } = this.#shape;
+    const { wanted } = this.#reference;
+    this.#reference.compiled = wanted;
+    return compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, wanted) : outputs,
+      names,
+      variables,
+      parameters: this.#parameters,
+      apply: this.#solver.apply,
+      valueOrder: SHAPE[this.kind].valueOrder,
+    });
+  }
+
+  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
+  #refresh() {
+    if (this.#reference.compiled === this.#reference.wanted) return this.#writeParameters();
+    this.#uninstall();
+    this.#compiled = this.#compile();
+    this.#install();
+    this.#writeRecord();
+  }
+
+  #uninstall() {
+    this.#solver.remove(/** @type {any} */ (this.#installed));
+    this.#solver.heap.release(this.#record);
   }
 
   /** Compiles the module into the solver's present instance. */
@@ -240,19 +259,20 @@ export class Surface {
     );
   }
 
-  /** The rectangle as the parameters make it. @param {string} caller */
+  /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
     if (this.kind !== 'parametric') return null;
     const [lower, upper] = [
       [0, 0],
       [0, 0],
     ];
-    for (const [j, name] of ['u', 'v'].entries()) {
-      const range = this.#ranges[j].map((end) => evaluateConstant(end, this.#parameters, this.#solver.apply, name));
+    for (const [j, [name, ends]] of this.#shape.ranges.entries()) {
+      const range = ends.map((end) => evaluateConstant(end, this.#parameters, this.#solver.apply, name));
       if (!range.every(Number.isFinite) || !(range[0] < range[1]))
         throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
       [lower[j], upper[j]] = range;
     }
+    if (this.#finder) this.#reference.wanted = this.#finder.find(this.#parameters, [lower[1], upper[1]]);
     return { lower, upper };
   }
 
