@@ -47,8 +47,8 @@ export const STATUS = new Map([
  * @property {'polyline' | 'paper'} [algorithm] 'polyline' (default): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
  *   paper's sign test and line search
  * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64
- * @property {'straight' | ArrayLike<number> | Path} [start] default 'straight': the straight line of the parameters (implicit: of space, projected); a
- *   polyline (u v or x y z, ends included) or an earlier path: a warm start
+ * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
+ *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
  * @property {number} [maxIterations] Newton steps at most, default 100
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
  * @property {boolean} [record] keep every iterate's points in `history`
@@ -82,7 +82,6 @@ export function describe(value) {
 function refuseUnbuilt(caller, options) {
   const unbuilt = [
     [options.algorithm === 'elements', "algorithm 'elements' is not built yet: use 'polyline'"],
-    [options.start === 'global', "start 'global' is not built yet: use 'straight', a polyline or an earlier path"],
     [options.tolerance !== undefined, 'tolerance is not built yet: choose `points`, and look at lengthError'],
     [options.via !== undefined, 'via is not built yet: solve piece by piece'],
   ];
@@ -93,7 +92,7 @@ function refuseUnbuilt(caller, options) {
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
  * @param {PathOptions | undefined} given
- * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'straight' | ArrayLike<number> | Path }}
+ * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path }}
  */
 export function readOptions(caller, given) {
   if (given !== undefined && (typeof given !== 'object' || given === null))
@@ -102,7 +101,7 @@ export function readOptions(caller, given) {
   for (const name of Object.keys(options))
     if (!KNOWN.has(name)) throw new TypeError(`${caller}: there is no option '${name}'; the options are ${[...KNOWN].join(', ')}`);
   refuseUnbuilt(caller, options);
-  const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'straight' } = options;
+  const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'global' } = options;
   const code = ALGORITHMS.get(algorithm);
   if (code === undefined) throw new RangeError(`${caller}: options.algorithm must be 'polyline' or 'paper', not ${describe(algorithm)}`);
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
@@ -132,7 +131,9 @@ export function readStart(caller, start, dimension) {
   if (isPath && !(numbers?.length > 0))
     throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
-    throw new TypeError(`${caller}: options.start must be 'straight', a polyline (an array of ${what}) or a path, not ${describe(start)}`);
+    throw new TypeError(
+      `${caller}: options.start must be 'global', 'straight', a polyline (an array of ${what}) or a path, not ${describe(start)}`,
+    );
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must hold ${what} of 2 to 1,000,000 points, not ${numbers.length} numbers`);
   const copy = Float64Array.from(/** @type {ArrayLike<number>} */ (numbers));

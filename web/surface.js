@@ -3,6 +3,7 @@
 import { checkBounds, checkDefinition, checkParameters, checkRange, readNumbers } from './definition.js';
 import { findDomain, liftNear } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
+import { findPaths, reverse } from './global.js';
 import { meshRectangle } from './mesh.js';
 import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
@@ -17,6 +18,11 @@ const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
+/** Cells a direction of the graph, and what it is refined to where it separates the ends. */
+const GRAPH_RESOLUTION = { parametric: [64, 128], implicit: [40, 64, 96] };
+/** Without bounds: cells between the ends, in parts of the resolution. */
+const FLOOD_RESOLUTION = 3;
+const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
 const SHAPE = {
@@ -33,6 +39,7 @@ export class Surface {
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
+  /** @type {{ graph: import('./runtime/heap.js').Graph, level: number } | null} */ #graph = null;
   #record = 0;
   #generation = 0;
   #disposed = false;
@@ -80,7 +87,7 @@ export class Surface {
   }
 
   /**
-   * The shortest path near its start between two points.
+   * The shortest path between two points: of all that a graph search found, or near a given start.
    * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
    * @param {ArrayLike<number>} to
    * @param {PathOptions} [options]
@@ -90,14 +97,33 @@ export class Surface {
     const caller = 'shortestPath';
     this.#checkAlive(caller);
     const { solve, start } = readOptions(caller, options);
-    const dimension = SHAPE[this.kind].variables.length;
-    const given = readStart(caller, start, dimension);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
+    if (start === 'global') return this.#findGlobal(ends, solve, 1)[0];
+    const given = readStart(caller, start, SHAPE[this.kind].variables.length);
     const lifted = this.#liftEnds(ends[0], ends[1], given);
     const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
     const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
     if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
     return path;
+  }
+
+  /**
+   * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
+   * @param {ArrayLike<number>} from as for {@link shortestPath}
+   * @param {ArrayLike<number>} to
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @returns {Path[]}
+   */
+  geodesics(from, to, options = {}) {
+    const caller = 'geodesics';
+    this.#checkAlive(caller);
+    const { max = MOST_GEODESICS, ...others } = options;
+    const { solve, start } = readOptions(caller, others);
+    if (!Number.isInteger(max) || max < 1)
+      throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
+    if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
+    const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
+    return this.#findGlobal(ends, solve, max).filter(({ index }) => index === 0);
   }
 
   /**
@@ -174,6 +200,7 @@ export class Surface {
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
+      this.#dropGraph();
       this.#writeParameters();
       this.#settle(range);
     } catch (error) {
@@ -187,6 +214,7 @@ export class Surface {
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
+    this.#dropGraph();
     if (this.#installed && this.#generation === this.#solver.generation) {
       this.#solver.remove(this.#installed);
       this.#solver.heap.release(this.#record);
@@ -210,6 +238,7 @@ export class Surface {
   /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
   #run(call) {
     if (this.#generation !== this.#solver.generation) {
+      this.#graph = null;
       this.#install();
       this.#writeRecord();
     }
@@ -291,6 +320,61 @@ export class Surface {
     if (start) return [liftNear(domain, from, [start[0], start[1]]), liftNear(domain, to, Array.from(start.subarray(-2)))];
     const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
     return swap ? [liftNear(domain, from, to), to] : [from, liftNear(domain, to, from)];
+  }
+
+  /** @param {number[][]} ends @param {import('./runtime/heap.js').SolveOptions} options @param {number} most @returns {Path[]} */
+  #findGlobal([from, to], options, most) {
+    const first = from.findIndex((x, j) => x !== to[j]);
+    const swap = first >= 0 && from[first] > to[first];
+    const [a, b] = swap ? [to, from] : [from, to];
+    const kind = KIND[this.kind];
+    const raw = this.#run((heap) =>
+      findPaths(
+        {
+          from: a,
+          to: b,
+          domain: this.#domain,
+          solve: (end, start, asked) => heap.solve(this.#record, { kind, from: a, to: end, start: start ?? null }, asked),
+          graph: (level) => this.#findGraph(heap, level, a, b),
+          search: (graph, points) => heap.searchGraph(this.#record, graph, a, b, points),
+        },
+        options,
+        most,
+      ),
+    );
+    return raw.map((found) => {
+      const path = makePath(swap ? reverse(found) : found);
+      if (path.parameters) shift(path.parameters, [from[0] - path.parameters[0], from[1] - path.parameters[1]]);
+      return path;
+    });
+  }
+
+  /**
+   * The graph of the surface, built when it is first needed. Without bounds it depends on the ends: cells a part of their distance wide.
+   * @param {import('./runtime/heap.js').Heap} heap @param {number} level refinements @param {number[]} from @param {number[]} to
+   * @returns {import('./runtime/heap.js').Graph | null}
+   */
+  #findGraph(heap, level, from, to) {
+    const resolutions = GRAPH_RESOLUTION[this.kind];
+    const [domain, box] = [this.#domain, this.#box];
+    const flooded = !domain && !box;
+    if (level >= resolutions.length) return null;
+    if (this.#graph && (flooded || this.#graph.level < level)) this.#dropGraph();
+    if (!this.#graph) {
+      const distance = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0));
+      const cell = flooded ? (distance * FLOOD_RESOLUTION) / resolutions[level] : 0;
+      if (flooded && !(cell > 0)) return null;
+      const area = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : (box ?? from.flatMap((x) => [x, x]));
+      const graph = heap.buildGraph(this.#record, KIND[this.kind], { box: area, cell, resolution: resolutions[level] });
+      if (graph.status !== STATUS_CONVERGED) return null;
+      this.#graph = { graph, level };
+    }
+    return this.#graph.graph;
+  }
+
+  #dropGraph() {
+    if (this.#graph && this.#generation === this.#solver.generation) this.#solver.heap.releaseGraph(this.#graph.graph);
+    this.#graph = null;
   }
 
   /** Where a projection starts. @param {number[]} target */
