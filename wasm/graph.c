@@ -42,12 +42,12 @@ int sp_builder_take(struct sp_builder *builder) {
     struct sp_arena *arena = builder->arena;
     size_t vertices = (size_t)graph->vertex_count;
     graph->positions = sp_arena_take(arena, vertices, 3 * sizeof(double));
-    graph->normals = sp_arena_take(arena, vertices, 3 * sizeof(float));
+    graph->normals = graph->kind == SP_IMPLICIT ? sp_arena_take(arena, vertices, 3 * sizeof(float)) : NULL;
     graph->first = sp_arena_take(arena, vertices + 1, sizeof(int32_t));
     size_t left = (arena->size - arena->used) / sizeof(struct sp_graph_edge), most = INT32_MAX / 2;
     builder->edge_capacity = (int32_t)(left < most ? left : most);
     graph->edges = sp_arena_take(arena, 0, sizeof(struct sp_graph_edge));
-    return graph->positions && graph->normals && graph->first;
+    return graph->positions && (graph->normals || graph->kind != SP_IMPLICIT) && graph->first;
 }
 
 int sp_builder_edge(struct sp_builder *builder, int32_t to, double length) {
@@ -64,7 +64,7 @@ static size_t padded(size_t bytes) { return (bytes + 15) & ~(size_t)15; }
 static void piece_sizes(const struct sp_graph *graph, size_t sizes[4]) {
     size_t vertices = (size_t)graph->vertex_count;
     sizes[0] = padded(vertices * 3 * sizeof(double));
-    sizes[1] = padded(vertices * 3 * sizeof(float));
+    sizes[1] = graph->normals ? padded(vertices * 3 * sizeof(float)) : 0;
     sizes[2] = padded((vertices + 1) * sizeof(int32_t));
     sizes[3] = padded((size_t)graph->edge_count * sizeof(struct sp_graph_edge));
 }
@@ -80,7 +80,8 @@ void sp_graph_keep(struct sp_graph *graph, void *block) {
     char *at = block;
     piece_sizes(graph, sizes);
     graph->positions = memcpy(at, graph->positions, vertices * 3 * sizeof(double)), at += sizes[0];
-    graph->normals = memcpy(at, graph->normals, vertices * 3 * sizeof(float)), at += sizes[1];
+    if (graph->normals) graph->normals = memcpy(at, graph->normals, vertices * 3 * sizeof(float));
+    at += sizes[1];
     graph->first = memcpy(at, graph->first, (vertices + 1) * sizeof(int32_t)), at += sizes[2];
     graph->edges = memcpy(at, graph->edges, (size_t)graph->edge_count * sizeof(struct sp_graph_edge));
 }
@@ -91,4 +92,21 @@ double sp_graph_sheet_length(const double a[3], const double normal_a[3], const 
     double rise_a = sp_dot3(chord, normal_a), rise_b = sp_dot3(chord, normal_b), limit = LARGEST_SINE * length;
     int one_sheet = cosine > LEAST_COSINE && rise_a <= limit && rise_a >= -limit && rise_b <= limit && rise_b >= -limit;
     return one_sheet ? length * (1 + (1 - cosine) / 12) : __builtin_inf();
+}
+
+void sp_block_put(struct sp_block *block, const double *point) {
+    int32_t i = block->count++;
+    for (int32_t j = 0; j < block->inputs; j++) {
+        sp_pair *at = block->in + block->inputs * (i / 2) + j;
+        *at = i & 1 ? (sp_pair){(*at)[0], point[j]} : sp_splat(point[j]);
+    }
+}
+
+void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate) { evaluate((block->count + 1) / 2, block->in, block->out); }
+
+double sp_dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double sp_distance3(const double a[3], const double b[3]) {
+    double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return sp_root(x * x + y * y + z * z);
 }

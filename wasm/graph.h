@@ -31,7 +31,7 @@ struct sp_graph {
     double spacing;              /* implicit: width of a cell */
     double lower[2], step[2];    /* parametric: place of a vertex from its index, i * count[1] + j */
     double *positions;           /* 3 a vertex */
-    float *normals;              /* 3 a vertex, unit; (0, 0, 0): not a point of the surface, without edges */
+    float *normals;              /* implicit: 3 a vertex, unit; (0, 0, 0): not a point of the surface, without edges. Parametric: NULL */
     int32_t *first;              /* vertex_count + 1: where the edges of a vertex begin */
     struct sp_graph_edge *edges; /* each way */
     int32_t kind, vertex_count, edge_count;

@@ -24,7 +24,7 @@ int sp_builder_take(struct sp_builder *builder);
 /* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. */
 int sp_builder_edge(struct sp_builder *builder, int32_t to, double length);
 
-/* Evaluates at most 2 SP_GRAPH_BLOCK points, `inputs` numbers each, and hands them out one by one with sp_block_get. */
+/* At most 2 SP_GRAPH_BLOCK points, put and got one by one, evaluated together. The lane without a point repeats the last. */
 struct sp_block {
     sp_pair in[3 * SP_GRAPH_BLOCK], out[SP_PARAMETRIC_JET * SP_GRAPH_BLOCK];
     int32_t inputs, outputs, count;
@@ -34,33 +34,18 @@ static inline void sp_block_open(struct sp_block *block, int32_t inputs, int32_t
     block->inputs = inputs, block->outputs = outputs, block->count = 0;
 }
 
-static inline void sp_block_put(struct sp_block *block, const double *point) {
-    int32_t i = block->count++;
-    for (int32_t j = 0; j < block->inputs; j++)
-        block->in[block->inputs * (i / 2) + j][i & 1] = point[j];
-}
+void sp_block_put(struct sp_block *block, const double *point);
 
-/* Evaluates what was put; the lane without a point repeats the last. */
-static inline void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate) {
-    int32_t pairs = (block->count + 1) / 2;
-    if (block->count & 1)
-        for (int32_t j = 0; j < block->inputs; j++)
-            block->in[block->inputs * (pairs - 1) + j][1] = block->in[block->inputs * (pairs - 1) + j][0];
-    evaluate(pairs, block->in, block->out);
-}
+void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate);
 
 static inline double sp_block_get(const struct sp_block *block, int32_t i, int32_t j) {
     return block->out[block->outputs * (i / 2) + j][i & 1];
 }
 
-static inline double sp_root(double x) { return sp_square_root(sp_splat(x))[0]; }
+static inline double sp_root(double x) { return __builtin_sqrt(x); }
 
-static inline double sp_dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static inline double sp_distance3(const double a[3], const double b[3]) {
-    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sp_root(sp_dot3(d, d));
-}
+double sp_dot3(const double a[3], const double b[3]);
+double sp_distance3(const double a[3], const double b[3]);
 
 /* The largest whole number that is not above x, for |x| < 2^51. */
 static inline double sp_round_down(double x) {

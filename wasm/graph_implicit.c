@@ -1,8 +1,9 @@
 /* The graph of an implicit surface: the cells of a cubic grid in which f changes sign, found by a sweep of a box or by a flood from a
  * point. Centres are moved onto f = 0; what lies within two cells on the same sheet is joined. */
+#include "chart.h"
 #include "graph_build.h"
 
-enum { REACH = 2, SETTLE_STEPS = 5, FLOOD_SLOTS = 1 << 17 };
+enum { REACH = 2, FLOOD_SLOTS = 1 << 17 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
@@ -184,19 +185,6 @@ static int flood(struct cells *cells) {
     return cells->count < cells->capacity && close_list(cells);
 }
 
-/* Moves the points of a block by Eq. 37, a few times: what is left of f is then far below a cell. */
-static void settle(const struct sp_surface *surface, struct sp_block *block) {
-    for (int step = 0; step <= SETTLE_STEPS; step++) {
-        sp_block_evaluate(block, surface->value);
-        for (int32_t pair = 0; pair < (block->count + 1) / 2 && step < SETTLE_STEPS; pair++) {
-            sp_pair *place = block->in + SP_IMPLICIT_INPUTS * pair;
-            const sp_pair *value = block->out + SP_IMPLICIT_VALUES * pair;
-            struct sp_vector gradient = sp_load(value + 1);
-            sp_store(sp_subtract(sp_load(place), sp_scale(gradient, value[0] / sp_dot(gradient, gradient))), place);
-        }
-    }
-}
-
 /* Writes one settled centre, or, if it went astray, a vertex without a normal. */
 static void write_vertex(const struct cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
     struct sp_graph *graph = cells->builder->graph;
@@ -217,6 +205,7 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
 }
 
 static void write_vertices(const struct cells *cells) {
+    const struct sp_graph *graph = cells->builder->graph;
     struct sp_block block;
     sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
     double point[3];
@@ -228,7 +217,8 @@ static void write_vertices(const struct cells *cells) {
                 point[c] += 0.5 * cells->width[c];
             sp_block_put(&block, point);
         }
-        settle(cells->builder->surface, &block);
+        sp_implicit_settle(cells->builder->surface, (block.count + 1) / 2, block.in, graph->spacing);
+        sp_block_evaluate(&block, cells->builder->surface->value);
         for (int32_t k = 0; k < block.count; k++)
             write_vertex(cells, &block, k, first + k);
     }

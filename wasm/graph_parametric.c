@@ -2,11 +2,15 @@
  * sampled once, on a grid twice as fine, which holds the vertices and the middles of all edges. */
 #include "graph_build.h"
 
-enum { REACH = 3, BISECTIONS = 12 };
+enum { REACH = 3, BISECTIONS = 12, PROBES = 8 };
 
 /* A pole: the samples of an edge of the rectangle vary by less than this part of the patch. A curve where the normal vanishes: after the
- * bisections it is this much shorter than at the ends of the segment. Rounding of a curvature that is zero. */
-static const double COLLAPSED = 1e-9, VANISHING = 1e-2, FLAT = 1e-10;
+ * bisections it is this much shorter than at the ends of the segment. Rounding of a curvature that is zero, and
+ * of the square of a normal that is. */
+static const double COLLAPSED = 1e-9, VANISHING = 1e-2, FLAT = 1e-10, NOTHING = 1e-12;
+
+/* The square root of how much longer a rectangle may be one way than the other. */
+static const double LEAST_RATIO = 0.3;
 
 struct grid {
     const struct sp_builder *builder;
@@ -119,14 +123,22 @@ int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const 
     return sp_dot3(middle, middle) < VANISHING * VANISHING * larger;
 }
 
-/* The side of a vertex from that of its neighbour. */
-static int8_t side_after(const struct grid *grid, int32_t i, int32_t j, int32_t before_i, int32_t before_j) {
-    size_t here = vertex_at(grid, i, j), before = vertex_at(grid, before_i, before_j);
-    int8_t side = grid->sheet[before];
-    if (!(sp_dot3(grid->normals + 3 * here, grid->normals + 3 * before) < 0)) return side;
-    double a[2] = {place_of(grid, 0, 2 * before_i), place_of(grid, 1, 2 * before_j)};
-    double b[2] = {place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * j)};
-    return sp_graph_crosses(grid->builder->surface, a, b) ? (int8_t)-side : side;
+/* The side of a vertex from that of the one before it in a direction. A vertex at which the normal vanishes tells nothing: it is passed
+ * over. */
+static int8_t side_after(const struct grid *grid, int direction, int32_t i, int32_t j) {
+    int32_t at[2] = {i, j}, before[2] = {i, j};
+    before[direction]--;
+    const double *here = grid->normals + 3 * vertex_at(grid, i, j), *there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
+    int8_t side = grid->sheet[vertex_at(grid, before[0], before[1])];
+    while (before[direction] > 0 && sp_dot3(there, there) <= NOTHING * sp_dot3(here, here)) {
+        before[direction]--;
+        there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
+    }
+    if (!(sp_dot3(here, there) < 0)) return side;
+    double places[2][2];
+    for (int d = 0; d < 2; d++)
+        places[0][d] = place_of(grid, d, 2 * before[d]), places[1][d] = place_of(grid, d, 2 * at[d]);
+    return sp_graph_crosses(grid->builder->surface, places[0], places[1]) ? (int8_t)-side : side;
 }
 
 /* Curves on which the normal vanishes divide the rectangle; crossing one changes the side. */
@@ -137,7 +149,7 @@ static int divide_sheets(const struct grid *grid) {
     for (int32_t i = 0; i < count[0]; i++)
         for (int32_t j = 0; j < count[1]; j++) {
             if (i + j == 0) continue;
-            int8_t side = j ? side_after(grid, i, j, i, j - 1) : side_after(grid, i, 0, i - 1, 0);
+            int8_t side = side_after(grid, j > 0, i, j);
             grid->sheet[vertex_at(grid, i, j)] = side;
             divided |= side < 0;
         }
@@ -209,19 +221,12 @@ static int join_all(const struct grid *grid) {
     return fits;
 }
 
-/* Positions and unit normals of the vertices. */
-static void write_vertices(const struct grid *grid) {
+static void write_positions(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
     for (int32_t i = 0; i < graph->count[0]; i++)
-        for (int32_t j = 0; j < graph->count[1]; j++) {
-            size_t k = 3 * vertex_at(grid, i, j);
-            const double *normal = grid->normals + k;
-            double length = sp_root(sp_dot3(normal, normal));
-            for (size_t c = 0; c < 3; c++) {
-                graph->positions[k + c] = position_at(grid, 2 * i, 2 * j)[c];
-                graph->normals[k + c] = (float)(length > 0 ? normal[c] / length : 0);
-            }
-        }
+        for (int32_t j = 0; j < graph->count[1]; j++)
+            for (int c = 0; c < 3; c++)
+                graph->positions[3 * vertex_at(grid, i, j) + (size_t)c] = position_at(grid, 2 * i, 2 * j)[c];
 }
 
 static int take_grid(struct grid *grid) {
@@ -233,12 +238,39 @@ static int take_grid(struct grid *grid) {
     return grid->positions && grid->normals && grid->sheet && sp_builder_take(builder);
 }
 
+/* Cells that are about square on the surface: their numbers in both directions, resolution^2 in all. From the chords of an 8 x 8 grid. */
+static void choose_cells(struct grid *grid) {
+    struct sp_block block;
+    const struct sp_builder *builder = grid->builder;
+    double place[2], length[2] = {0, 0}, resolution = builder->options->resolution;
+    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_VALUES);
+    for (int32_t k = 0; k < PROBES * PROBES; k++) {
+        grid->cells[0] = grid->cells[1] = PROBES - 1;
+        place[0] = place_of(grid, 0, 2 * (k / PROBES)), place[1] = place_of(grid, 1, 2 * (k % PROBES));
+        sp_block_put(&block, place);
+    }
+    sp_block_evaluate(&block, builder->surface->value);
+    for (int32_t k = 0; k < PROBES * PROBES; k++)
+        for (int direction = 0; direction < 2; direction++) {
+            int32_t next = k + (direction ? 1 : PROBES);
+            if ((direction ? k % PROBES : k / PROBES) == PROBES - 1) continue;
+            double chord[3];
+            for (int32_t c = 0; c < 3; c++)
+                chord[c] = sp_block_get(&block, next, c) - sp_block_get(&block, k, c);
+            length[direction] += sp_root(sp_dot3(chord, chord));
+        }
+    double ratio = sp_root(length[0] / length[1]);
+    ratio = !(ratio > LEAST_RATIO) ? LEAST_RATIO : ratio > 1 / LEAST_RATIO ? 1 / LEAST_RATIO : ratio;
+    if (!sp_is_finite(length[0] + length[1])) ratio = 1;
+    grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
+}
+
 int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct grid grid = {.builder = builder};
+    choose_cells(&grid);
     for (int j = 0; j < 2; j++) {
         graph->wraps[j] = !sp_is_finite(builder->surface->lower[j]);
-        grid.cells[j] = builder->options->resolution;
         graph->count[j] = grid.cells[j] + !graph->wraps[j];
         grid.samples[j] = 2 * grid.cells[j] + !graph->wraps[j];
         graph->lower[j] = builder->options->box[2 * j];
@@ -250,6 +282,6 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     int outwards = inspect(&grid, 0) | inspect(&grid, 1), collapsed = find_collapsed(&grid);
     graph->singular = divide_sheets(&grid);
     graph->unique = !outwards && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1];
-    write_vertices(&grid);
+    write_positions(&grid);
     return join_all(&grid) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

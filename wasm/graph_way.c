@@ -63,8 +63,9 @@ static void append_vertex(struct line *line, int32_t vertex) {
 
 /* Is a vertex on a collapsed edge of the rectangle? Which: 0 … 3, or -1. */
 static int collapsed_edge(const struct sp_graph *graph, int32_t vertex) {
+    if (graph->kind != SP_PARAMETRIC) return -1;
     int32_t index[2] = {vertex / graph->count[1], vertex % graph->count[1]};
-    for (int edge = 0; edge < 4 && graph->kind == SP_PARAMETRIC; edge++)
+    for (int edge = 0; edge < 4; edge++)
         if (graph->collapsed[edge] && index[edge / 2] == (edge & 1 ? graph->count[edge / 2] - 1 : 0)) return edge;
     return -1;
 }

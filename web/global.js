@@ -4,6 +4,7 @@
  */
 
 import { liftNear } from './domain.js';
+import { emptyPath } from './runtime/heap.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
@@ -17,12 +18,13 @@ import { liftNear } from './domain.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions) => RawPath} solve from `from`
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
+ * @property {() => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
  */
 
 const STATUS = { converged: 0, illConditioned: 4, disconnected: -1, offSurface: -4 };
 /** Inner points of the rough solves, until one holds. */
-const ROUGH = [31, 63, 127];
+const ROUGH = [31, 63, 127, 255];
 const CANDIDATE_POINTS = 65;
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 const MARGIN = 1e-3;
@@ -48,8 +50,9 @@ export function findPaths(problem, options, most) {
     if (path.status === STATUS.converged) return [path];
   }
   const { starts, status } = findStarts(problem, graph);
-  const rough = distinct(starts.map((start) => solveRoughly(problem, start)).filter(({ path }) => holds(path)));
-  if (rough.length === 0) return [{ ...problem.solve(problem.to, null, options), ...(status === STATUS.disconnected ? { status } : {}) }];
+  const tried = starts.map((start) => solveRoughly(problem, start));
+  const rough = distinct(tried.filter(({ path }) => holds(path)));
+  if (rough.length === 0) return [status === STATUS.disconnected ? emptyPath(status) : solveWeakly(problem, tried, options)];
   const limit = most === 1 ? estimate(rough[0].path) * (1 + MARGIN) : Infinity;
   const wanted = rough.filter(({ path }) => estimate(path) <= limit).slice(0, Math.max(most, 4));
   const solved = wanted.map(({ to, path }) => ({ to, path: problem.solve(to, path.parameters ?? path.points, options) }));
@@ -66,12 +69,13 @@ function findStarts(problem, graph) {
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
   const dimension = problem.from.length;
   let status = STATUS.converged;
+  if (!graph) graph = problem.flood();
   for (let level = 1; graph; level++) {
     const found = problem.search(graph, CANDIDATE_POINTS);
     status = found.status;
     for (const start of found.candidates) starts.push({ to: Array.from(start.subarray(-dimension)), start });
     if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-    graph = problem.graph(level);
+    graph = problem.graph(level) ?? (graph.flooded || status === STATUS.disconnected ? null : problem.flood());
   }
   return { starts, status };
 }
@@ -94,6 +98,12 @@ function solveRoughly(problem, { to, start }) {
   let path = problem.solve(to, start, { ...options, points: ROUGH[0] });
   for (const points of ROUGH.slice(1)) if (start && !holds(path)) path = problem.solve(to, start, { ...options, points });
   return { to, path };
+}
+
+/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options */
+function solveWeakly(problem, tried, options) {
+  const [best] = tried.filter(({ path }) => path.index === 0 && path.points.length > 0).sort((a, b) => estimate(a.path) - estimate(b.path));
+  return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
 }
 
 /** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */

@@ -20,8 +20,8 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** Cells a direction of the graph, and what it is refined to where it separates the ends. */
 const GRAPH_RESOLUTION = { parametric: [64, 128], implicit: [40, 64, 96] };
-/** Without bounds: cells between the ends, in parts of the resolution. */
-const FLOOD_RESOLUTION = 3;
+/** Without bounds: cells between the ends. */
+const FLOOD_CELLS = 14;
 const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
@@ -39,7 +39,8 @@ export class Surface {
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
-  /** @type {{ graph: import('./runtime/heap.js').Graph, level: number } | null} */ #graph = null;
+  /** @type {import('./runtime/heap.js').Graph[]} by level of refinement */ #graphs = [];
+  /** @type {import('./runtime/heap.js').Graph | null} */ #flood = null;
   #record = 0;
   #generation = 0;
   #disposed = false;
@@ -200,7 +201,7 @@ export class Surface {
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
-      this.#dropGraph();
+      this.#dropGraphs();
       this.#writeParameters();
       this.#settle(range);
     } catch (error) {
@@ -214,7 +215,7 @@ export class Surface {
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
-    this.#dropGraph();
+    this.#dropGraphs();
     if (this.#installed && this.#generation === this.#solver.generation) {
       this.#solver.remove(this.#installed);
       this.#solver.heap.release(this.#record);
@@ -238,7 +239,7 @@ export class Surface {
   /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
   #run(call) {
     if (this.#generation !== this.#solver.generation) {
-      this.#graph = null;
+      this.#forgetGraphs();
       this.#install();
       this.#writeRecord();
     }
@@ -335,7 +336,8 @@ export class Surface {
           to: b,
           domain: this.#domain,
           solve: (end, start, asked) => heap.solve(this.#record, { kind, from: a, to: end, start: start ?? null }, asked),
-          graph: (level) => this.#findGraph(heap, level, a, b),
+          graph: (level) => this.#findGraph(heap, level),
+          flood: () => this.#floodGraph(heap, a, b),
           search: (graph, points) => heap.searchGraph(this.#record, graph, a, b, points),
         },
         options,
@@ -350,31 +352,39 @@ export class Surface {
   }
 
   /**
-   * The graph of the surface, built when it is first needed. Without bounds it depends on the ends: cells a part of their distance wide.
-   * @param {import('./runtime/heap.js').Heap} heap @param {number} level refinements @param {number[]} from @param {number[]} to
+   * The graph of the surface, refined `level` times; built when it is first needed. Null: there is none so fine.
+   * @param {import('./runtime/heap.js').Heap} heap @param {number} level
    * @returns {import('./runtime/heap.js').Graph | null}
    */
-  #findGraph(heap, level, from, to) {
-    const resolutions = GRAPH_RESOLUTION[this.kind];
-    const [domain, box] = [this.#domain, this.#box];
-    const flooded = !domain && !box;
-    if (level >= resolutions.length) return null;
-    if (this.#graph && (flooded || this.#graph.level < level)) this.#dropGraph();
-    if (!this.#graph) {
-      const distance = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0));
-      const cell = flooded ? (distance * FLOOD_RESOLUTION) / resolutions[level] : 0;
-      if (flooded && !(cell > 0)) return null;
-      const area = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : (box ?? from.flatMap((x) => [x, x]));
-      const graph = heap.buildGraph(this.#record, KIND[this.kind], { box: area, cell, resolution: resolutions[level] });
-      if (graph.status !== STATUS_CONVERGED) return null;
-      this.#graph = { graph, level };
-    }
-    return this.#graph.graph;
+  #findGraph(heap, level) {
+    const [domain, resolution] = [this.#domain, GRAPH_RESOLUTION[this.kind][level]];
+    const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : this.#box;
+    if (!box || !resolution) return null;
+    this.#graphs[level] ??= heap.buildGraph(this.#record, KIND[this.kind], { box, cell: 0, resolution });
+    return this.#graphs[level].status === STATUS_CONVERGED ? this.#graphs[level] : null;
   }
 
-  #dropGraph() {
-    if (this.#graph && this.#generation === this.#solver.generation) this.#solver.heap.releaseGraph(this.#graph.graph);
-    this.#graph = null;
+  /**
+   * The graph of an implicit surface around a point, whatever its bounds: cells a part of the distance to another wide. Kept until the next one.
+   * @param {import('./runtime/heap.js').Heap} heap @param {number[]} from @param {number[]} to
+   */
+  #floodGraph(heap, from, to) {
+    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_CELLS;
+    if (this.kind !== 'implicit' || !(cell > 0)) return null;
+    if (this.#flood) heap.releaseGraph(this.#flood);
+    this.#flood = heap.buildGraph(this.#record, KIND.implicit, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
+    return this.#flood.status === STATUS_CONVERGED ? this.#flood : null;
+  }
+
+  #forgetGraphs() {
+    this.#graphs = [];
+    this.#flood = null;
+  }
+
+  #dropGraphs() {
+    if (this.#generation === this.#solver.generation) for (const graph of this.#graphs) this.#solver.heap.releaseGraph(graph);
+    if (this.#flood && this.#generation === this.#solver.generation) this.#solver.heap.releaseGraph(this.#flood);
+    this.#forgetGraphs();
   }
 
   /** Where a projection starts. @param {number[]} target */

@@ -65,6 +65,7 @@ const MOST_GRAPH_BYTES = 2 ** 29;
  * @property {number} spacing implicit: diagonal of a cell
  * @property {boolean} unique geodesics of this surface are taken as unique
  * @property {boolean} singular the normal vanishes along a curve
+ * @property {boolean} flooded made around one point
  */
 
 export class Heap {
@@ -234,10 +235,21 @@ export class Heap {
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
     if (!block)
-      return { status: status || OUT_OF_MEMORY, at: 0, block, bytes, vertices: 0, edges: 0, spacing: 0, unique: false, singular: false };
+      return {
+        status: status || OUT_OF_MEMORY,
+        at: 0,
+        block,
+        bytes,
+        vertices: 0,
+        edges: 0,
+        spacing: 0,
+        unique: false,
+        singular: false,
+        flooded: false,
+      };
     const [vertices, edges, unique, singular] = this.#words(at + LAYOUT.sp_graph.vertex_count, 4);
     const spacing = this.#doubles(at, 1)[0];
-    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0 };
+    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0, flooded: cell > 0 };
   }
 
   /** @param {Graph} graph */
