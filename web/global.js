@@ -18,11 +18,13 @@ import { emptyPath } from './runtime/heap.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions) => RawPath} solve from `from`
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
- * @property {() => Graph | null} flood a graph around the first end, bounds or not
+ * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
  */
 
-const STATUS = { converged: 0, illConditioned: 4, disconnected: -1, offSurface: -4 };
+const STATUS = { converged: 0, illConditioned: 4, disconnected: -1, singular: -2, offSurface: -4 };
+/** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
+const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds. */
 const ROUGH = [31, 63, 127, 255];
 const CANDIDATE_POINTS = 65;
@@ -44,12 +46,11 @@ const estimate = (path) => path.length + path.lengthError;
  * @returns {RawPath[]}
  */
 export function findPaths(problem, options, most) {
-  const graph = problem.graph(0);
-  if (graph?.unique) {
+  if (problem.graph(0)?.unique) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === STATUS.converged) return [path];
   }
-  const { starts, status } = findStarts(problem, graph);
+  const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   if (rough.length === 0) return [status === STATUS.disconnected ? emptyPath(status) : solveWeakly(problem, tried, options)];
@@ -63,19 +64,31 @@ export function findPaths(problem, options, most) {
     .map(({ path }) => path);
 }
 
-/** Starts: the straight lines to the nearest lifts of the end, then the ways through the graph. @param {Problem} problem @param {Graph | null} graph */
-function findStarts(problem, graph) {
+/**
+ * Starts: the straight lines to the nearest lifts of the end, then the ways through the first graph that joins the ends. The last status says why
+ * there are none of these.
+ * @param {Problem} problem
+ */
+function findStarts(problem) {
   /** @type {Start[]} */
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
-  const dimension = problem.from.length;
-  let status = STATUS.converged;
-  if (!graph) graph = problem.flood();
-  for (let level = 1; graph; level++) {
-    const found = problem.search(graph, CANDIDATE_POINTS);
-    status = found.status;
-    for (const start of found.candidates) starts.push({ to: Array.from(start.subarray(-dimension)), start });
+  const search = (/** @type {Graph} */ graph) => {
+    const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
+    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
+    return status;
+  };
+  let status = STATUS.offSurface;
+  for (let level = 0, graph = problem.graph(0); graph; graph = problem.graph(++level)) {
+    status = search(graph);
+    if (status === STATUS.disconnected && graph.singular) status = STATUS.singular;
     if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-    graph = problem.graph(level) ?? (graph.flooded || status === STATUS.disconnected ? null : problem.flood());
+  }
+  if (status !== STATUS.offSurface) return { starts, status };
+  for (let level = 0, graph = problem.flood(0); graph; graph = problem.flood(++level)) {
+    status = search(graph);
+    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+    if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
+    status = STATUS.disconnected;
   }
   return { starts, status };
 }

@@ -20,8 +20,8 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** Cells a direction of the graph, and what it is refined to where it separates the ends. */
 const GRAPH_RESOLUTION = { parametric: [64, 128], implicit: [40, 64, 96] };
-/** Without bounds: cells between the ends. */
-const FLOOD_CELLS = 14;
+/** The same without bounds: cells between the ends. */
+const FLOOD_RESOLUTION = [14, 22, 34];
 const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
@@ -115,11 +115,11 @@ export class Surface {
    * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
    * @returns {Path[]}
    */
-  geodesics(from, to, options = {}) {
+  geodesics(from, to, options) {
     const caller = 'geodesics';
     this.#checkAlive(caller);
-    const { max = MOST_GEODESICS, ...others } = options;
-    const { solve, start } = readOptions(caller, others);
+    const { max = MOST_GEODESICS, ...others } = options ?? {};
+    const { solve, start } = readOptions(caller, options && others);
     if (!Number.isInteger(max) || max < 1)
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
@@ -337,7 +337,7 @@ export class Surface {
           domain: this.#domain,
           solve: (end, start, asked) => heap.solve(this.#record, { kind, from: a, to: end, start: start ?? null }, asked),
           graph: (level) => this.#findGraph(heap, level),
-          flood: () => this.#floodGraph(heap, a, b),
+          flood: (level) => this.#floodGraph(heap, level, a, b),
           search: (graph, points) => heap.searchGraph(this.#record, graph, a, b, points),
         },
         options,
@@ -366,10 +366,10 @@ export class Surface {
 
   /**
    * The graph of an implicit surface around a point, whatever its bounds: cells a part of the distance to another wide. Kept until the next one.
-   * @param {import('./runtime/heap.js').Heap} heap @param {number[]} from @param {number[]} to
+   * @param {import('./runtime/heap.js').Heap} heap @param {number} level @param {number[]} from @param {number[]} to
    */
-  #floodGraph(heap, from, to) {
-    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_CELLS;
+  #floodGraph(heap, level, from, to) {
+    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
     if (this.kind !== 'implicit' || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
     this.#flood = heap.buildGraph(this.#record, KIND.implicit, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
