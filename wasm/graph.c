@@ -41,12 +41,12 @@ int sp_builder_take(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct sp_arena *arena = builder->arena;
     size_t vertices = (size_t)graph->vertex_count;
-    graph->positions = sp_arena_take(arena, vertices, 3 * sizeof(double));
-    graph->normals = graph->kind == SP_IMPLICIT ? sp_arena_take(arena, vertices, 3 * sizeof(float)) : NULL;
-    graph->first = sp_arena_take(arena, vertices + 1, sizeof(int32_t));
+    graph->positions = sp_graph_take(arena, vertices, 3 * sizeof(double));
+    graph->normals = graph->kind == SP_IMPLICIT ? sp_graph_take(arena, vertices, 3 * sizeof(float)) : NULL;
+    graph->first = sp_graph_take(arena, vertices + 1, sizeof(int32_t));
     size_t left = (arena->size - arena->used) / sizeof(struct sp_graph_edge), most = INT32_MAX / 2;
     builder->edge_capacity = (int32_t)(left < most ? left : most);
-    graph->edges = sp_arena_take(arena, 0, sizeof(struct sp_graph_edge));
+    graph->edges = sp_graph_take(arena, 0, sizeof(struct sp_graph_edge));
     return graph->positions && (graph->normals || graph->kind != SP_IMPLICIT) && graph->first;
 }
 
@@ -58,32 +58,18 @@ int sp_builder_edge(struct sp_builder *builder, int32_t to, double length) {
     return 1;
 }
 
-static size_t padded(size_t bytes) { return (bytes + 15) & ~(size_t)15; }
+/* sp_builder_take puts the arrays one behind the other, the edges last. */
+static char *begin_of(const struct sp_graph *graph) { return (char *)graph->positions; }
 
-/* The four arrays in one piece: their sizes in order. */
-static void piece_sizes(const struct sp_graph *graph, size_t sizes[4]) {
-    size_t vertices = (size_t)graph->vertex_count;
-    sizes[0] = padded(vertices * 3 * sizeof(double));
-    sizes[1] = graph->normals ? padded(vertices * 3 * sizeof(float)) : 0;
-    sizes[2] = padded((vertices + 1) * sizeof(int32_t));
-    sizes[3] = padded((size_t)graph->edge_count * sizeof(struct sp_graph_edge));
-}
-
-double sp_graph_bytes(const struct sp_graph *graph) {
-    size_t sizes[4];
-    piece_sizes(graph, sizes);
-    return (double)(sizes[0] + sizes[1] + sizes[2] + sizes[3]);
-}
+double sp_graph_bytes(const struct sp_graph *graph) { return (double)((char *)(graph->edges + graph->edge_count) - begin_of(graph)); }
 
 void sp_graph_keep(struct sp_graph *graph, void *block) {
-    size_t sizes[4], vertices = (size_t)graph->vertex_count;
-    char *at = block;
-    piece_sizes(graph, sizes);
-    graph->positions = memcpy(at, graph->positions, vertices * 3 * sizeof(double)), at += sizes[0];
-    if (graph->normals) graph->normals = memcpy(at, graph->normals, vertices * 3 * sizeof(float));
-    at += sizes[1];
-    graph->first = memcpy(at, graph->first, (vertices + 1) * sizeof(int32_t)), at += sizes[2];
-    graph->edges = memcpy(at, graph->edges, (size_t)graph->edge_count * sizeof(struct sp_graph_edge));
+    char *begin = begin_of(graph), *to = block;
+    memcpy(to, begin, (size_t)sp_graph_bytes(graph));
+    graph->edges = (struct sp_graph_edge *)(to + ((char *)graph->edges - begin));
+    graph->first = (int32_t *)(to + ((char *)graph->first - begin));
+    if (graph->normals) graph->normals = (float *)(to + ((char *)graph->normals - begin));
+    graph->positions = (double *)to;
 }
 
 double sp_graph_sheet_length(const double a[3], const double normal_a[3], const double b[3], const double normal_b[3]) {
@@ -94,10 +80,18 @@ double sp_graph_sheet_length(const double a[3], const double normal_a[3], const 
     return one_sheet ? length * (1 + (1 - cosine) / 12) : __builtin_inf();
 }
 
+void *sp_graph_take(struct sp_arena *arena, size_t count, size_t item_bytes) { return sp_arena_take(arena, count, item_bytes); }
+
+void sp_block_open(struct sp_block *block, int32_t inputs, int32_t outputs) {
+    block->inputs = inputs, block->outputs = outputs, block->count = 0;
+}
+
+double sp_block_get(const struct sp_block *block, int32_t i, int32_t j) { return block->out[block->outputs * (i >> 1) + j][i & 1]; }
+
 void sp_block_put(struct sp_block *block, const double *point) {
     int32_t i = block->count++;
     for (int32_t j = 0; j < block->inputs; j++) {
-        sp_pair *at = block->in + block->inputs * (i / 2) + j;
+        sp_pair *at = block->in + block->inputs * (i >> 1) + j;
         *at = i & 1 ? (sp_pair){(*at)[0], point[j]} : sp_splat(point[j]);
     }
 }

@@ -18,6 +18,9 @@ struct sp_builder {
 int32_t sp_graph_build_parametric(struct sp_builder *builder);
 int32_t sp_graph_build_implicit(struct sp_builder *builder);
 
+/* sp_arena_take, once. */
+void *sp_graph_take(struct sp_arena *arena, size_t count, size_t item_bytes);
+
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 
@@ -30,17 +33,13 @@ struct sp_block {
     int32_t inputs, outputs, count;
 };
 
-static inline void sp_block_open(struct sp_block *block, int32_t inputs, int32_t outputs) {
-    block->inputs = inputs, block->outputs = outputs, block->count = 0;
-}
+void sp_block_open(struct sp_block *block, int32_t inputs, int32_t outputs);
 
 void sp_block_put(struct sp_block *block, const double *point);
 
 void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate);
 
-static inline double sp_block_get(const struct sp_block *block, int32_t i, int32_t j) {
-    return block->out[block->outputs * (i / 2) + j][i & 1];
-}
+double sp_block_get(const struct sp_block *block, int32_t i, int32_t j);
 
 static inline double sp_root(double x) { return __builtin_sqrt(x); }
 
@@ -61,6 +60,9 @@ double sp_graph_sheet_length(const double a[3], const double normal_a[3], const 
 
 /* Parametric: does S_u x S_v vanish, and turn over, between two places whose normals look away from each other? */
 int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]);
+
+/* Parametric: the point at a place. */
+void sp_graph_position(const struct sp_surface *surface, const double place[2], double position[3]);
 
 /* Parametric: S_u x S_v at a place. */
 void sp_graph_normal(const struct sp_surface *surface, const double place[2], double normal[3]);

@@ -98,6 +98,13 @@ static int inspect(const struct grid *grid, int32_t offset) {
     return outwards;
 }
 
+void sp_graph_position(const struct sp_surface *surface, const double place[2], double position[3]) {
+    sp_pair in[SP_PARAMETRIC_INPUTS] = {sp_splat(place[0]), sp_splat(place[1])}, out[SP_PARAMETRIC_VALUES];
+    surface->value(1, in, out);
+    for (int c = 0; c < 3; c++)
+        position[c] = out[c][0];
+}
+
 void sp_graph_normal(const struct sp_surface *surface, const double place[2], double normal[3]) {
     struct sp_block block;
     sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_JET);
@@ -232,32 +239,22 @@ static void write_positions(const struct grid *grid) {
 static int take_grid(struct grid *grid) {
     struct sp_builder *builder = (struct sp_builder *)grid->builder;
     size_t samples = (size_t)grid->samples[0] * (size_t)grid->samples[1], vertices = (size_t)builder->graph->vertex_count;
-    grid->positions = sp_arena_take(builder->arena, samples, 3 * sizeof(double));
-    grid->normals = sp_arena_take(builder->arena, vertices, 3 * sizeof(double));
-    grid->sheet = sp_arena_take(builder->arena, vertices, 1);
+    grid->positions = sp_graph_take(builder->arena, samples, 3 * sizeof(double));
+    grid->normals = sp_graph_take(builder->arena, vertices, 3 * sizeof(double));
+    grid->sheet = sp_graph_take(builder->arena, vertices, 1);
     return grid->positions && grid->normals && grid->sheet && sp_builder_take(builder);
 }
 
 /* Cells that are about square on the surface: their numbers in both directions, resolution^2 in all. From the chords of an 8 x 8 grid. */
 static void choose_cells(struct grid *grid) {
-    struct sp_block block;
-    const struct sp_builder *builder = grid->builder;
-    double place[2], length[2] = {0, 0}, resolution = builder->options->resolution;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_VALUES);
-    for (int32_t k = 0; k < PROBES * PROBES; k++) {
-        grid->cells[0] = grid->cells[1] = PROBES - 1;
-        place[0] = place_of(grid, 0, 2 * (k / PROBES)), place[1] = place_of(grid, 1, 2 * (k % PROBES));
-        sp_block_put(&block, place);
-    }
-    sp_block_evaluate(&block, builder->surface->value);
-    for (int32_t k = 0; k < PROBES * PROBES; k++)
-        for (int direction = 0; direction < 2; direction++) {
-            int32_t next = k + (direction ? 1 : PROBES);
-            if ((direction ? k % PROBES : k / PROBES) == PROBES - 1) continue;
-            double chord[3];
-            for (int32_t c = 0; c < 3; c++)
-                chord[c] = sp_block_get(&block, next, c) - sp_block_get(&block, k, c);
-            length[direction] += sp_root(sp_dot3(chord, chord));
+    double position[PROBES][PROBES][3], length[2] = {0, 0}, resolution = grid->builder->options->resolution;
+    grid->cells[0] = grid->cells[1] = PROBES - 1;
+    for (int32_t i = 0; i < PROBES; i++)
+        for (int32_t j = 0; j < PROBES; j++) {
+            double place[2] = {place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * j)};
+            sp_graph_position(grid->builder->surface, place, position[i][j]);
+            if (i) length[0] += sp_distance3(position[i][j], position[i - 1][j]);
+            if (j) length[1] += sp_distance3(position[i][j], position[i][j - 1]);
         }
     double ratio = sp_root(length[0] / length[1]);
     ratio = !(ratio > LEAST_RATIO) ? LEAST_RATIO : ratio > 1 / LEAST_RATIO ? 1 / LEAST_RATIO : ratio;

@@ -26,17 +26,11 @@ static double reduce(const struct sp_graph *graph, int direction, double x) {
 
 /* The length over the middle of a parameter segment; infinite if a curve where the normal vanishes lies between. */
 static double middle_length(const struct search *search, const double place[2], const double vertex[2], const double position[3]) {
-    struct sp_block block;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_VALUES);
-    double middle[2] = {0.5 * (place[0] + vertex[0]), 0.5 * (place[1] + vertex[1])}, at[2][3];
+    double middle[2] = {0.5 * (place[0] + vertex[0]), 0.5 * (place[1] + vertex[1])}, from[3], over[3];
     if (search->graph->singular && sp_graph_crosses(search->surface, place, vertex)) return __builtin_inf();
-    sp_block_put(&block, place);
-    sp_block_put(&block, middle);
-    sp_block_evaluate(&block, search->surface->value);
-    for (int32_t k = 0; k < 2; k++)
-        for (int32_t c = 0; c < 3; c++)
-            at[k][c] = sp_block_get(&block, k, c);
-    return sp_distance3(at[0], at[1]) + sp_distance3(at[1], position);
+    sp_graph_position(search->surface, place, from);
+    sp_graph_position(search->surface, middle, over);
+    return sp_distance3(from, over) + sp_distance3(over, position);
 }
 
 /* The cell of the grid that holds a place of the rectangle. */
@@ -191,9 +185,9 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     size_t places = (size_t)(SP_GRAPH_MAX_CANDIDATES * clamped_points(point_count));
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};
-    answer->places = sp_arena_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
-    answer->lengths = sp_arena_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
-    search.vertices = sp_arena_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
+    answer->places = sp_graph_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
+    answer->lengths = sp_graph_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
+    search.vertices = sp_graph_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
     int fits = answer->places && answer->lengths && search.vertices;
     for (int end = 0; end < 2; end++)
         fits = fits && sp_front_take(search.front + end, graph, arena);

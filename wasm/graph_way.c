@@ -19,14 +19,14 @@ struct line {
 
 double sp_way_bytes(const struct sp_graph *graph) {
     double points = 2.0 * graph->vertex_count + 2 + POLAR_STEPS;
-    return points * 4 * sizeof(double) + points * 3 * sizeof(double) + 4 * 16;
+    return points * 4 * sizeof(double) + 2 * 16;
 }
 
 static int take_line(struct line *line, const struct sp_way *way, struct sp_arena *arena) {
     size_t most = (size_t)way->count + 2 + POLAR_STEPS;
     line->way = way, line->count = 0, line->dimension = way->graph->kind == SP_IMPLICIT ? 3 : 2;
-    line->places = sp_arena_take(arena, most, (size_t)line->dimension * sizeof(double));
-    line->along = sp_arena_take(arena, most, sizeof(double));
+    line->places = sp_graph_take(arena, most, (size_t)line->dimension * sizeof(double));
+    line->along = sp_graph_take(arena, most, sizeof(double));
     return line->places && line->along;
 }
 
@@ -89,21 +89,17 @@ static void append_polar(struct line *line, int edge, const double to[2], double
 }
 
 /* Lengths of the chords up to each place. */
-static void measure(struct line *line, double *positions) {
-    struct sp_block block;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_VALUES);
-    if (line->dimension == 3) memcpy(positions, line->places, (size_t)line->count * 3 * sizeof(double));
-    for (int32_t first = 0; first < line->count && line->dimension == 2; first += 2 * SP_GRAPH_BLOCK) {
-        block.count = 0;
-        for (int32_t i = first; i < line->count && i < first + 2 * SP_GRAPH_BLOCK; i++)
-            sp_block_put(&block, line->places + 2 * i);
-        sp_block_evaluate(&block, line->way->surface->value);
-        for (int32_t k = 0; k < 3 * block.count; k++)
-            positions[3 * first + k] = sp_block_get(&block, k / 3, k % 3);
+static void measure(struct line *line) {
+    double before[3], here[3];
+    for (int32_t i = 0; i < line->count; i++) {
+        const double *place = line->places + line->dimension * i;
+        if (line->dimension == 3)
+            memcpy(here, place, sizeof here);
+        else
+            sp_graph_position(line->way->surface, place, here);
+        line->along[i] = i ? line->along[i - 1] + sp_distance3(before, here) : 0;
+        memcpy(before, here, sizeof here);
     }
-    line->along[0] = 0;
-    for (int32_t i = 1; i < line->count; i++)
-        line->along[i] = line->along[i - 1] + sp_distance3(positions + 3 * (i - 1), positions + 3 * i);
 }
 
 static void resample(const struct line *line, int32_t points, double *out) {
@@ -131,17 +127,14 @@ static void smooth(double *places, int32_t points, int32_t dimension) {
     }
 }
 
-static int emit(struct line *line, double length, struct sp_arena *arena, struct sp_graph_answer *answer) {
-    int32_t points = answer->point_count, number = answer->candidate_count;
-    double *positions = sp_arena_take(arena, (size_t)line->count, 3 * sizeof(double));
-    if (!positions) return 0;
+static void emit(struct line *line, double length, struct sp_graph_answer *answer) {
+    int32_t points = answer->point_count, number = answer->candidate_count++;
     double *out = answer->places + (size_t)number * (size_t)(points * line->dimension);
-    measure(line, positions);
+    measure(line);
     resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);
-    answer->lengths[number] = length, answer->candidate_count++;
-    return 1;
+    answer->lengths[number] = length;
 }
 
 /* The vertices [begin, end) of a way that lie on its first collapsed edge. */
@@ -196,7 +189,7 @@ enum sp_status sp_way_write(const struct sp_way *way, double length, struct sp_a
         struct line line;
         if (!take_line(&line, way, arena)) return SP_OUT_OF_MEMORY;
         write_line(&line, edge, begin, end, side);
-        if (!emit(&line, length, arena, answer)) return SP_OUT_OF_MEMORY;
+        emit(&line, length, answer);
         arena->used = before;
     }
     return SP_CONVERGED;

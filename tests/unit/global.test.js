@@ -185,14 +185,18 @@ test('random pairs on the sphere in both forms: the great circle, seed 7', () =>
 test('graphs are freed with their surface and by set', (context) => {
   let blocks = 0;
   const { allocate, release } = Heap.prototype;
-  context.mock.method(Heap.prototype, 'allocate', function (/** @type {number} */ bytes) {
+  /** @this {Heap} @param {number} bytes */
+  function counted(bytes) {
     blocks++;
-    return allocate.call(/** @type {any} */ (this), bytes);
-  });
-  context.mock.method(Heap.prototype, 'release', function (/** @type {number} */ block) {
+    return allocate.call(this, bytes);
+  }
+  /** @this {Heap} @param {number} block */
+  function uncounted(block) {
     if (block) blocks--;
-    release.call(/** @type {any} */ (this), block);
-  });
+    release.call(this, block);
+  }
+  context.mock.method(Heap.prototype, 'allocate', counted);
+  context.mock.method(Heap.prototype, 'release', uncounted);
   const shapes = [
     { ...torus, x: '(R+cos(v))*cos(u)', parameters: { R: 2 } },
     { f: 'x^2+y^2+z^2-R^2', parameters: { R: 1 } },
