@@ -22,7 +22,7 @@ import { emptyPath } from './runtime/heap.js';
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
  */
 
-const STATUS = { converged: 0, illConditioned: 4, disconnected: -1, singular: -2, offSurface: -4 };
+const STATUS = { converged: 0, stalled: 2, illConditioned: 4, disconnected: -1, singular: -2, sheetJump: -3, offSurface: -4 };
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds. */
@@ -35,6 +35,9 @@ const APART = 0.01;
 
 /** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
 const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
+
+/** @param {RawPath} path @returns {boolean} more points may help */
+const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
 
 /** The length of the geodesic under a rough polyline, to fourth order. @param {RawPath} path */
 const estimate = (path) => path.length + path.lengthError;
@@ -109,7 +112,7 @@ function straightEnds({ from, to, domain }) {
 function solveRoughly(problem, { to, start }) {
   const options = { gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
   let path = problem.solve(to, start, { ...options, points: ROUGH[0] });
-  for (const points of ROUGH.slice(1)) if (start && !holds(path)) path = problem.solve(to, start, { ...options, points });
+  for (const points of ROUGH.slice(1)) if (start && isTooCoarse(path)) path = problem.solve(to, start, { ...options, points });
   return { to, path };
 }
 

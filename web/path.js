@@ -49,6 +49,7 @@ export const STATUS = new Map([
  * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64
  * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
  *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
+ * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
  * @property {number} [maxIterations] Newton steps at most, default 100
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
  * @property {boolean} [record] keep every iterate's points in `history`
@@ -83,7 +84,6 @@ function refuseUnbuilt(caller, options) {
   const unbuilt = [
     [options.algorithm === 'elements', "algorithm 'elements' is not built yet: use 'polyline'"],
     [options.tolerance !== undefined, 'tolerance is not built yet: choose `points`, and look at lengthError'],
-    [options.via !== undefined, 'via is not built yet: solve piece by piece'],
   ];
   for (const [asked, message] of unbuilt) if (asked) throw new RangeError(`${caller}: ${message}`);
 }
@@ -92,7 +92,7 @@ function refuseUnbuilt(caller, options) {
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
  * @param {PathOptions | undefined} given
- * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path }}
+ * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path, via: unknown[] }}
  */
 export function readOptions(caller, given) {
   if (given !== undefined && (typeof given !== 'object' || given === null))
@@ -101,12 +101,21 @@ export function readOptions(caller, given) {
   for (const name of Object.keys(options))
     if (!KNOWN.has(name)) throw new TypeError(`${caller}: there is no option '${name}'; the options are ${[...KNOWN].join(', ')}`);
   refuseUnbuilt(caller, options);
-  const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'global' } = options;
+  const {
+    algorithm = 'polyline',
+    points = 64,
+    maxIterations = 100,
+    gradientTolerance,
+    record = false,
+    start = 'global',
+    via = [],
+  } = options;
   const code = ALGORITHMS.get(algorithm);
   if (code === undefined) throw new RangeError(`${caller}: options.algorithm must be 'polyline' or 'paper', not ${describe(algorithm)}`);
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
   if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
+  if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
   const solve = {
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
@@ -114,7 +123,7 @@ export function readOptions(caller, given) {
     maxIterations: integer(caller, 'maxIterations', maxIterations, 0, MOST_ITERATIONS),
     record,
   };
-  return { solve, start };
+  return { solve, start, via };
 }
 
 /**

@@ -7,6 +7,7 @@ import { findPaths, reverse } from './global.js';
 import { meshRectangle } from './mesh.js';
 import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
+import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./path.js').Path} Path */
@@ -97,15 +98,12 @@ export class Surface {
   shortestPath(from, to, options) {
     const caller = 'shortestPath';
     this.#checkAlive(caller);
-    const { solve, start } = readOptions(caller, options);
-    const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    if (start === 'global') return this.#findGlobal(ends, solve, 1)[0];
-    const given = readStart(caller, start, SHAPE[this.kind].variables.length);
-    const lifted = this.#liftEnds(ends[0], ends[1], given);
-    const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
-    const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
-    if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
-    return path;
+    const { solve, start, via } = readOptions(caller, options);
+    const stops = via.map((point, i) => this.#readPoint(caller, `options.via[${i}]`, point));
+    const places = [this.#readPoint(caller, 'from', from), ...stops, this.#readPoint(caller, 'to', to)];
+    if (stops.length > 0) return this.#passThrough(caller, places, solve, start);
+    if (start === 'global') return this.#findGlobal(places, solve, 1)[0];
+    return this.#solveNear(places, solve, readStart(caller, start, SHAPE[this.kind].variables.length));
   }
 
   /**
@@ -119,7 +117,8 @@ export class Surface {
     const caller = 'geodesics';
     this.#checkAlive(caller);
     const { max = MOST_GEODESICS, ...others } = options ?? {};
-    const { solve, start } = readOptions(caller, options && others);
+    const { solve, start, via } = readOptions(caller, options && others);
+    if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
     if (!Number.isInteger(max) || max < 1)
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
@@ -321,6 +320,46 @@ export class Surface {
     if (start) return [liftNear(domain, from, [start[0], start[1]]), liftNear(domain, to, Array.from(start.subarray(-2)))];
     const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
     return swap ? [liftNear(domain, from, to), to] : [from, liftNear(domain, to, from)];
+  }
+
+  /** The locally shortest path near a start. @param {number[][]} ends @param {import('./runtime/heap.js').SolveOptions} options @param {Float64Array | null} start */
+  #solveNear(ends, options, start) {
+    const lifted = this.#liftEnds(ends[0], ends[1], start);
+    const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start };
+    const path = makePath(this.#run((heap) => heap.solve(this.#record, request, options)));
+    if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
+    return path;
+  }
+
+  /**
+   * The shortest pieces from place to place: first roughly, to share out the points, then as asked.
+   * @param {string} caller @param {number[][]} places @param {import('./runtime/heap.js').SolveOptions} options @param {unknown} start
+   * @returns {Path}
+   */
+  #passThrough(caller, places, options, start) {
+    if (start !== 'global' && start !== 'straight')
+      throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
+    const count = places.length - 1;
+    if (options.points < 2 * count - 1)
+      throw new RangeError(
+        `${caller}: options.points must be at least ${2 * count - 1} for ${count - 1} points of options.via, not ${options.points}`,
+      );
+    const solve = (/** @type {number[]} */ points) =>
+      points.map((own, i) => {
+        const asked = { ...options, points: own };
+        return start === 'global'
+          ? this.#findGlobal(places.slice(i, i + 2), asked, 1)[0]
+          : this.#solveNear(places.slice(i, i + 2), asked, null);
+      });
+    const lengths = solve(Array(count).fill(Math.max(31, Math.ceil(options.points / count)))).map(({ length }) => length);
+    return joinPaths(
+      solve(
+        shareOut(
+          lengths.map((length) => length || 0),
+          options.points,
+        ),
+      ),
+    );
   }
 
   /** @param {number[][]} ends @param {import('./runtime/heap.js').SolveOptions} options @param {number} most @returns {Path[]} */

@@ -226,6 +226,67 @@ test('graphs are freed with their surface and by set', (context) => {
   }
 });
 
+describe('via', () => {
+  test('passes the points by the shortest pieces', () => {
+    const surface = make(torus);
+    const places = [
+      [0.1, 0.2],
+      [5.9, 1.5],
+      [9, 6],
+    ];
+    const path = surface.shortestPath(places[0], places[2], { via: [places[1]], points: 99 });
+    const pieces = [0, 1].map((i) => surface.shortestPath(places[i], places[i + 1], { points: 99 }));
+    assert.ok(path.converged && path.points.length === 3 * 101, `${path.status}, ${path.points.length}`);
+    assert.ok(Math.abs(estimate(path) / (estimate(pieces[0]) + estimate(pieces[1])) - 1) < 1e-5);
+    const [x, y, z] = surface.evaluate(places[1]);
+    const distances = Array.from({ length: 101 }, (_, i) =>
+      Math.hypot(path.points[3 * i] - x, path.points[3 * i + 1] - y, path.points[3 * i + 2] - z),
+    );
+    assert.ok(Math.min(...distances) < 1e-12);
+    const parameters = /** @type {Float64Array} */ (path.parameters);
+    for (let i = 2; i < parameters.length; i++) assert.ok(Math.abs(parameters[i] - parameters[i - 2]) < 0.3, `jump at ${i}`);
+    assert.equal(surface.shortestPath(places[2], places[0], { via: [places[1]], points: 99 }).length, path.length);
+    surface.dispose();
+  });
+
+  test('on an implicit surface, and straight', () => {
+    const surface = make({ f: 'x^2+y^2+z^2-1', bounds: cube(1.2) });
+    for (const start of /** @type {const} */ (['global', 'straight'])) {
+      const path = surface.shortestPath([1, 0, 0], [-1, 0, 0], {
+        via: [
+          [0, 1, 0],
+          [0, 0, 1],
+        ],
+        start,
+      });
+      assert.ok(path.converged && Math.abs(estimate(path) / (1.5 * Math.PI) - 1) < 1e-5, `${path.status} ${path.length}`);
+    }
+    surface.dispose();
+  });
+
+  test('misuse', () => {
+    const surface = make(torus);
+    for (const [options, pattern] of /** @type {[any, RegExp][]} */ ([
+      [{ via: 3 }, /options.via must be an array/],
+      [{ via: [[1, Number.NaN]] }, /options.via\[0\]\[1\]/],
+      [
+        {
+          via: [
+            [1, 1],
+            [2, 2],
+          ],
+          points: 4,
+        },
+        /options.points must be at least 5/,
+      ],
+      [{ via: [[1, 1]], start: [0, 0, 1, 1] }, /options.start must be/],
+    ]))
+      assert.throws(() => surface.shortestPath([0, 0], [1, 1], options), pattern);
+    assert.throws(() => surface.geodesics([0, 0], [1, 1], { via: [[1, 0]] }), /geodesics: options.via/);
+    surface.dispose();
+  });
+});
+
 test('misuse of geodesics', () => {
   const surface = make(torus);
   for (const [options, pattern] of /** @type {[any, RegExp][]} */ ([
