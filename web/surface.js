@@ -4,6 +4,7 @@ import { checkBounds, checkDefinition, checkParameters, checkRange, readNumbers 
 import { findDomain, liftNear } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { findPaths, reverse } from './global.js';
+import { Graphs } from './graphs.js';
 import { meshRectangle } from './mesh.js';
 import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
@@ -19,10 +20,6 @@ const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
-/** Cells a direction of the graph, and what it is refined to where it separates the ends. */
-const GRAPH_RESOLUTION = { parametric: [64, 128], implicit: [40, 64, 96] };
-/** The same without bounds: cells between the ends. */
-const FLOOD_RESOLUTION = [14, 22, 34];
 const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
@@ -40,8 +37,7 @@ export class Surface {
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
-  /** @type {import('./runtime/heap.js').Graph[]} by level of refinement */ #graphs = [];
-  /** @type {import('./runtime/heap.js').Graph | null} */ #flood = null;
+  #graphs;
   #record = 0;
   #generation = 0;
   #disposed = false;
@@ -51,6 +47,7 @@ export class Surface {
     const shape = SHAPE[kind];
     checkDefinition(kind, definition, kind === 'parametric' ? ['x', 'y', 'z', 'u', 'v'] : ['f']);
     this.kind = kind;
+    this.#graphs = new Graphs(KIND[kind]);
     this.#solver = solver;
     this.#definition = definition;
     this.#parameters = checkParameters(kind, definition.parameters);
@@ -238,7 +235,7 @@ export class Surface {
   /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
   #run(call) {
     if (this.#generation !== this.#solver.generation) {
-      this.#forgetGraphs();
+      this.#graphs.drop(null);
       this.#install();
       this.#writeRecord();
     }
@@ -368,15 +365,17 @@ export class Surface {
     const swap = first >= 0 && from[first] > to[first];
     const [a, b] = swap ? [to, from] : [from, to];
     const kind = KIND[this.kind];
+    const domain = this.#domain;
+    const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : this.#box;
     const raw = this.#run((heap) =>
       findPaths(
         {
           from: a,
           to: b,
-          domain: this.#domain,
+          domain,
           solve: (end, start, asked) => heap.solve(this.#record, { kind, from: a, to: end, start: start ?? null }, asked),
-          graph: (level) => this.#findGraph(heap, level),
-          flood: (level) => this.#floodGraph(heap, level, a, b),
+          graph: (level) => this.#graphs.find(heap, this.#record, box, level),
+          flood: (level) => this.#graphs.flood(heap, this.#record, a, b, level),
           search: (graph, points) => heap.searchGraph(this.#record, graph, a, b, points),
         },
         options,
@@ -390,40 +389,9 @@ export class Surface {
     });
   }
 
-  /**
-   * The graph of the surface, refined `level` times; built when it is first needed. Null: there is none so fine.
-   * @param {import('./runtime/heap.js').Heap} heap @param {number} level
-   * @returns {import('./runtime/heap.js').Graph | null}
-   */
-  #findGraph(heap, level) {
-    const [domain, resolution] = [this.#domain, GRAPH_RESOLUTION[this.kind][level]];
-    const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : this.#box;
-    if (!box || !resolution) return null;
-    this.#graphs[level] ??= heap.buildGraph(this.#record, KIND[this.kind], { box, cell: 0, resolution });
-    return this.#graphs[level].status === STATUS_CONVERGED ? this.#graphs[level] : null;
-  }
-
-  /**
-   * The graph of an implicit surface around a point, whatever its bounds: cells a part of the distance to another wide. Kept until the next one.
-   * @param {import('./runtime/heap.js').Heap} heap @param {number} level @param {number[]} from @param {number[]} to
-   */
-  #floodGraph(heap, level, from, to) {
-    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
-    if (this.kind !== 'implicit' || !(cell > 0)) return null;
-    if (this.#flood) heap.releaseGraph(this.#flood);
-    this.#flood = heap.buildGraph(this.#record, KIND.implicit, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
-    return this.#flood.status === STATUS_CONVERGED ? this.#flood : null;
-  }
-
-  #forgetGraphs() {
-    this.#graphs = [];
-    this.#flood = null;
-  }
-
+  /** Frees the graphs: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
-    if (this.#generation === this.#solver.generation) for (const graph of this.#graphs) this.#solver.heap.releaseGraph(graph);
-    if (this.#flood && this.#generation === this.#solver.generation) this.#solver.heap.releaseGraph(this.#flood);
-    this.#forgetGraphs();
+    this.#graphs.drop(this.#generation === this.#solver.generation ? this.#solver.heap : null);
   }
 
   /** Where a projection starts. @param {number[]} target */
