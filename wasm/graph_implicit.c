@@ -3,7 +3,8 @@
 #include "chart.h"
 #include "graph_build.h"
 
-enum { REACH = 2, FLOOD_SLOTS = 1 << 17 };
+/* The strides of a flood are 2^17/p and 2^17/p^2, p = 1.3247 the plastic number: rows of cells are then spread evenly over the slots. */
+enum { REACH = 2, FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP = 74691 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
@@ -173,7 +174,7 @@ static int flood(struct cells *cells) {
     double width = cells->builder->options->cell;
     for (int j = 0; j < 3; j++)
         cells->width[j] = width, cells->origin[j] = cells->builder->options->box[2 * j] - 0.5 * width;
-    cells->stride[0] = 193, cells->stride[1] = 193 * 211;
+    cells->stride[0] = FLOOD_STRIDE, cells->stride[1] = FLOOD_STRIDE_UP;
     if (!take_slots(cells, FLOOD_SLOTS)) return 0;
     open_list(cells);
     int32_t most = cells->capacity < SP_GRAPH_FLOOD_CELLS ? cells->capacity : SP_GRAPH_FLOOD_CELLS;

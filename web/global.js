@@ -22,7 +22,18 @@ import { emptyPath } from './runtime/heap.js';
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
  */
 
-const STATUS = { converged: 0, stalled: 2, illConditioned: 4, disconnected: -1, singular: -2, sheetJump: -3, offSurface: -4 };
+const STATUS = {
+  converged: 0,
+  stalled: 2,
+  illConditioned: 4,
+  disconnected: -1,
+  singular: -2,
+  sheetJump: -3,
+  offSurface: -4,
+  notFinite: -5,
+};
+/** Why a straight start comes to nothing that has to do with an end alone. */
+const BAD_ENDS = [STATUS.singular, STATUS.offSurface, STATUS.notFinite];
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds. */
@@ -56,7 +67,8 @@ export function findPaths(problem, options, most) {
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
-  if (rough.length === 0) return [status === STATUS.disconnected ? emptyPath(status) : solveWeakly(problem, tried, options)];
+  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
+  if (rough.length === 0) return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
   const limit = most === 1 ? estimate(rough[0].path) * (1 + MARGIN) : Infinity;
   const wanted = rough.filter(({ path }) => estimate(path) <= limit).slice(0, Math.max(most, 4));
   const solved = wanted.map(({ to, path }) => ({ to, path: problem.solve(to, path.parameters ?? path.points, options) }));

@@ -125,6 +125,20 @@ test('ends on different pieces are disconnected; on one piece they are not', () 
   }
 });
 
+test('what is wrong with an end, or with the surface, is said rather than disconnected', () => {
+  for (const [f, status] of /** @type {const} */ ([
+    ['x^2+y^2+z^2+1', 'off-surface'],
+    ['sqrt(-1-x^2)', 'not-finite'],
+    ['0*x', 'singular-metric'],
+  ]))
+    for (const bounds of [cube(2), undefined]) {
+      const surface = make({ f, bounds });
+      assert.equal(surface.shortestPath([1, 0, 0], [0, 1, 0]).status, status, f);
+      assert.deepEqual(surface.geodesics([1, 0, 0], [0, 1, 0]), []);
+      surface.dispose();
+    }
+});
+
 test('bounds are no wall, and not needed', () => {
   const f = 'x^2+y^2+z^2-1';
   for (const bounds of [
