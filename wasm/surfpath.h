@@ -8,6 +8,7 @@
 #define SURFPATH_H
 
 #include "arena.h"
+#include "graph.h"
 #include "mesh.h"
 #include "status.h"
 #include "surface.h"
@@ -141,6 +142,22 @@ SP_AT(sp_mesh, normals, 4);
 SP_AT(sp_mesh, indices, 8);
 SP_AT(sp_mesh, vertex_count, 12);
 SP_AT(sp_mesh, triangle_count, 16);
+SP_SIZE(sp_graph_options, 64);
+SP_AT(sp_graph_options, box, 0);
+SP_AT(sp_graph_options, cell, 48);
+SP_AT(sp_graph_options, resolution, 56);
+SP_SIZE(sp_graph, 112);
+SP_AT(sp_graph, spacing, 0);
+SP_AT(sp_graph, vertex_count, 60);
+SP_AT(sp_graph, edge_count, 64);
+SP_AT(sp_graph, unique, 68);
+SP_AT(sp_graph, singular, 72);
+SP_SIZE(sp_graph_answer, 24);
+SP_AT(sp_graph_answer, distance, 0);
+SP_AT(sp_graph_answer, places, 8);
+SP_AT(sp_graph_answer, lengths, 12);
+SP_AT(sp_graph_answer, candidate_count, 16);
+SP_AT(sp_graph_answer, point_count, 20);
 #undef SP_SIZE
 #undef SP_AT
 #endif

@@ -1,12 +1,14 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
 import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
-import { enterDomain, findDomain, liftEnds } from './domain.js';
+import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
+import { Graphs } from './graphs.js';
 import { meshRectangle } from './mesh.js';
-import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { checkNames, describe, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { LAYOUT } from './runtime/heap.js';
+import { findGlobal, passThrough, solveNear } from './routes.js';
 import { readShape } from './shapes.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -18,6 +20,7 @@ const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
+const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
 const SHAPE = {
@@ -39,6 +42,7 @@ export class Surface {
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
+  #graphs;
   #record = 0;
   #generation = 0;
   #disposed = false;
@@ -47,6 +51,7 @@ export class Surface {
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
     this.kind = kind === 'implicit' ? kind : 'parametric';
+    this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
     this.#forget = forget;
     this.#periodic = checkPeriodic(kind, definition.periodic);
@@ -77,7 +82,7 @@ export class Surface {
   }
 
   /**
-   * The shortest path near its start between two points.
+   * The shortest path between two points: of all that a graph search found, or near a given start.
    * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
    * @param {ArrayLike<number>} to
    * @param {PathOptions} [options]
@@ -86,15 +91,32 @@ export class Surface {
   shortestPath(from, to, options) {
     const caller = 'shortestPath';
     this.#checkAlive(caller);
-    const { solve, start } = readOptions(caller, options);
-    const dimension = SHAPE[this.kind].variables.length;
-    const given = readStart(caller, start, dimension);
+    const { solve, start, via } = readOptions(caller, options);
+    const stops = via.map((point, i) => this.#readPoint(caller, `options.via[${i}]`, point));
+    const places = [this.#readPoint(caller, 'from', from), ...stops, this.#readPoint(caller, 'to', to)];
+    if (stops.length > 0) return passThrough(this.#field(), caller, places, solve, start);
+    if (start === 'global') return findGlobal(this.#field(), places, solve, 1)[0];
+    return solveNear(this.#field(), places, solve, readStart(caller, start, SHAPE[this.kind].variables.length));
+  }
+
+  /**
+   * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
+   * @param {ArrayLike<number>} from as for {@link shortestPath}
+   * @param {ArrayLike<number>} to
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @returns {Path[]}
+   */
+  geodesics(from, to, options) {
+    const caller = 'geodesics';
+    this.#checkAlive(caller);
+    const { max = MOST_GEODESICS, ...others } = options ?? {};
+    const { solve, start, via } = readOptions(caller, options && others);
+    if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
+    if (!Number.isInteger(max) || max < 1)
+      throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
+    if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    const lifted = this.#domain ? liftEnds(this.#domain, ends[0], ends[1], given) : ends;
-    const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
-    const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
-    if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
-    return path;
+    return findGlobal(this.#field(), ends, solve, max).filter(({ index }) => index === 0);
   }
 
   /**
@@ -173,6 +195,7 @@ export class Surface {
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
+      this.#dropGraphs();
       this.#refresh();
       this.#settle(range);
     } catch (error) {
@@ -187,6 +210,7 @@ export class Surface {
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
+    this.#dropGraphs();
     if (this.#installed && this.#generation === this.#solver.generation) this.#uninstall();
     this.#installed = null;
     this.#forget();
@@ -236,6 +260,7 @@ export class Surface {
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     if (this.#generation === this.#solver.generation) return;
+    this.#graphs.drop(null);
     this.#install();
     this.#writeRecord();
   }
@@ -299,6 +324,22 @@ export class Surface {
     return this.#domain ? enterDomain(this.#domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
+  /** What finding a path needs of this surface. @returns {import('./routes.js').Field} */
+  #field() {
+    return {
+      kind: KIND[this.kind],
+      domain: this.#domain,
+      box: this.#box,
+      graphs: this.#graphs,
+      run: (call) => this.#run((heap) => call(heap, this.#record)),
+    };
+  }
+
+  /** Frees the graphs: they are those of other parameters, or no longer needed. */
+  #dropGraphs() {
+    this.#graphs.drop(this.#generation === this.#solver.generation ? this.#solver.heap : null);
+  }
+
   /** Where a projection starts. @param {number[]} target */
   #nearest(target) {
     if (!this.#domain) return target;
@@ -313,12 +354,6 @@ export class Surface {
 }
 
 if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surface.prototype, Symbol.dispose, { value: Surface.prototype.dispose });
-
-/** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
-function shift(parameters, by) {
-  if (by[0] === 0 && by[1] === 0) return;
-  for (let i = 0; i < parameters.length; i++) parameters[i] += by[i & 1];
-}
 
 /** Position and unit normal from jets of 18 numbers. @param {Float64Array} jets */
 function positionsAndNormals(jets) {

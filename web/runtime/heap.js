@@ -28,9 +28,14 @@ export const LAYOUT = {
   },
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
+  sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
+  sp_graph: { bytes: 112, spacing: 0, vertex_count: 60, edge_count: 64, unique: 68, singular: 72 },
+  sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
 };
 
 const OUT_OF_MEMORY = -6;
+/** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
+const MOST_GRAPH_BYTES = 2 ** 29;
 
 /** @typedef {{ kind: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
@@ -51,6 +56,20 @@ const OUT_OF_MEMORY = -6;
  * @property {Iterate[]} history
  */
 
+/**
+ * @typedef {object} Graph a graph of a surface, in linear memory until {@link Heap.releaseGraph}
+ * @property {number} status
+ * @property {number} at address of its struct
+ * @property {number} block address of its arrays
+ * @property {number} bytes of them
+ * @property {number} vertices
+ * @property {number} edges
+ * @property {number} spacing implicit: diagonal of a cell
+ * @property {boolean} unique geodesics of this surface are taken as unique
+ * @property {boolean} singular the normal vanishes along a curve
+ * @property {boolean} flooded made around one point
+ */
+
 export class Heap {
   /** @type {any} */ #exports;
   /** Addresses of one of each struct that a call needs, kept for the life of the instance. */
@@ -68,6 +87,8 @@ export class Heap {
       arena: this.allocate(LAYOUT.sp_arena.bytes),
       mesh: this.allocate(LAYOUT.sp_mesh.bytes),
       numbers: this.allocate(64),
+      graphOptions: this.allocate(LAYOUT.sp_graph_options.bytes),
+      answer: this.allocate(LAYOUT.sp_graph_answer.bytes),
     };
   }
 
@@ -192,6 +213,72 @@ export class Heap {
         indices: new Uint32Array(this.#words(indicesAt, 3 * triangleCount)),
       };
     }
+  }
+
+  /**
+   * Runs sp_graph_build and keeps the graph.
+   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number }} options
+   * @returns {Graph} of status 0; any other: nothing is kept
+   */
+  buildGraph(surface, kind, { box, cell, resolution }) {
+    const { graphOptions, arena } = this.#structs;
+    const at = this.allocate(LAYOUT.sp_graph.bytes);
+    this.writeDoubles(graphOptions, [...box, 0, 0].slice(0, 6));
+    this.writeDoubles(graphOptions + LAYOUT.sp_graph_options.cell, [cell]);
+    this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
+    let status = OUT_OF_MEMORY;
+    for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
+      if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
+      this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+      status = this.#exports.sp_graph_build(surface, graphOptions, arena, at);
+    }
+    const bytes = status === 0 ? this.#exports.sp_graph_bytes(at) : 0;
+    const block = status === 0 ? this.allocate(bytes) : 0;
+    if (block) this.#exports.sp_graph_keep(at, block);
+    else this.release(at);
+    if (!block)
+      return {
+        status: status || OUT_OF_MEMORY,
+        at: 0,
+        block,
+        bytes,
+        vertices: 0,
+        edges: 0,
+        spacing: 0,
+        unique: false,
+        singular: false,
+        flooded: false,
+      };
+    const [vertices, edges, unique, singular] = this.#words(at + LAYOUT.sp_graph.vertex_count, 4);
+    const spacing = this.#doubles(at, 1)[0];
+    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0, flooded: cell > 0 };
+  }
+
+  /** @param {Graph} graph */
+  releaseGraph({ at, block }) {
+    this.release(block);
+    this.release(at);
+  }
+
+  /**
+   * Runs sp_graph_search.
+   * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {number[]} to @param {number} points of a candidate
+   * @returns {{ status: number, distance: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
+   */
+  searchGraph(surface, graph, from, to, points) {
+    const { numbers, arena, answer } = this.#structs;
+    const dimension = from.length;
+    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
+      return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
+    this.writeDoubles(numbers, [...from, 0].slice(0, 3));
+    this.writeDoubles(numbers + 24, [...to, 0].slice(0, 3));
+    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, arena, answer);
+    const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
+    const candidates = Array.from({ length: count }, (_, i) =>
+      this.#doubles(places + 8 * dimension * written * i, dimension * written).slice(),
+    );
+    return { status, distance: this.#doubles(answer, 1)[0], candidates };
   }
 
   /** @param {SolveOptions} options */
