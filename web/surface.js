@@ -6,10 +6,12 @@ import { compile, evaluateConstant } from './expression/compile.js';
 import { meshRectangle } from './mesh.js';
 import { describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
+import { readTrace, readTraceOptions } from './trace.js';
 
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
 
 const KIND = { parametric: 0, implicit: 1 };
@@ -98,6 +100,25 @@ export class Surface {
     const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
     if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
     return path;
+  }
+
+  /**
+   * The geodesic from a point in a direction: the exponential map. It ends early, with status `edge-reached`, on an edge of the rectangle.
+   * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
+   * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts; its length does not matter. Zero or normal to the surface throws
+   * @param {number} length how far, ≥ 0
+   * @param {TraceOptions} [options]
+   * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   */
+  trace(from, direction, length, options) {
+    const caller = 'trace';
+    this.#checkAlive(caller);
+    const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
+    const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
+    const wanted = readTraceOptions(caller, options);
+    const path = this.#run((heap) => heap.trace(this.#record, request, wanted));
+    if (path) return makePath(path);
+    throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
   }
 
   /**
