@@ -153,6 +153,36 @@ static void check_orders(void) {
     CHECK(inside[1] < 1e-9 && end[1] < 1e-10, "errors %g, %g", inside[1], end[1]);
 }
 
+/* y_i = t^i: y_1 is the time. */
+static void powers(const void *context, const double *state, double *slope) {
+    (void)context;
+    slope[0] = 0, slope[1] = 1;
+    for (int i = 2; i < SP_STATE; i++)
+        slope[i] = i * pow(state[1], i - 1);
+}
+
+/* Exact for t^i up to its order, but for rounding of coefficients up to 43: no digit of the tables is wrong by more. */
+static void check_powers(void) {
+    struct sp_system system = {powers, NULL};
+    struct sp_stages stages;
+    struct sp_dense dense;
+    double state[SP_STATE] = {1}, next[SP_STATE], between[SP_STATE], fifth[SP_STATE], third[SP_STATE];
+    powers(NULL, state, stages.slope[0]);
+    sp_dop853_step(&system, state, 1, &stages, next);
+    sp_dop853_errors(&stages, fifth, third);
+    sp_dop853_dense(&system, state, 1, &stages, next, &dense);
+    for (int i = 1; i <= 8; i++) {
+        CHECK(fabs(next[i] - 1) < 3e-14, "t^%d: off by %g", i, next[i] - 1);
+        CHECK(i > 5 || fabs(fifth[i]) < 3e-14, "t^%d: fifth order estimate %g", i, fifth[i]);
+        CHECK(i > 3 || fabs(third[i]) < 3e-14, "t^%d: third order estimate %g", i, third[i]);
+    }
+    for (double part = 0; part <= 1; part += 1.0 / 64) {
+        sp_dop853_between(&dense, part, between);
+        for (int i = 1; i <= 7; i++)
+            CHECK(fabs(between[i] - pow(part, i)) < 1e-13, "t^%d at %g: off by %g", i, part, between[i] - pow(part, i));
+    }
+}
+
 /* Every point against a great circle of radius 1: from p along the unit vector t. */
 static void check_circle(const struct sp_surface *surface, struct sp_trace_request request, const double p[3], const double t[3]) {
     struct sp_trace_result result = trace(surface, request, 1e-13, 37);
@@ -462,6 +492,7 @@ int main(void) {
     arena = (struct sp_arena){aligned_alloc(16, 1 << 24), 1 << 24, 0};
     uint64_t seed = 31;
     check_orders();
+    check_powers();
     check_spheres();
     check_tolerance();
     check_helix();
