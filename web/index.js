@@ -18,4 +18,5 @@ export const load = makeLoad(() => wasm);
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./path.js').Status} Status */
+/** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */

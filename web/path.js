@@ -28,17 +28,17 @@ export const STATUS = new Map([
  * @typedef {object} Path a path, plain data, copies only
  * @property {Status} status how the computation ended
  * @property {boolean} converged true for status `converged` alone
- * @property {number} length sum of the chords, in the unit of the surface's coordinates; NaN without a path
- * @property {number} lengthError estimate of |length − length of the geodesic|, same unit
+ * @property {number} length sum of the chords (traced: length of the geodesic), in the unit of the surface's coordinates; NaN without a path
+ * @property {number} lengthError estimate of |length − length of the geodesic| (traced: of the error of the end's position), same unit
  * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path
  * @property {Float64Array | null} parameters u v of the K + 2 points, continuous across seams; null for implicit surfaces
- * @property {number} iterations Newton steps
- * @property {number} energy E = (K + 1) Σ |chord|², unit length²
+ * @property {number} iterations Newton steps (traced: steps of the integrator)
+ * @property {number} energy E = (K + 1) Σ |chord|², unit length²; NaN if traced, as gradientNorm
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E
  * @property {number} index Morse index; 0: locally shortest; −1: not computed
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular
- * @property {number | null} conjugate first conjugate length (traced paths only)
+ * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
  * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points
  */
 
@@ -63,11 +63,11 @@ const ALGORITHMS = new Map([
   ['paper', 2],
 ]);
 const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance', 'via'];
-const MOST_POINTS = 100_000;
+export const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
 /** @param {string} caller @param {string} name @param {unknown} value @param {number} least @param {number} most @returns {number} */
-function integer(caller, name, value, least, most) {
+export function wholeNumber(caller, name, value, least, most) {
   if (typeof value !== 'number') throw new TypeError(`${caller}: options.${name} must be a number, not ${describe(value)}`);
   if (!Number.isInteger(value) || value < least || value > most)
     throw new RangeError(`${caller}: options.${name} must be a whole number from ${least} to ${most}, not ${value}`);
@@ -129,8 +129,8 @@ export function readOptions(caller, given) {
     tolerance: readTolerance(caller, options.tolerance),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
-    points: integer(caller, 'points', points, 1, MOST_POINTS),
-    maxIterations: integer(caller, 'maxIterations', maxIterations, 0, MOST_ITERATIONS),
+    points: wholeNumber(caller, 'points', points, 1, MOST_POINTS),
+    maxIterations: wholeNumber(caller, 'maxIterations', maxIterations, 0, MOST_ITERATIONS),
     record,
   };
   return { solve, start, via };
@@ -177,7 +177,7 @@ export function makePath(raw) {
     index: raw.index,
     touchesBoundary: raw.touchesBoundary,
     crossesSingularity: raw.crossesSingularity,
-    conjugate: null,
+    conjugate: raw.conjugate,
     history: raw.history,
   };
 }

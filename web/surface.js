@@ -5,14 +5,16 @@ import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { Graphs } from './graphs.js';
 import { meshRectangle } from './mesh.js';
-import { checkNames, describe, readOptions, readStart, STATUS } from './path.js';
+import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { LAYOUT } from './runtime/heap.js';
 import { findGlobal, passThrough, solveNear } from './routes.js';
 import { readShape } from './shapes.js';
+import { readTrace, readTraceOptions } from './trace.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
 
 const KIND = { parametric: 0, implicit: 1 };
@@ -117,6 +119,25 @@ export class Surface {
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
     return findGlobal(this.#field(), ends, solve, max).filter(({ index }) => index === 0);
+  }
+
+  /**
+   * The geodesic from a point in a direction: the exponential map. It ends early, with status `edge-reached`, on an edge of the rectangle.
+   * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
+   * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts; its length does not matter. Zero or normal to the surface throws
+   * @param {number} length how far, ≥ 0
+   * @param {TraceOptions} [options]
+   * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   */
+  trace(from, direction, length, options) {
+    const caller = 'trace';
+    this.#checkAlive(caller);
+    const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
+    const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
+    const wanted = readTraceOptions(caller, options);
+    const path = this.#run((heap) => heap.trace(this.#record, request, wanted));
+    if (path) return makePath(path);
+    throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
   }
 
   /**

@@ -1,6 +1,6 @@
 /* Graphs of surfaces: distances against closed forms, ways continuous across seams and past poles, sheets kept apart, memory. */
 #include "../../wasm/graph.h"
-#include "check.h"
+#include "testing.h"
 #include "surfaces.h"
 
 #include <math.h>

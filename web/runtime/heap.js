@@ -26,6 +26,20 @@ export const LAYOUT = {
     history_count: 64,
     crosses_singularity: 68,
   },
+  sp_trace_request: { bytes: 56, from: 0, direction: 24, length: 48 },
+  sp_trace_options: { bytes: 16, tolerance: 0, point_count: 8, max_steps: 12 },
+  sp_trace_result: {
+    bytes: 48,
+    length: 0,
+    length_error: 8,
+    conjugate: 16,
+    points: 24,
+    parameters: 28,
+    status: 32,
+    steps: 36,
+    touches_boundary: 40,
+    normal: 44,
+  },
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
@@ -36,12 +50,13 @@ export const LAYOUT = {
 const OUT_OF_MEMORY = -6;
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
+const MOST_TRACE_STEPS = 200_000;
 
 /** @typedef {{ kind: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
 /** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
 /**
- * @typedef {object} RawPath what sp_solve_path wrote, copied
+ * @typedef {object} RawPath what sp_solve_path or sp_trace_path wrote, copied
  * @property {number} status
  * @property {number} length
  * @property {number} lengthError
@@ -51,6 +66,7 @@ const MOST_GRAPH_BYTES = 2 ** 29;
  * @property {number} index
  * @property {boolean} touchesBoundary
  * @property {boolean} crossesSingularity
+ * @property {number | null} conjugate
  * @property {Float64Array} points
  * @property {Float64Array | null} parameters
  * @property {Iterate[]} history
@@ -86,6 +102,9 @@ export class Heap {
       result: this.allocate(LAYOUT.sp_result.bytes),
       arena: this.allocate(LAYOUT.sp_arena.bytes),
       mesh: this.allocate(LAYOUT.sp_mesh.bytes),
+      traceRequest: this.allocate(LAYOUT.sp_trace_request.bytes),
+      traceOptions: this.allocate(LAYOUT.sp_trace_options.bytes),
+      traceResult: this.allocate(LAYOUT.sp_trace_result.bytes),
       numbers: this.allocate(64),
       graphOptions: this.allocate(LAYOUT.sp_graph_options.bytes),
       answer: this.allocate(LAYOUT.sp_graph_answer.bytes),
@@ -169,6 +188,46 @@ export class Heap {
     this.#words(arena, 3).set([this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0]);
     this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
     return this.#readResult(options.points + 2);
+  }
+
+  /**
+   * Runs sp_trace_path.
+   * @param {number} surface address of its record
+   * @param {{ kind: number, from: number[], direction: number[], length: number }} request
+   * @param {{ points: number, tolerance: number }} options
+   * @returns {RawPath | null} null: the direction is normal to the surface
+   */
+  trace(surface, request, options) {
+    const { traceRequest, traceOptions, traceResult, arena } = this.#structs;
+    this.writeDoubles(traceOptions, [options.tolerance]);
+    this.#words(traceOptions + LAYOUT.sp_trace_options.point_count, 2).set([options.points, MOST_TRACE_STEPS]);
+    if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, traceOptions))) return emptyPath(OUT_OF_MEMORY);
+    this.writeDoubles(traceRequest, [...request.from, 0].slice(0, 3));
+    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.direction, [...request.direction, 0].slice(0, 3));
+    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.length, [request.length]);
+    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    this.#exports.sp_trace_path(surface, traceRequest, traceOptions, arena, traceResult);
+    return this.#readTrace(options.points + 2);
+  }
+
+  /** Copies the result struct of a trace and its arrays. @param {number} count points of the path @returns {RawPath | null} */
+  #readTrace(count) {
+    const at = this.#structs.traceResult;
+    const [length, lengthError, conjugate] = this.#doubles(at, 3);
+    const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
+    if (normal) return null;
+    if (!pointsAt) return emptyPath(status);
+    return {
+      ...emptyPath(status),
+      length,
+      lengthError,
+      iterations: steps,
+      touchesBoundary: touches !== 0,
+      crossesSingularity: false,
+      conjugate: Number.isNaN(conjugate) ? null : conjugate,
+      points: this.#doubles(pointsAt, 3 * count).slice(),
+      parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
+    };
   }
 
   /**
@@ -304,6 +363,7 @@ export class Heap {
       index,
       touchesBoundary: touches !== 0,
       crossesSingularity: crosses !== 0,
+      conjugate: null,
       points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
       parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
       history,
@@ -356,6 +416,7 @@ export function emptyPath(status) {
     index: -1,
     touchesBoundary: false,
     crossesSingularity: false,
+    conjugate: null,
     points: new Float64Array(0),
     parameters: null,
     history: [],
