@@ -1,7 +1,7 @@
 /* Graphs of surfaces: distances against closed forms, ways continuous across seams and past poles, sheets kept apart, memory. */
 #include "../../wasm/graph.h"
-#include "testing.h"
 #include "surfaces.h"
+#include "testing.h"
 
 #include <math.h>
 #include <stdlib.h>

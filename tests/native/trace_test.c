@@ -1,10 +1,10 @@
 /* Traced geodesics: the integrator's orders, closed forms on both kinds of surface, conjugate points, walls, singular points, hostile
  * input.
  */
-#include "testing.h"
 #include "dop853.h"
 #include "surfaces.h"
 #include "surfpath.h"
+#include "testing.h"
 
 #include <math.h>
 #include <stdlib.h>
