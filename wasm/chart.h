@@ -13,23 +13,27 @@
 enum { SP_CHART_X = 0, SP_CHART_1 = 3, SP_CHART_2 = 6, SP_CHART_11 = 9, SP_CHART_12 = 12, SP_CHART_22 = 15, SP_CHART = 18 };
 
 struct sp_kind {
-    int32_t dimension; /* numbers of a place */
+    int32_t dimension;  /* numbers of a place */
+    int32_t components; /* numbers of a metric tensor (metric.h); 0: length is measured as space does, and there are no metrics */
 
-    /* Writes the charts of `pair_count` pairs of places. */
-    void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts);
+    /* Writes the charts, and the metrics if there are any, of `pair_count` pairs of places. */
+    void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics);
 
     /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
      * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
      * then not to be used. */
-    int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *steps,
-                const sp_mask *straight, double scale, sp_pair *moved);
+    int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *metrics,
+                const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 };
 
-extern const struct sp_kind sp_parametric_kind;
-extern const struct sp_kind sp_implicit_kind;
+extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
+extern const struct sp_kind sp_implicit_kind, sp_implicit_density_kind, sp_implicit_tensor_kind;
 
 static inline const struct sp_kind *sp_kind_of(const struct sp_surface *surface) {
-    return surface->kind == SP_IMPLICIT ? &sp_implicit_kind : &sp_parametric_kind;
+    int implicit = surface->kind == SP_IMPLICIT;
+    if (surface->metric == SP_DENSITY) return implicit ? &sp_implicit_density_kind : &sp_parametric_density_kind;
+    if (surface->metric == SP_TENSOR) return implicit ? &sp_implicit_tensor_kind : &sp_parametric_tensor_kind;
+    return implicit ? &sp_implicit_kind : &sp_parametric_kind;
 }
 
 /* B_1 x B_2, normal to the surface. */
@@ -41,7 +45,26 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
 
+/* Second derivatives xx xy xz yy yz zz applied to a vector. */
+struct sp_vector sp_hessian_times(const sp_pair *second, struct sp_vector v);
+
+/* Implicit: the chart at a place from the jet of f. */
+void sp_implicit_chart(const sp_pair *place, const sp_pair *jet, sp_pair *chart);
+
+/* Implicit: X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
+int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                     const sp_pair *steps, double scale, sp_pair *moved);
+
 /* Parametric: places moved into the closed rectangle. */
 void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);
+
+/* First fundamental form, and its Christoffel symbols of the first kind contracted with a step d: Gamma_c(d, d). */
+struct sp_bend {
+    sp_pair e, f, g, along_u, along_v;
+};
+
+/* Adds -Gamma(d, d)/2 to the step d = (u, v), so that the path q + d follows the geodesic to second order; clipped to half of |d| in the
+ * metric, beyond which the expansion says nothing. A degenerate metric leaves d alone. */
+void sp_bend_step(struct sp_bend bend, sp_pair *u, sp_pair *v);
 
 #endif

@@ -11,11 +11,9 @@
 enum sp_status sp_check_chords(const struct sp_polyline *line, double scale);
 
 /* Estimate of |length of the chords - length of the geodesic|, from the angles between chords and tangent planes; on a path that touches a
- * wall
- * (`touches`) also from the polyline through every second node. At least 4e-15 of the length. */
+ * wall (`touches`) also from the polyline through every second node; with a metric (metric.h) from that alone. At least 4e-15 of the
+ * length.
+ */
 double sp_check_length_error(const struct sp_polyline *line, int touches);
-
-/* Sum of the chords. */
-double sp_check_length(const struct sp_polyline *line);
 
 #endif

@@ -15,8 +15,7 @@ static void tangent_frame(struct sp_vector n, struct sp_vector *first, struct sp
     *second = (struct sp_vector){b, sign + n.y * n.y * a, -n.y};
 }
 
-/* Second derivatives of f applied to a vector. */
-static struct sp_vector hessian_times(const sp_pair *second, struct sp_vector v) {
+struct sp_vector sp_hessian_times(const sp_pair *second, struct sp_vector v) {
     return (struct sp_vector){second[0] * v.x + second[1] * v.y + second[2] * v.z, second[1] * v.x + second[3] * v.y + second[4] * v.z,
                               second[2] * v.x + second[4] * v.y + second[5] * v.z};
 }
@@ -28,29 +27,31 @@ static sp_pair magnitude(struct sp_vector v) {
 }
 
 /* S_ab = -(B_a' f'' B_b) grad f / |grad f|^2: differentiate f(S(a)) = 0 twice. */
-static void chart_from_jet(const sp_pair *place, const sp_pair *jet, sp_pair *chart) {
+void sp_implicit_chart(const sp_pair *place, const sp_pair *jet, sp_pair *chart) {
     struct sp_vector gradient = sp_load(jet + 1), first, second;
     sp_pair unit = 1.0 / magnitude(gradient);
     gradient = sp_scale(gradient, unit);
     sp_pair squared = sp_dot(gradient, gradient);
     struct sp_vector toward = sp_scale(gradient, -unit / squared);
     tangent_frame(sp_scale(gradient, 1.0 / sp_square_root(squared)), &first, &second);
-    struct sp_vector second_first = hessian_times(jet + 4, first);
+    struct sp_vector second_first = sp_hessian_times(jet + 4, first);
     sp_store(sp_load(place), chart + SP_CHART_X);
     sp_store(first, chart + SP_CHART_1);
     sp_store(second, chart + SP_CHART_2);
     sp_store(sp_scale(toward, sp_dot(first, second_first)), chart + SP_CHART_11);
     sp_store(sp_scale(toward, sp_dot(second, second_first)), chart + SP_CHART_12);
-    sp_store(sp_scale(toward, sp_dot(second, hessian_times(jet + 4, second))), chart + SP_CHART_22);
+    sp_store(sp_scale(toward, sp_dot(second, sp_hessian_times(jet + 4, second))), chart + SP_CHART_22);
 }
 
-static void implicit_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts) {
+static void implicit_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts,
+                            sp_pair *metrics) {
+    (void)metrics;
     sp_pair jets[SP_IMPLICIT_JET * BLOCK];
     for (int32_t k = 0; k < pair_count; k += BLOCK) {
         int32_t count = pair_count - k < BLOCK ? pair_count - k : BLOCK;
         surface->jet(count, places + 3 * k, jets);
         for (int32_t i = 0; i < count; i++)
-            chart_from_jet(places + 3 * (k + i), jets + SP_IMPLICIT_JET * i, charts + SP_CHART * (k + i));
+            sp_implicit_chart(places + 3 * (k + i), jets + SP_IMPLICIT_JET * i, charts + SP_CHART * (k + i));
     }
 }
 
@@ -101,10 +102,8 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
     return settled;
 }
 
-/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
-static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                         const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
-    (void)straight;
+int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                     const sp_pair *steps, double scale, sp_pair *moved) {
     for (int32_t k = 0; k < pair_count; k++) {
         const sp_pair *chart = charts + SP_CHART * k;
         struct sp_vector along = sp_add(sp_scale(sp_load(chart + SP_CHART_1), scale * steps[2 * k]),
@@ -121,4 +120,10 @@ static int implicit_move(const struct sp_surface *surface, int32_t pair_count, c
     return near;
 }
 
-const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, implicit_charts, implicit_move};
+static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                         const sp_pair *metrics, const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
+    (void)metrics, (void)straight;
+    return sp_implicit_move(surface, pair_count, places, charts, steps, scale, moved);
+}
+
+const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, 0, implicit_charts, implicit_move};

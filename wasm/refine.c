@@ -1,6 +1,7 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
 #include "refine.h"
 #include "check.h"
+#include "metric_elements.h"
 #include "sample.h"
 
 struct rung {
@@ -45,7 +46,7 @@ static double displacement(const struct sp_system *system, const struct start *s
     double largest = 0;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector moved = sp_subtract(sp_load(system->line.nodes.charts + SP_CHART * k), sp_load(start->positions + 3 * k));
-        sp_pair squared = sp_dot(moved, moved);
+        sp_pair squared = system->line.kind->components ? sp_metric_squared(&system->line, k, moved) : sp_dot(moved, moved);
         for (int lane = 0; lane < 2; lane++)
             largest = larger(largest, squared[lane]);
     }
@@ -89,7 +90,7 @@ static struct climbed climb(struct sp_newton *newton, const struct sp_options *o
     if (climbed.outcome.status != SP_CONVERGED) return climbed;
     climbed.outcome = sp_newton_run(newton, options, iterations_left);
     if (climbed.outcome.status < 0) return climbed;
-    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes.charts);
+    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes);
     climbed.moved = displacement(&newton->system, &start);
     return climbed;
 }
@@ -103,12 +104,12 @@ static int strayed(const struct climbed *climbed, double first_length) {
 
 /* The smallest relative error that the coordinates' rounding allows. */
 static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
-    return larger(options->tolerance, 8 * 2.2e-16 * newton->scale / length);
+    return larger(options->tolerance, 8 * 2.2e-16 * newton->size / length);
 }
 
 /* The error is never said to be below what rounding the coordinates leaves. */
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
-    double rounding = 4e-15 * climbed.length + 2.2e-16 * newton->scale;
+    double rounding = 4e-15 * climbed.length + 2.2e-16 * newton->size;
     return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, rounding)};
 }
 
@@ -169,7 +170,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     newton->decrement = FIRST_DECREMENT;
     first.outcome = sp_newton_run(newton, options, options->max_iterations);
     if (first.outcome.status < 0) return finish(newton, first, 0);
-    first.length = sp_check_length(&newton->system.line);
+    first.length = sp_system_length(&newton->system, newton->system.line.nodes);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
     double error = sp_check_length_error(&newton->system.line, first.outcome.active);

@@ -57,23 +57,39 @@ void sp_sample_places(const struct sp_system *from, const struct sp_reference *r
     sp_fold_mirror(fold, places, dimension);
 }
 
+/* Writes a place and where it lies. */
+static void write_place(const struct sp_surface *surface, const sp_pair *place, double *point, double *parameters) {
+    sp_pair position[3] = {place[0], place[1], place[2]};
+    if (surface->kind == SP_PARAMETRIC && point) surface->value(1, place, position);
+    for (int j = 0; point && j < 3; j++)
+        point[j] = position[j][0];
+    for (int j = 0; parameters && j < 2; j++)
+        parameters[j] = place[j][0];
+}
+
 /* One sample, put onto the surface. Where that fails, the interpolated point. */
 static void sample(const struct sp_system *system, double scale, double t, double *point, double *parameters) {
     const struct sp_surface *surface = system->line.surface;
     double place[3];
     place_at(system, t, place);
-    sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
-    if (surface->kind == SP_PARAMETRIC) {
+    sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])};
+    if (surface->kind == SP_PARAMETRIC)
         sp_parametric_clip(surface, 1, at);
-        surface->value(1, at, position);
-    } else {
+    else
         sp_implicit_settle(surface, 1, at, scale);
-        sp_store(sp_load(at), position);
-    }
-    for (int j = 0; j < 3; j++)
-        point[j] = position[j][0];
-    for (int j = 0; parameters && j < 2; j++)
-        parameters[j] = at[j][0];
+    write_place(surface, at, point, parameters);
+}
+
+/* A node: its chart knows where it lies, unless the chart is that of u and v themselves. */
+static void write_node(const struct sp_system *system, int32_t i, double *point, double *parameters) {
+    const struct sp_polyline *line = &system->line;
+    sp_pair place[2];
+    for (int32_t j = 0; j < 2 && line->surface->kind == SP_PARAMETRIC; j++)
+        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
+    int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
+    if (parameters || flat) write_place(line->surface, place, flat ? point : NULL, parameters);
+    for (int32_t j = 0; j < 3 && point && !flat; j++)
+        point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
 }
 
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
@@ -81,15 +97,10 @@ void sp_sample_points(const struct sp_system *system, double scale, int32_t poin
     int32_t last = point_count + 1, end = fold.inner + 1;
     int nodes = system->elements.reference.degree == 1 && fold.inner == point_count;
     for (int32_t i = 0; i <= last; i++) {
-        double *point = points + 3 * i, *place = parameters ? parameters + 2 * i : NULL;
-        if (!nodes && i > 0 && i < last) {
+        double *point = points ? points + 3 * i : NULL, *place = parameters ? parameters + 2 * i : NULL;
+        if (!nodes && i > 0 && i < last)
             sample(system, scale, (double)i / last, point, place);
-            continue;
-        }
-        int32_t node = nodes ? i : i ? end : 0;
-        for (int32_t j = 0; j < 3; j++)
-            point[j] = sp_fold_get(fold, system->line.nodes.charts, SP_CHART, node, j);
-        for (int32_t j = 0; place && j < 2; j++)
-            place[j] = sp_fold_get(fold, system->line.nodes.places, 2, node, j);
+        else
+            write_node(system, nodes ? i : i ? end : 0, point, place);
     }
 }

@@ -1,6 +1,7 @@
 /* From a request to a result: calls the stages in order. The only file that knows them all. */
 #include "check.h"
 #include "functions.h"
+#include "metric_elements.h"
 #include "refine.h"
 #include "sample.h"
 #include "start.h"
@@ -25,10 +26,10 @@ static int32_t inner_nodes(const struct sp_options *options) {
     return options->algorithm == SP_ELEMENTS ? SP_REFINE_INNER : options->point_count;
 }
 
-double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count) {
+double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() : 0;
-    return sp_newton_bytes(kind, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
+    return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
 
@@ -45,15 +46,17 @@ static void reverse(double *numbers, int32_t count, int32_t size) {
 static int write_points(const struct sp_newton *newton, int32_t point_count, int reversed, struct sp_arena *arena,
                         struct sp_result *result) {
     int32_t count = point_count + 2;
-    result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
-    if (!result->points) return 0;
+    if (newton->system.line.surface->value) {
+        result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
+        if (!result->points) return 0;
+    }
     if (newton->system.line.surface->kind == SP_PARAMETRIC) {
         result->parameters = sp_arena_take(arena, 2 * (size_t)count, sizeof(double));
         if (!result->parameters) return 0;
     }
     sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
     if (!reversed) return 1;
-    reverse(result->points, count, 3);
+    if (result->points) reverse(result->points, count, 3);
     if (result->parameters) reverse(result->parameters, count, 2);
     for (int32_t i = 0; newton->record && i < newton->history_count; i++)
         reverse(newton->record + (size_t)i * 3 * (size_t)count, count, 3);
@@ -71,6 +74,14 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
     for (int j = 0; j < dimension; j++)
         from[j] = reversed ? request->to[j] : request->from[j], to[j] = reversed ? request->from[j] : request->to[j];
     return reversed;
+}
+
+/* A length beside which those of the path are rounded: the size of the coordinates, in the metric of its ends. */
+static double size_of(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    if (line->kind->components == 0) return newton->scale;
+    line->kind->charts(line->surface, 1, line->nodes.places, line->nodes.charts, line->nodes.metrics);
+    return sp_metric_size(line);
 }
 
 /* The two end charts must be regular enough to leave from: finite, and the metric not zero in every direction. */
@@ -94,7 +105,7 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
 static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
     if (refined.outcome.status < 0) return refined;
-    refined.length = sp_check_length(&newton->system.line);
+    refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
     refined.length_error = sp_check_length_error(&newton->system.line, refined.outcome.active);
     return refined;
 }
@@ -114,6 +125,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
     if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
     if (status != SP_CONVERGED) return status;
+    newton.size = size_of(&newton);
     struct sp_refined refined = elements ? sp_refine_run(&newton, options, arena) : solve_polyline(&newton, options);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);

@@ -2,6 +2,7 @@
 
 /** @typedef {{ lower: number[], upper: number[], periodic: boolean[] }} Domain */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
+/** @typedef {{ jets: Jets, metrics: (points: number[]) => ArrayLike<number>[] }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does */
 
 /** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
 const TEST_FRACTIONS = [0.0371, 0.1618, 0.3183, 0.4669, 0.6181, 0.7724, 0.9143];
@@ -35,11 +36,12 @@ function diagonal(jets, { lower, upper }) {
 }
 
 /**
- * Whether a surface closes smoothly in a direction: S and its first derivatives agree on both edges, and the edges are curves, not points.
+ * Whether a surface closes smoothly in a direction: S, what measures length on it, and the first derivatives agree on both edges, and the edges
+ * are curves, not points.
  * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls.
- * @param {Jets} jets @param {Domain} domain @param {number} direction 0: u, 1: v
+ * @param {Sampled} surface @param {Domain} domain @param {number} direction 0: u, 1: v
  */
-function closes(jets, domain, direction) {
+function closes({ jets, metrics }, domain, direction) {
   const { lower, upper } = domain;
   const other = 1 - direction;
   const places = [];
@@ -60,17 +62,30 @@ function closes(jets, domain, direction) {
       largest = Math.max(largest, gap(vector(sampled, i, offset), [0, 0, 0]));
     }
   }
+  if (!agree(metrics(places))) return false;
   return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
+}
+
+/** Whether the second half of the lists repeats the first. @param {ArrayLike<number>[]} lists */
+function agree(lists) {
+  const half = lists.length / 2;
+  let [apart, largest] = [0, 0];
+  for (let i = 0; i < half; i++)
+    for (let k = 0; k < lists[i].length; k++) {
+      apart = Math.max(apart, Math.abs(lists[i][k] - lists[half + i][k]));
+      largest = Math.max(largest, Math.abs(lists[i][k]));
+    }
+  return apart <= DERIVATIVE_GAP * largest;
 }
 
 /**
  * Which directions are periodic: as asked, or, 'auto', where the surface closes.
- * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Jets} jets @param {{ lower: number[], upper: number[] }} range
+ * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Sampled} surface @param {{ lower: number[], upper: number[] }} range
  * @returns {Domain}
  */
-export function findDomain(asked, jets, { lower, upper }) {
+export function findDomain(asked, surface, { lower, upper }) {
   const domain = { lower, upper, periodic: [false, false] };
-  const periodic = asked === 'auto' ? [closes(jets, domain, 0), closes(jets, domain, 1)] : [asked.u === true, asked.v === true];
+  const periodic = asked === 'auto' ? [closes(surface, domain, 0), closes(surface, domain, 1)] : [asked.u === true, asked.v === true];
   return { lower, upper, periodic };
 }
 

@@ -6,9 +6,11 @@ import { Surface } from './surface.js';
 
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
 /** @typedef {import('./runtime/solver.js').WasmSource} WasmSource */
 
-const UNBUILT = ['metric', 'graph', 'revolution', 'tube', 'sweep'];
+const UNBUILT = ['graph', 'revolution', 'tube', 'sweep'];
+const KINDS = ['parametric', 'implicit', 'metric'];
 
 /** One instance: surfaces of it share a memory; two instances share nothing. Made by `load`. */
 export class Surfpath {
@@ -30,17 +32,21 @@ export class Surfpath {
     return this.#add('implicit', definition);
   }
 
+  /** A metric ds² = E du² + 2F du dv + G dv² without positions: its paths have parameters, but no points. @param {MetricDefinition} definition */
+  metric(definition) {
+    return this.#add('metric', definition);
+  }
+
   /**
    * A surface from plain data: an entry of the gallery, say. Fields that its kind does not know are ignored.
-   * @param {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition)} definition
+   * @param {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition) | ({ kind: 'metric' } & MetricDefinition)} definition
    */
   surface(definition) {
     if (typeof definition !== 'object' || definition === null)
       throw new TypeError(`surface: the definition must be an object, not ${describe(definition)}`);
     const { kind } = definition;
-    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use 'parametric' or 'implicit'`);
-    if (kind !== 'parametric' && kind !== 'implicit')
-      throw new RangeError(`surface: kind must be 'parametric' or 'implicit', not ${describe(kind)}`);
+    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use 'parametric', 'implicit' or 'metric'`);
+    if (!KINDS.includes(kind)) throw new RangeError(`surface: kind must be 'parametric', 'implicit' or 'metric', not ${describe(kind)}`);
     return this.#add(kind, definition);
   }
 
@@ -51,7 +57,7 @@ export class Surfpath {
     this.#solver = null;
   }
 
-  /** @param {'parametric' | 'implicit'} kind @param {any} definition */
+  /** @param {'parametric' | 'implicit' | 'metric'} kind @param {any} definition */
   #add(kind, definition) {
     if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
     const surface = new Surface(this.#solver, kind, definition, () => this.#surfaces.delete(surface));

@@ -1,0 +1,43 @@
+/* The metric at a node, where length is not measured as space does: a symmetric tensor T over the coordinates X of the chart, with its
+ * derivatives along the chart. Length is the integral of sqrt(dX' T dX). Knows no path. MATH.md, "Metrics".
+ *
+ * Layout, in sp_pair: T, T_1, T_2, T_11, T_12, T_22, `components` numbers each. 1: a factor of the identity (density); 3: xx xy yy, of
+ * places u v, whose chart is X = (u, v, 0); 6: xx xy yy xz yz zz. */
+#ifndef SURFPATH_METRIC_H
+#define SURFPATH_METRIC_H
+
+#include "chart.h"
+
+enum { SP_METRIC_PARTS = 6, SP_METRIC_COMPONENTS = 6, SP_METRIC_LARGEST = SP_METRIC_PARTS * SP_METRIC_COMPONENTS };
+
+/* Parts of a metric. */
+enum { SP_METRIC_T = 0, SP_METRIC_T1, SP_METRIC_T2, SP_METRIC_T11, SP_METRIC_T12, SP_METRIC_T22 };
+
+/* T v for a tensor of `components` numbers. */
+struct sp_vector sp_metric_times(int32_t components, const sp_pair *t, struct sp_vector v);
+
+/* The first fundamental form e = B_1'T B_1, f = B_1'T B_2, g = B_2'T B_2. */
+struct sp_form {
+    sp_pair e, f, g;
+};
+
+struct sp_form sp_metric_form(int32_t components, const sp_pair *chart, const sp_pair *metric);
+
+/* Lanes in which a form is positive definite. */
+static inline sp_mask sp_form_positive(struct sp_form form) {
+    sp_pair zero = sp_splat(0.0);
+    return (form.e + form.g > zero) & (form.e * form.g - form.f * form.f > zero);
+}
+
+/* The form and its Christoffel symbols of the first kind: symbols[c][ab] = Gamma_c,ab, ab = 11, 12, 22. */
+struct sp_connection {
+    struct sp_form form;
+    sp_pair symbols[2][3];
+};
+
+struct sp_connection sp_metric_connection(int32_t components, const sp_pair *chart, const sp_pair *metric);
+
+/* Bends a step along the geodesic of this metric: sp_bend_step. */
+void sp_metric_bend(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_pair *u, sp_pair *v);
+
+#endif
