@@ -22,8 +22,8 @@ struct sp_kind {
     /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
      * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
      * then not to be used. */
-    int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *metrics,
-                const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
+    int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *steps,
+                const sp_mask *straight, double scale, sp_pair *moved);
 };
 
 extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
@@ -51,20 +51,16 @@ struct sp_vector sp_hessian_times(const sp_pair *second, struct sp_vector v);
 /* Implicit: the chart at a place from the jet of f. */
 void sp_implicit_chart(const sp_pair *place, const sp_pair *jet, sp_pair *chart);
 
-/* Implicit: X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
+/* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
+int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                       const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
+
+/* `move` of the implicit kinds: X + B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet.
+ */
 int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                     const sp_pair *steps, double scale, sp_pair *moved);
+                     const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 
 /* Parametric: places moved into the closed rectangle. */
 void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);
-
-/* First fundamental form, and its Christoffel symbols of the first kind contracted with a step d: Gamma_c(d, d). */
-struct sp_bend {
-    sp_pair e, f, g, along_u, along_v;
-};
-
-/* Adds -Gamma(d, d)/2 to the step d = (u, v), so that the path q + d follows the geodesic to second order; clipped to half of |d| in the
- * metric, beyond which the expansion says nothing. A degenerate metric leaves d alone. */
-void sp_bend_step(struct sp_bend bend, sp_pair *u, sp_pair *v);
 
 #endif

@@ -127,11 +127,11 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
                                   sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_metric_element element;
-    sp_metric_open(&elements->reference, line, e, held, &element);
+    sp_metric_open(&elements->reference, line, line->nodes, e, &element);
     for (int32_t i = 0; i <= p; i++)
         for (int32_t j = 0; j < i; j++) {
             sp_pair block[4];
-            sp_metric_couple(&element, i, j, block);
+            sp_metric_couple(&element, i, j, held, block);
             for (int32_t a = 0; a < 4; a++)
                 put(matrix, order, position(p, i) + a / 2, position(p, j) + a % 2, block[a]);
         }
@@ -221,7 +221,7 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
         sp_pair *matrix = matrix_of(elements, e);
         fill_matrix(elements, rows + e * p, shift, matrix);
         if (line->kind->components)
-            fill_metric_couplings(elements, line, e, held, matrix);
+            fill_metric_couplings(elements, line, e, held + 2 * e * p, matrix);
         else
             fill_couplings(elements, element_charts(elements, line->nodes.charts, e), held + 2 * e * p, matrix);
         struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));

@@ -103,7 +103,8 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
 }
 
 int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                     const sp_pair *steps, double scale, sp_pair *moved) {
+                     const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
+    (void)straight;
     for (int32_t k = 0; k < pair_count; k++) {
         const sp_pair *chart = charts + SP_CHART * k;
         struct sp_vector along = sp_add(sp_scale(sp_load(chart + SP_CHART_1), scale * steps[2 * k]),
@@ -120,10 +121,4 @@ int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const
     return near;
 }
 
-static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                         const sp_pair *metrics, const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
-    (void)metrics, (void)straight;
-    return sp_implicit_move(surface, pair_count, places, charts, steps, scale, moved);
-}
-
-const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, 0, implicit_charts, implicit_move};
+const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, 0, implicit_charts, sp_implicit_move};

@@ -36,11 +36,5 @@ static void metric_charts(const struct sp_surface *surface, int32_t pair_count, 
     }
 }
 
-static int metric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                       const sp_pair *metrics, const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
-    (void)metrics, (void)straight;
-    return sp_implicit_move(surface, pair_count, places, charts, steps, scale, moved);
-}
-
-const struct sp_kind sp_implicit_density_kind = {SP_IMPLICIT_INPUTS, 1, metric_charts, metric_move};
-const struct sp_kind sp_implicit_tensor_kind = {SP_IMPLICIT_INPUTS, 6, metric_charts, metric_move};
+const struct sp_kind sp_implicit_density_kind = {SP_IMPLICIT_INPUTS, 1, metric_charts, sp_implicit_move};
+const struct sp_kind sp_implicit_tensor_kind = {SP_IMPLICIT_INPUTS, 6, metric_charts, sp_implicit_move};

@@ -13,8 +13,8 @@ enum { SP_METRIC_PARTS = 6, SP_METRIC_COMPONENTS = 6, SP_METRIC_LARGEST = SP_MET
 /* Parts of a metric. */
 enum { SP_METRIC_T = 0, SP_METRIC_T1, SP_METRIC_T2, SP_METRIC_T11, SP_METRIC_T12, SP_METRIC_T22 };
 
-/* T v for a tensor of `components` numbers. */
-struct sp_vector sp_metric_times(int32_t components, const sp_pair *t, struct sp_vector v);
+/* a' T b for a tensor of `components` numbers, vectors of three. */
+sp_pair sp_metric_product(int32_t components, const sp_pair *t, const sp_pair *a, const sp_pair *b);
 
 /* The first fundamental form e = B_1'T B_1, f = B_1'T B_2, g = B_2'T B_2. */
 struct sp_form {
@@ -29,15 +29,7 @@ static inline sp_mask sp_form_positive(struct sp_form form) {
     return (form.e + form.g > zero) & (form.e * form.g - form.f * form.f > zero);
 }
 
-/* The form and its Christoffel symbols of the first kind: symbols[c][ab] = Gamma_c,ab, ab = 11, 12, 22. */
-struct sp_connection {
-    struct sp_form form;
-    sp_pair symbols[2][3];
-};
-
-struct sp_connection sp_metric_connection(int32_t components, const sp_pair *chart, const sp_pair *metric);
-
-/* Bends a step along the geodesic of this metric: sp_bend_step. */
-void sp_metric_bend(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_pair *u, sp_pair *v);
+/* Christoffel symbols of the first kind, Gamma_c,ab with ab = 11, 12, 22: first those of c = 1, then of c = 2. */
+void sp_metric_symbols(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_pair symbols[6]);
 
 #endif

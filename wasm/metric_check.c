@@ -61,16 +61,15 @@ enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
 static double chord_length(const struct sp_polyline *line, int32_t from, int32_t to) {
     struct sp_fold fold = line->fold;
     int32_t components = line->kind->components, node[2] = {from, to};
-    sp_pair chord[3], metric[SP_METRIC_COMPONENTS] = {{0}};
+    sp_pair chord[3], metric[SP_METRIC_COMPONENTS];
+    double sum = 0;
     for (int32_t j = 0; j < 3; j++)
         chord[j] =
             sp_splat(sp_fold_get(fold, line->nodes.charts, SP_CHART, to, j) - sp_fold_get(fold, line->nodes.charts, SP_CHART, from, j));
-    double sum = 0;
     for (int i = 0; i < 2; i++) {
         for (int32_t c = 0; c < components; c++)
             metric[c] = sp_splat(sp_fold_get(fold, line->nodes.metrics, SP_METRIC_PARTS * components, node[i], c));
-        struct sp_vector along = sp_load(chord);
-        sum += 0.5 * sp_square_root(sp_dot(along, sp_metric_times(components, metric, along)))[0];
+        sum += 0.5 * sp_square_root(sp_metric_product(components, metric, chord, chord))[0];
     }
     return sum;
 }

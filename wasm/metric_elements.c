@@ -4,12 +4,9 @@
 
 /* What an element adds to a node, one sp_pair each; the sums of two elements are the node's. */
 enum {
-    PULL = 0,       /* sum_q D_qi weight_q T_q V_q, a vector */
-    TURNING_1 = 3,  /* weight_i D_ii T_1 V_i, a vector */
-    TURNING_2 = 6,  /* weight_i D_ii T_2 V_i */
-    SLOPE = 9,      /* weight_i V_i' T_a V_i / 2, a = 1, 2 */
-    CURVATURE = 11, /* weight_i V_i' T_ab V_i / 2, ab = 11, 12, 22 */
-    MASS = 14,      /* sum_q weight_q D_qi^2 T_q, `components` numbers */
+    FORCE = 0,     /* sum_q D_qi weight_q B_a' T_q V_q + weight_i V_i' T_a V_i / 2, a = 1, 2: the gradient */
+    CURVATURE = 2, /* the Hessian's block but for MASS, ab = 11, 12, 22 */
+    MASS = 5,      /* sum_q weight_q D_qi^2 T_q, `components` numbers */
     TERMS = MASS + SP_METRIC_COMPONENTS
 };
 
@@ -23,38 +20,32 @@ static int32_t pairs_of(const struct sp_reference *reference, const struct sp_po
 }
 
 static double both_lanes(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair sum, sp_pair last) {
-    return count_of(reference, line) % 2 ? sum[0] + sum[1] + last[0] : sum[0] + sum[1] + last[0] + last[1];
+    return sum[0] + sum[1] + last[0] + (count_of(reference, line) % 2 ? 0 : last[1]);
 }
 
-/* Reads charts, metrics and velocities of element pair e: V_q = sum_j D_qj (X_j - X_q). */
-static void open_element(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
-                         struct sp_metric_element *element) {
+/* V_q = sum_j D_qj (X_j - X_q) */
+void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+                    struct sp_metric_element *element) {
     int32_t p = reference->degree, first = e * p;
     element->reference = reference, element->components = line->kind->components;
     element->charts = nodes.charts + SP_CHART * first;
     element->metrics = nodes.metrics + SP_METRIC_PARTS * element->components * first;
-    for (int32_t q = 0; q <= p; q++) {
-        struct sp_vector here = sp_load(element->charts + SP_CHART * q), sum = {{0}, {0}, {0}};
-        for (int32_t j = 0; j <= p; j++) {
-            if (j == q) continue;
-            struct sp_vector there = sp_load(element->charts + SP_CHART * j);
-            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(reference->derivative[q * (p + 1) + j])));
+    for (int32_t q = 0; q <= p; q++)
+        for (int k = 0; k < 3; k++) {
+            sp_pair here = element->charts[SP_CHART * q + k], sum = sp_splat(0.0);
+            for (int32_t j = 0; j <= p; j++)
+                sum += reference->derivative[q * (p + 1) + j] * (element->charts[SP_CHART * j + k] - here);
+            element->velocity[3 * q + k] = sum;
         }
-        element->velocity[q] = sum;
-    }
 }
 
 static const sp_pair *metric_at(const struct sp_metric_element *element, int32_t i, int32_t part) {
     return element->metrics + element->components * (SP_METRIC_PARTS * i + part);
 }
 
-/* T_part V at node i. */
-static struct sp_vector moment(const struct sp_metric_element *element, int32_t i, int32_t part) {
-    return sp_metric_times(element->components, metric_at(element, i, part), element->velocity[i]);
-}
-
-static sp_mask positive_at(const struct sp_metric_element *element, int32_t i) {
-    return sp_form_positive(sp_metric_form(element->components, element->charts + SP_CHART * i, metric_at(element, i, SP_METRIC_T)));
+/* a' T_part V at node i. */
+static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_t part, const sp_pair *a) {
+    return sp_metric_product(element->components, metric_at(element, i, part), a, element->velocity + 3 * i);
 }
 
 double sp_metric_squares(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
@@ -64,10 +55,11 @@ double sp_metric_squares(const struct sp_reference *reference, const struct sp_p
     for (int32_t e = 0; e < pairs; e++) {
         squares += last_squares, along += last_along;
         last_squares = last_along = sp_splat(0.0);
-        open_element(reference, line, nodes, e, &element);
+        sp_metric_open(reference, line, nodes, e, &element);
         for (int32_t q = 0; q <= p; q++) {
-            if (e + q > 0 && sp_any(~positive_at(&element, q))) return __builtin_nan("");
-            sp_pair squared = sp_dot(element.velocity[q], moment(&element, q, SP_METRIC_T));
+            struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
+            if (e + q > 0 && sp_any(~sp_form_positive(form))) return __builtin_nan("");
+            sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q);
             last_squares += reference->weight[q] * squared;
             last_along += reference->weight[q] * sp_square_root(squared);
         }
@@ -80,61 +72,62 @@ double sp_metric_squares(const struct sp_reference *reference, const struct sp_p
 static void add_terms(const struct sp_metric_element *element, int32_t i, sp_pair *terms) {
     const struct sp_reference *reference = element->reference;
     int32_t size = reference->degree + 1;
+    const sp_pair *chart = element->charts + SP_CHART * i, *velocity = element->velocity + 3 * i;
     double weight = reference->weight[i], own = weight * reference->derivative[i * size + i];
-    struct sp_vector pull = sp_load(terms + PULL), velocity = element->velocity[i];
     for (int32_t q = 0; q < size; q++) {
         double slope = reference->derivative[q * size + i], factor = reference->weight[q] * slope;
         const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
-        pull = sp_add(pull, sp_scale(moment(element, q, SP_METRIC_T), sp_splat(factor)));
         for (int32_t c = 0; c < element->components; c++)
             terms[MASS + c] += factor * slope * metric[c];
+        for (int32_t k = 0; k < 5; k++) /* B_1, B_2, S_11, S_12, S_22 */
+            terms[FORCE + k] += factor * moment(element, q, SP_METRIC_T, chart + SP_CHART_1 + 3 * k);
     }
-    sp_store(pull, terms + PULL);
-    for (int32_t a = 0; a < 2; a++) {
-        struct sp_vector turned = moment(element, i, SP_METRIC_T1 + a);
-        sp_store(sp_add(sp_load(terms + TURNING_1 + 3 * a), sp_scale(turned, sp_splat(own))), terms + TURNING_1 + 3 * a);
-        terms[SLOPE + a] += 0.5 * weight * sp_dot(velocity, turned);
+    for (int32_t k = 0; k < 5; k++)
+        terms[FORCE + k] += 0.5 * weight * moment(element, i, SP_METRIC_T1 + k, velocity);
+    for (int32_t k = 0; k < 4; k++) { /* weight_i D_ii (B_b' T_a V_i + B_a' T_b V_i) */
+        sp_pair turning = own * moment(element, i, SP_METRIC_T1 + k / 2, chart + (k % 2 ? SP_CHART_2 : SP_CHART_1));
+        terms[CURVATURE + k / 2 + k % 2] += k == 1 || k == 2 ? turning : 2.0 * turning;
     }
-    for (int32_t ab = 0; ab < 3; ab++)
-        terms[CURVATURE + ab] += 0.5 * weight * sp_dot(velocity, moment(element, i, SP_METRIC_T11 + ab));
 }
 
-/* Takes Gamma^c_ab grad_c from the Hessian where a node moves along geodesics of the metric: the second derivative of the energy then. */
+/* Takes Gamma^c_ab grad_c from the Hessian: the second derivative of the energy along geodesics of the metric. Not where a node moves
+ * straight. */
 static void make_covariant(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_mask straight, struct sp_row *row) {
-    struct sp_connection at = sp_metric_connection(components, chart, metric);
-    sp_pair determinant = at.form.e * at.form.g - at.form.f * at.form.f, zero = sp_splat(0.0);
-    sp_pair up_1 = sp_select(straight, zero, (at.form.g * row->r1 - at.form.f * row->r2) / determinant);
-    sp_pair up_2 = sp_select(straight, zero, (at.form.e * row->r2 - at.form.f * row->r1) / determinant);
-    row->a += at.symbols[0][0] * up_1 + at.symbols[1][0] * up_2;
-    row->b += at.symbols[0][1] * up_1 + at.symbols[1][1] * up_2;
-    row->d += at.symbols[0][2] * up_1 + at.symbols[1][2] * up_2;
+    sp_pair symbols[6], zero = sp_splat(0.0);
+    sp_metric_symbols(components, chart, metric, symbols);
+    struct sp_form form = sp_metric_form(components, chart, metric);
+    sp_pair reciprocal = sp_select(straight, zero, 1.0 / (form.e * form.g - form.f * form.f));
+    sp_pair up_1 = reciprocal * (form.g * row->r1 - form.f * row->r2), up_2 = reciprocal * (form.e * row->r2 - form.f * row->r1);
+    row->a += symbols[0] * up_1 + symbols[3] * up_2;
+    row->b += symbols[1] * up_1 + symbols[4] * up_2;
+    row->d += symbols[2] * up_1 + symbols[5] * up_2;
 }
 
-/* Diagonal block, M and right-hand side of one pair of nodes from its terms. */
-static void assemble_row(int32_t components, const sp_pair *chart, const sp_pair *metric, const sp_pair *terms, double weight,
-                         sp_mask straight, struct sp_row *row) {
-    struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2), pull = sp_load(terms + PULL);
-    struct sp_vector turning_1 = sp_load(terms + TURNING_1), turning_2 = sp_load(terms + TURNING_2);
+/* Diagonal block, M and right-hand side of pair k from its terms. */
+static void assemble_row(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, sp_mask straight,
+                         struct sp_row *row) {
+    int32_t components = line->kind->components;
+    const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     struct sp_form mass = sp_metric_form(components, chart, terms + MASS);
     row->weight = sp_splat(weight);
     row->e = mass.e / weight, row->f = mass.f / weight, row->g = mass.g / weight;
-    row->r1 = -sp_dot(b1, pull) - terms[SLOPE], row->r2 = -sp_dot(b2, pull) - terms[SLOPE + 1];
-    row->a = mass.e + 2.0 * sp_dot(turning_1, b1) + terms[CURVATURE] + sp_dot(pull, sp_load(chart + SP_CHART_11));
-    row->b = mass.f + sp_dot(turning_1, b2) + sp_dot(turning_2, b1) + terms[CURVATURE + 1] + sp_dot(pull, sp_load(chart + SP_CHART_12));
-    row->d = mass.g + 2.0 * sp_dot(turning_2, b2) + terms[CURVATURE + 2] + sp_dot(pull, sp_load(chart + SP_CHART_22));
-    make_covariant(components, chart, metric, straight, row);
+    row->r1 = -terms[FORCE], row->r2 = -terms[FORCE + 1];
+    row->a = mass.e + terms[CURVATURE], row->b = mass.f + terms[CURVATURE + 1], row->d = mass.g + terms[CURVATURE + 2];
+    make_covariant(components, chart, line->nodes.metrics + SP_METRIC_PARTS * components * k, straight, row);
 }
 
 /* One row, and the coordinates of it that are held. */
 static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, struct sp_row *row,
                              sp_mask *straight, sp_mask held[2]) {
-    int32_t components = line->kind->components;
-    const sp_pair *chart = line->nodes.charts + SP_CHART * k, *metric = line->nodes.metrics + SP_METRIC_PARTS * components * k;
-    assemble_row(components, chart, metric, terms, weight, *straight, row);
+    int32_t active = 0;
     held[0] = held[1] = (sp_mask){0, 0};
-    if (line->surface->kind != SP_PARAMETRIC || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
-    *straight |= held[0] | held[1];
-    assemble_row(components, chart, metric, terms, weight, *straight, row);
+    for (int round = 0; round < 2; round++) { /* again, straight, if something is held */
+        assemble_row(line, k, terms, weight, *straight, row);
+        if (round == 0 && line->surface->kind == SP_PARAMETRIC)
+            active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
+        if (!active) return 0;
+        *straight |= held[0] | held[1];
+    }
     sp_row_hold(row, held);
     return 1;
 }
@@ -145,15 +138,10 @@ static void assemble_couplings(const struct sp_reference *reference, const struc
     struct sp_metric_element element;
     for (int32_t k = 1; k <= line->fold.both; k++) {
         sp_pair block[4];
-        sp_metric_open(reference, line, k, held, &element);
-        sp_metric_couple(&element, 0, 1, block);
+        sp_metric_open(reference, line, line->nodes, k, &element);
+        sp_metric_couple(&element, 0, 1, held + 2 * k, block);
         rows[k].q11 = -block[0], rows[k].q12 = -block[1], rows[k].q21 = -block[2], rows[k].q22 = -block[3];
     }
-}
-
-static void clear(sp_pair *terms) {
-    for (int j = 0; j < TERMS; j++)
-        terms[j] = sp_splat(0.0);
 }
 
 /* Nothing is held at the ends; where the path is folded the masks are mirrored like everything else. */
@@ -168,18 +156,17 @@ struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const 
     int32_t p = reference->degree, pairs = pairs_of(reference, line), unknown = sp_fold_unknown(line->fold);
     struct sp_energy energy = {sp_metric_squares(reference, line, line->nodes, NULL), 0, 0};
     struct sp_metric_element element;
-    sp_pair terms[TERMS];
-    clear(terms);
+    sp_pair terms[TERMS] = {{0}};
     for (int32_t e = 0; e < pairs; e++) {
-        open_element(reference, line, line->nodes, e, &element);
+        sp_metric_open(reference, line, line->nodes, e, &element);
         for (int32_t i = 0; i <= p; i++) {
             int32_t k = e * p + i, shared = i == p && e < pairs - 1;
-            if (i > 0) clear(terms);
+            for (int j = 0; j < TERMS && i > 0; j++)
+                terms[j] = sp_splat(0.0);
             add_terms(&element, i, terms);
             if (k == 0 || shared || k > unknown) continue;
-            if (i == p)
-                for (int j = 0; j < TERMS; j++)
-                    terms[j] += sp_swap(terms[j]);
+            for (int j = 0; j < TERMS && i == p; j++)
+                terms[j] += sp_swap(terms[j]);
             straight[k] = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
             double weight = (i == 0 || i == p ? 2 : 1) * reference->stiffness[i * (p + 1) + i];
             energy.active += assemble_node(line, k, terms, weight, rows + k, straight + k, held + 2 * k);
@@ -191,24 +178,8 @@ struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const 
     return energy;
 }
 
-void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, int32_t e, const sp_mask *held,
-                    struct sp_metric_element *element) {
-    open_element(reference, line, line->nodes, e, element);
-    sp_pair zero = sp_splat(0.0);
-    for (int32_t i = 0; i <= reference->degree; i++)
-        for (int32_t a = 0; a < 2; a++) {
-            sp_mask out = held[2 * (e * reference->degree + i) + a];
-            struct sp_vector frame = sp_load(element->charts + SP_CHART * i + (a ? SP_CHART_2 : SP_CHART_1));
-            struct sp_vector turning = sp_scale(moment(element, i, SP_METRIC_T1 + a), sp_splat(reference->weight[i]));
-            element->frame[2 * i + a] =
-                (struct sp_vector){sp_select(out, zero, frame.x), sp_select(out, zero, frame.y), sp_select(out, zero, frame.z)};
-            element->turning[2 * i + a] =
-                (struct sp_vector){sp_select(out, zero, turning.x), sp_select(out, zero, turning.y), sp_select(out, zero, turning.z)};
-        }
-}
-
-/* B_i' (sum_q weight_q D_qi D_qj T_q) B_j + D_ij (T_a V)_i . B_j + D_ji B_i . (T_b V)_j */
-void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, sp_pair block[4]) {
+/* B_i' (sum_q weight_q D_qi D_qj T_q) B_j + weight_i D_ij (T_a V)_i . B_j + weight_j D_ji B_i . (T_b V)_j */
+void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]) {
     const struct sp_reference *reference = element->reference;
     int32_t size = reference->degree + 1;
     sp_pair sum[SP_METRIC_COMPONENTS] = {{0}};
@@ -218,27 +189,24 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
         for (int32_t c = 0; c < element->components; c++)
             sum[c] += factor * metric[c];
     }
-    double ij = reference->derivative[i * size + j], ji = reference->derivative[j * size + i];
-    for (int b = 0; b < 2; b++) {
-        struct sp_vector frame = element->frame[2 * j + b], stiff = sp_metric_times(element->components, sum, frame);
-        stiff = sp_add(stiff, sp_scale(element->turning[2 * j + b], sp_splat(ji)));
-        for (int a = 0; a < 2; a++)
-            block[2 * a + b] = sp_dot(element->frame[2 * i + a], stiff) + ij * sp_dot(element->turning[2 * i + a], frame);
+    double ij = reference->weight[i] * reference->derivative[i * size + j], ji = reference->weight[j] * reference->derivative[j * size + i];
+    for (int32_t k = 0; k < 4; k++) {
+        int32_t a = k / 2, b = k % 2;
+        const sp_pair *here = element->charts + SP_CHART * i + SP_CHART_1 + 3 * a,
+                      *there = element->charts + SP_CHART * j + SP_CHART_1 + 3 * b;
+        sp_pair value = sp_metric_product(element->components, sum, here, there) + ij * moment(element, i, SP_METRIC_T1 + a, there) +
+                        ji * moment(element, j, SP_METRIC_T1 + b, here);
+        block[k] = sp_select(held[2 * i + a] | held[2 * j + b], sp_splat(0.0), value);
     }
 }
 
 double sp_metric_size(const struct sp_polyline *line) {
     int32_t components = line->kind->components;
-    sp_pair t[SP_METRIC_COMPONENTS];
-    struct sp_vector at = sp_load(line->nodes.charts);
+    sp_pair t[SP_METRIC_COMPONENTS], at[3];
     for (int32_t c = 0; c < components; c++)
         t[c] = sp_absolute(line->nodes.metrics[c]);
-    at = (struct sp_vector){sp_absolute(at.x), sp_absolute(at.y), sp_absolute(at.z)};
-    sp_pair size = sp_square_root(sp_dot(at, sp_metric_times(components, t, at)));
+    for (int k = 0; k < 3; k++)
+        at[k] = sp_absolute(line->nodes.charts[k]);
+    sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
     return size[0] > size[1] ? size[0] : size[1];
-}
-
-sp_pair sp_metric_squared(const struct sp_polyline *line, int32_t k, struct sp_vector displacement) {
-    int32_t components = line->kind->components;
-    return sp_dot(displacement, sp_metric_times(components, line->nodes.metrics + SP_METRIC_PARTS * components * k, displacement));
 }

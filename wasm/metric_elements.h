@@ -14,27 +14,23 @@ double sp_metric_squares(const struct sp_reference *reference, const struct sp_p
 struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held);
 
-/* An element with what its couplings are made of. */
+/* An element with the velocities at its nodes. */
 struct sp_metric_element {
     const struct sp_reference *reference;
     int32_t components;
-    const sp_pair *charts, *metrics;                   /* of its first node */
-    struct sp_vector velocity[SP_MAX_DEGREE + 1];      /* V_q */
-    struct sp_vector frame[2 * (SP_MAX_DEGREE + 1)];   /* B_a, zero in held coordinates */
-    struct sp_vector turning[2 * (SP_MAX_DEGREE + 1)]; /* weight_i T_a V_i, too */
+    const sp_pair *charts, *metrics; /* of its first node */
+    sp_pair velocity[3 * (SP_MAX_DEGREE + 1)];
 };
 
-/* Reads element pair e; `held`: two masks a pair, of all nodes. */
-void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, int32_t e, const sp_mask *held,
+/* Reads element pair e. */
+void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
                     struct sp_metric_element *element);
 
-/* Writes the 2 x 2 block of H between nodes i != j of an element, row by row. */
-void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, sp_pair block[4]);
+/* Writes the 2 x 2 block of H between nodes i != j of an element, row by row; zero in coordinates that are held (`held`: two masks a pair,
+ * from its first node). */
+void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]);
 
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric. */
 double sp_metric_size(const struct sp_polyline *line);
-
-/* Length of a displacement of node pair k, in the metric, squared. */
-sp_pair sp_metric_squared(const struct sp_polyline *line, int32_t k, struct sp_vector displacement);
 
 #endif

@@ -63,11 +63,10 @@ static int normals_kept(const struct sp_newton *newton) {
 static double try_step(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
-    sp_pair *places = newton->trial.places, *metrics = line->nodes.metrics;
-    if (metrics) metrics += SP_METRIC_PARTS * line->kind->components;
+    sp_pair *places = newton->trial.places;
     for (int32_t j = 0; j < dimension; j++)
         places[j] = line->nodes.places[j];
-    if (!line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, metrics, newton->step + 2,
+    if (!line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
                           newton->system.straight + 1, scale, places + dimension))
         return not_a_number();
     sp_fold_mirror(line->fold, places, dimension);

@@ -18,9 +18,15 @@ void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp
             places[2 * k + j] = clip(places[2 * k + j], surface->lower[j], surface->upper[j]);
 }
 
-void sp_bend_step(struct sp_bend bend, sp_pair *u, sp_pair *v) {
-    sp_pair e = bend.e, f = bend.f, g = bend.g, factor = -0.5 / (e * g - f * f);
-    sp_pair bend_u = factor * (g * bend.along_u - f * bend.along_v), bend_v = factor * (e * bend.along_v - f * bend.along_u);
+/* Adds -Gamma(d, d)/2 to the step d, so that the path q + d follows the geodesic to second order; clipped to half of |d| in the metric,
+ * beyond which the expansion says nothing. A degenerate metric leaves d alone. */
+static void bend(const sp_pair *chart, sp_pair *u, sp_pair *v) {
+    struct sp_vector s_u = sp_load(chart + SP_CHART_1), s_v = sp_load(chart + SP_CHART_2);
+    struct sp_vector second = sp_add(sp_scale(sp_load(chart + SP_CHART_11), *u * *u), sp_scale(sp_load(chart + SP_CHART_22), *v * *v));
+    second = sp_add(second, sp_scale(sp_load(chart + SP_CHART_12), 2.0 * *u * *v));
+    sp_pair e = sp_dot(s_u, s_u), f = sp_dot(s_u, s_v), g = sp_dot(s_v, s_v);
+    sp_pair along_u = sp_dot(s_u, second), along_v = sp_dot(s_v, second), factor = -0.5 / (e * g - f * f);
+    sp_pair bend_u = factor * (g * along_u - f * along_v), bend_v = factor * (e * along_v - f * along_u);
     sp_pair step = e * *u * *u + 2.0 * f * *u * *v + g * *v * *v;
     sp_pair bent = e * bend_u * bend_u + 2.0 * f * bend_u * bend_v + g * bend_v * bend_v;
     sp_pair limit = sp_select(4.0 * bent > step, 0.5 * sp_square_root(step / bent), sp_splat(1.0));
@@ -29,20 +35,11 @@ void sp_bend_step(struct sp_bend bend, sp_pair *u, sp_pair *v) {
     *v += sp_select(sane, limit * bend_v, sp_splat(0.0));
 }
 
-/* Of the metric of space. */
-static struct sp_bend bend_of(const sp_pair *chart, sp_pair u, sp_pair v) {
-    struct sp_vector s_u = sp_load(chart + SP_CHART_1), s_v = sp_load(chart + SP_CHART_2);
-    struct sp_vector second = sp_add(sp_scale(sp_load(chart + SP_CHART_11), u * u), sp_scale(sp_load(chart + SP_CHART_22), v * v));
-    second = sp_add(second, sp_scale(sp_load(chart + SP_CHART_12), 2.0 * u * v));
-    return (struct sp_bend){sp_dot(s_u, s_u), sp_dot(s_u, s_v), sp_dot(s_v, s_v), sp_dot(s_u, second), sp_dot(s_v, second)};
-}
-
-static int parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                           const sp_pair *metrics, const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
-    (void)metrics;
+int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                       const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     for (int32_t k = 0; k < pair_count; k++) {
         sp_pair straight_u = scale * steps[2 * k], straight_v = scale * steps[2 * k + 1], u = straight_u, v = straight_v;
-        sp_bend_step(bend_of(charts + SP_CHART * k, u, v), &u, &v);
+        bend(charts + SP_CHART * k, &u, &v);
         sp_mask keep = straight ? straight[k] : (sp_mask){0, 0};
         moved[2 * k] = places[2 * k] + sp_select(keep, straight_u, u);
         moved[2 * k + 1] = places[2 * k + 1] + sp_select(keep, straight_v, v);
@@ -51,4 +48,4 @@ static int parametric_move(const struct sp_surface *surface, int32_t pair_count,
     return 1;
 }
 
-const struct sp_kind sp_parametric_kind = {SP_PARAMETRIC_INPUTS, 0, parametric_charts, parametric_move};
+const struct sp_kind sp_parametric_kind = {SP_PARAMETRIC_INPUTS, 0, parametric_charts, sp_parametric_move};

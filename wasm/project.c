@@ -61,7 +61,7 @@ static int go_down(const struct sp_surface *surface, struct sp_vector target, st
     sp_pair moved[3], next[SP_CHART];
     double scale = 1;
     for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
-        if (!kind->move(surface, 1, place, chart, NULL, step, NULL, scale, moved)) continue;
+        if (!kind->move(surface, 1, place, chart, step, NULL, scale, moved)) continue;
         kind->charts(surface, 1, moved, next, NULL);
         if (!is_better(distance_at(next, target), before, root(sp_dot(target, target)[0]))) continue;
         for (int j = 0; j < kind->dimension; j++)

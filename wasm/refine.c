@@ -11,7 +11,7 @@ struct rung {
 static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]) };
 
-static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04;
+static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, CHORD_ERROR = 0.005;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
@@ -44,13 +44,30 @@ static int note_start(const struct sp_system *system, struct start *start, struc
 /* Largest distance that a node has moved. */
 static double displacement(const struct sp_system *system, const struct start *start) {
     double largest = 0;
+    int32_t components = system->line.kind->components;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector moved = sp_subtract(sp_load(system->line.nodes.charts + SP_CHART * k), sp_load(start->positions + 3 * k));
-        sp_pair squared = system->line.kind->components ? sp_metric_squared(&system->line, k, moved) : sp_dot(moved, moved);
+        sp_pair squared =
+            components ? sp_metric_product(components, system->line.nodes.metrics + SP_METRIC_PARTS * components * k, &moved.x, &moved.x)
+                       : sp_dot(moved, moved);
         for (int lane = 0; lane < 2; lane++)
             largest = larger(largest, squared[lane]);
     }
     return root(largest);
+}
+
+/* Nodes of `count` elements on the path of `from`, with their charts. */
+static enum sp_status carry_over(struct sp_newton *newton, const struct sp_system *from, int32_t count) {
+    struct sp_polyline *line = &newton->system.line;
+    line->fold = sp_fold_of(newton->system.elements.reference.degree * count - 1);
+    sp_sample_places(from, &newton->system.elements.reference, count, line->nodes.places);
+    int32_t unknown = sp_fold_unknown(line->fold);
+    if (line->surface->kind == SP_PARAMETRIC)
+        sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
+    else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, newton->scale))
+        return SP_SHEET_JUMP;
+    sp_polyline_charts(line, line->nodes);
+    return SP_CONVERGED;
 }
 
 /* Sets the system up as `rung`, started from the path of `from`. */
@@ -65,14 +82,8 @@ static enum sp_status start_rung(struct sp_newton *newton, const struct sp_syste
     elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 1), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
     if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
-    system->line.fold = sp_fold_of(rung.degree * rung.count - 1);
-    sp_sample_places(from, &elements->reference, rung.count, system->line.nodes.places);
-    int32_t unknown = sp_fold_unknown(system->line.fold);
-    if (system->line.surface->kind == SP_PARAMETRIC)
-        sp_parametric_clip(system->line.surface, unknown, system->line.nodes.places + 2);
-    else if (!sp_implicit_settle(system->line.surface, unknown, system->line.nodes.places + 3, newton->scale))
-        return SP_SHEET_JUMP;
-    sp_polyline_charts(&system->line, system->line.nodes);
+    enum sp_status status = carry_over(newton, from, rung.count);
+    if (status != SP_CONVERGED) return status;
     return note_start(system, start, arena) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }
 
@@ -128,6 +139,14 @@ static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_op
     return now;
 }
 
+/* A path that took many chords has nothing to learn from a few nodes, and Newton on them wanders. */
+static int first_rung(const struct sp_system *first) {
+    int r = 0;
+    while (LADDER[r].degree * LADDER[r].count < (first->line.fold.inner + 1) / 4)
+        r++;
+    return r;
+}
+
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *first,
                                    double first_length, int32_t iterations, struct sp_arena *arena) {
@@ -135,7 +154,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct sp_system before = *first;
     double last = first_length, change = first_length;
     newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
-    for (int r = 0; r < RUNGS; r++) {
+    for (int r = first_rung(first); r < RUNGS; r++) {
         now = climb_guarded(newton, options, &before, first, first_length, LADDER[r], iterations, arena);
         iterations = now.outcome.iterations;
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
@@ -161,19 +180,48 @@ double sp_refine_bytes(void) {
         double numbers = order * order * half + 3 * (degree + 1) + 6 * (degree * half + 2);
         bytes += sp_reference_bytes(LADDER[r].degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) + 16 * 16;
     }
-    return bytes + (SP_REFINE_FIRST + 3) * 3 * sizeof(sp_pair);
+    return bytes + (SP_REFINE_INNER + 3) * 3 * sizeof(sp_pair);
+}
+
+/* One solve of chords, and the error of its length. */
+static struct climbed solve_chords(struct sp_newton *newton, const struct sp_options *options, int32_t iterations, double *error) {
+    struct climbed now = {0};
+    now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
+    now.outcome.iterations += iterations;
+    if (now.outcome.status < 0) return now;
+    now.length = sp_system_length(&newton->system, newton->system.line.nodes);
+    *error = sp_check_length_error(&newton->system.line, now.outcome.active);
+    return now;
+}
+
+/* The path of chords. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more than the guard allows (7 %
+ * on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
+static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, double *error) {
+    struct climbed now = solve_chords(newton, options, 0, error);
+    size_t bottom = arena->used;
+    while (newton->system.line.kind->components && now.outcome.status == SP_CONVERGED && *error > CHORD_ERROR * now.length) {
+        int32_t count = 2 * (newton->system.line.fold.inner + 1);
+        struct sp_system before;
+        if (count > SP_REFINE_INNER + 1) break;
+        arena->used = bottom;
+        enum sp_status status = keep(&newton->system, &before, arena) ? carry_over(newton, &before, count) : SP_OUT_OF_MEMORY;
+        if (status == SP_CONVERGED)
+            now = solve_chords(newton, options, now.outcome.iterations, error);
+        else
+            now.outcome.status = status;
+    }
+    arena->used = bottom;
+    return now;
 }
 
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
-    struct climbed first = {0};
     struct sp_system kept;
+    double error = 0;
     newton->decrement = FIRST_DECREMENT;
-    first.outcome = sp_newton_run(newton, options, options->max_iterations);
+    struct climbed first = find_first(newton, options, arena, &error);
     if (first.outcome.status < 0) return finish(newton, first, 0);
-    first.length = sp_system_length(&newton->system, newton->system.line.nodes);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
-    double error = sp_check_length_error(&newton->system.line, first.outcome.active);
     if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0) return finish(newton, first, error);
     if (!keep(&newton->system, &kept, arena)) {
         first.outcome.status = SP_OUT_OF_MEMORY;
