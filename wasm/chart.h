@@ -29,12 +29,7 @@ struct sp_kind {
 extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
 extern const struct sp_kind sp_implicit_kind, sp_implicit_density_kind, sp_implicit_tensor_kind;
 
-static inline const struct sp_kind *sp_kind_of(const struct sp_surface *surface) {
-    int implicit = surface->kind == SP_IMPLICIT;
-    if (surface->metric == SP_DENSITY) return implicit ? &sp_implicit_density_kind : &sp_parametric_density_kind;
-    if (surface->metric == SP_TENSOR) return implicit ? &sp_implicit_tensor_kind : &sp_parametric_tensor_kind;
-    return implicit ? &sp_implicit_kind : &sp_parametric_kind;
-}
+const struct sp_kind *sp_kind_of(const struct sp_surface *surface);
 
 /* B_1 x B_2, normal to the surface. */
 static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
@@ -45,20 +40,9 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
 
-/* Second derivatives xx xy xz yy yz zz applied to a vector. */
-struct sp_vector sp_hessian_times(const sp_pair *second, struct sp_vector v);
-
-/* Implicit: the chart at a place from the jet of f. */
-void sp_implicit_chart(const sp_pair *place, const sp_pair *jet, sp_pair *chart);
-
 /* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
-
-/* `move` of the implicit kinds: X + B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet.
- */
-int sp_implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                     const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 
 /* Parametric: places moved into the closed rectangle. */
 void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);

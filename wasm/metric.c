@@ -1,4 +1,4 @@
-/* Tensors at a node: first fundamental form and connection of the metric in use. MATH.md, "Metrics". */
+/* Tensors at a node: products and the first fundamental form of the metric in use. MATH.md, "Metrics". */
 #include "metric.h"
 
 sp_pair sp_metric_product(int32_t components, const sp_pair *t, const sp_pair *a, const sp_pair *b) {
@@ -14,14 +14,4 @@ struct sp_form sp_metric_form(int32_t components, const sp_pair *chart, const sp
         products[ab] =
             sp_metric_product(components, metric, chart + (ab < 2 ? SP_CHART_1 : SP_CHART_2), chart + (ab ? SP_CHART_2 : SP_CHART_1));
     return (struct sp_form){products[0], products[1], products[2]};
-}
-
-/* Gamma_c,ab = S_ab'T B_c + (B_b'T_a B_c + B_a'T_b B_c - B_a'T_c B_b)/2: differentiate g_ab = B_a'T B_b. */
-void sp_metric_symbols(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_pair symbols[6]) {
-    struct sp_form along_1 = sp_metric_form(components, chart, metric + SP_METRIC_T1 * components);
-    struct sp_form along_2 = sp_metric_form(components, chart, metric + SP_METRIC_T2 * components);
-    symbols[0] = 0.5 * along_1.e, symbols[1] = 0.5 * along_2.e, symbols[2] = along_2.f - 0.5 * along_1.g;
-    symbols[3] = along_1.f - 0.5 * along_2.e, symbols[4] = 0.5 * along_1.g, symbols[5] = 0.5 * along_2.g;
-    for (int k = 0; k < 6; k++)
-        symbols[k] += sp_metric_product(components, metric, chart + (k < 3 ? SP_CHART_1 : SP_CHART_2), chart + SP_CHART_11 + 3 * (k % 3));
 }

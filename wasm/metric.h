@@ -29,7 +29,4 @@ static inline sp_mask sp_form_positive(struct sp_form form) {
     return (form.e + form.g > zero) & (form.e * form.g - form.f * form.f > zero);
 }
 
-/* Christoffel symbols of the first kind, Gamma_c,ab with ab = 11, 12, 22: first those of c = 1, then of c = 2. */
-void sp_metric_symbols(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_pair symbols[6]);
-
 #endif

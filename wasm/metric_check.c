@@ -3,58 +3,38 @@
 
 static const double VANISHING = 1e-8;
 
-/* The determinant of a form; what is not positive definite counts as -1, what is no number as NaN. */
-static sp_pair determinant_of(struct sp_form form) {
-    sp_pair determinant = form.e * form.g - form.f * form.f, trace = form.e + form.g;
-    sp_pair sum = determinant + trace, checked = sp_select(sp_form_positive(form), determinant, sp_splat(-1.0));
-    return sp_select(sum == sum, checked, sum);
-}
-
-static struct sp_form form_at(const struct sp_polyline *line, int32_t k) {
-    int32_t components = line->kind->components;
-    return sp_metric_form(components, line->nodes.charts + SP_CHART * k, line->nodes.metrics + SP_METRIC_PARTS * components * k);
-}
-
-/* In the middle between pairs k and k + 1. */
-static sp_pair determinant_between(const struct sp_polyline *line, int32_t k, double scale) {
-    int32_t dimension = line->kind->dimension;
-    sp_pair place[3], chart[SP_CHART], metric[SP_METRIC_LARGEST];
-    for (int32_t j = 0; j < dimension; j++)
-        place[j] = 0.5 * (line->nodes.places[dimension * k + j] + line->nodes.places[dimension * (k + 1) + j]);
-    if (line->surface->kind == SP_IMPLICIT) sp_implicit_settle(line->surface, 1, place, scale);
-    line->kind->charts(line->surface, 1, place, chart, metric);
-    return determinant_of(sp_metric_form(line->kind->components, chart, metric));
-}
-
-/* What a determinant between two others says. */
-static enum sp_status judge(sp_pair before, sp_pair here, sp_pair after) {
-    if (sp_any(here != here)) return SP_NOT_FINITE;
-    if (sp_any(here <= sp_splat(0.0))) return SP_SINGULAR_METRIC;
-    return sp_any((here < VANISHING * before) & (here < VANISHING * after)) ? SP_SINGULAR_METRIC : SP_CONVERGED;
-}
-
-/* At an end the metric may vanish in one direction, as at a pole, but neither in all nor be negative. */
-static enum sp_status judge_end(struct sp_form form) {
-    sp_pair determinant = form.e * form.g - form.f * form.f, trace = form.e + form.g;
-    if (sp_any((trace != trace) | (determinant != determinant))) return SP_NOT_FINITE;
-    return sp_any((determinant < sp_splat(0.0)) | (trace <= sp_splat(0.0))) ? SP_SINGULAR_METRIC : SP_CONVERGED;
-}
-
-enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
-    if (line->kind->components == 0) return SP_CONVERGED;
-    int32_t both = line->fold.both;
-    struct sp_form end = form_at(line, 0);
-    sp_pair here = end.e * end.g - end.f * end.f, before = here;
-    enum sp_status worst = judge_end(end);
-    for (int32_t k = 0; k <= both; k++) {
-        sp_pair middle = determinant_between(line, k, scale), next = determinant_of(form_at(line, k + 1));
-        enum sp_status at_node = k ? judge(before, here, middle) : SP_CONVERGED, between = judge(here, middle, next);
-        if (at_node < worst) worst = at_node;
-        if (between < worst) worst = between;
-        before = middle, here = next;
+/* Determinant of the first fundamental form at half steps along the pairs: of node k at 2k, in the middle between k and k + 1 at 2k + 1. -1
+ * where the form is not even semidefinite. */
+static sp_pair determinant_at(const struct sp_polyline *line, int32_t step, double scale) {
+    int32_t k = step / 2, dimension = line->kind->dimension, components = line->kind->components;
+    sp_pair place[3], between[SP_CHART + SP_METRIC_LARGEST];
+    const sp_pair *chart = line->nodes.charts + SP_CHART * k, *metric = line->nodes.metrics + SP_METRIC_PARTS * components * k;
+    if (step % 2) {
+        for (int32_t j = 0; j < dimension; j++)
+            place[j] = 0.5 * (line->nodes.places[dimension * k + j] + line->nodes.places[dimension * (k + 1) + j]);
+        if (line->surface->kind == SP_IMPLICIT) sp_implicit_settle(line->surface, 1, place, scale);
+        line->kind->charts(line->surface, 1, place, between, between + SP_CHART);
+        chart = between, metric = between + SP_CHART;
     }
-    enum sp_status at_middle = line->fold.odd ? judge(before, here, sp_swap(before)) : SP_CONVERGED;
-    return at_middle < worst ? at_middle : worst;
+    struct sp_form form = sp_metric_form(components, chart, metric);
+    sp_pair determinant = form.e * form.g - form.f * form.f;
+    return sp_select(form.e + form.g <= sp_splat(0.0), sp_splat(-1.0), determinant);
+}
+
+/* The two halves meet in the middle node, or between the last two: there the step after is the one before, lanes exchanged. */
+enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
+    int32_t last = 2 * line->fold.both + 1 + line->fold.odd;
+    sp_pair zero = sp_splat(0.0), here = zero, after = zero;
+    for (int32_t step = -1; step <= last && line->kind->components; step++) {
+        sp_pair before = here;
+        here = after, after = step < last ? determinant_at(line, step + 1, scale) : sp_swap(before);
+        if (step < 0) continue;
+        if (sp_any(here != here)) return SP_NOT_FINITE;
+        /* At an end the metric may vanish in one direction, as at a pole. */
+        if (sp_any(step == 0 ? here < zero : here <= zero)) return SP_SINGULAR_METRIC;
+        if (step > 0 && sp_any((here < VANISHING * before) & (here < VANISHING * after))) return SP_SINGULAR_METRIC;
+    }
+    return SP_CONVERGED;
 }
 
 /* |B - A| by the trapezoidal rule, as the energy of degree 1 measures it. */
@@ -75,12 +55,11 @@ static double chord_length(const struct sp_polyline *line, int32_t from, int32_t
 }
 
 double sp_metric_length_error(const struct sp_polyline *line) {
-    double length = 0, halved = 0;
+    double length[2] = {0, 0};
     int32_t last = line->fold.inner + 1;
-    for (int32_t i = 0; i < last; i++)
-        length += chord_length(line, i, i + 1);
-    for (int32_t i = 0; i < last; i += 2)
-        halved += chord_length(line, i, i + 2 < last ? i + 2 : last);
-    double error = (length > halved ? length - halved : halved - length) / 3, least = 4e-15 * length;
+    for (int32_t half = 0; half < 2; half++)
+        for (int32_t i = 0; i < last; i += 1 + half)
+            length[half] += chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
+    double error = (length[0] > length[1] ? length[0] - length[1] : length[1] - length[0]) / 3, least = 4e-15 * length[0];
     return error > least ? error : least;
 }

@@ -19,10 +19,6 @@ static int32_t pairs_of(const struct sp_reference *reference, const struct sp_po
     return (count_of(reference, line) + 1) / 2;
 }
 
-static double both_lanes(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair sum, sp_pair last) {
-    return sum[0] + sum[1] + last[0] + (count_of(reference, line) % 2 ? 0 : last[1]);
-}
-
 /* V_q = sum_j D_qj (X_j - X_q) */
 void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
                     struct sp_metric_element *element) {
@@ -49,23 +45,22 @@ static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_
 }
 
 double sp_metric_squares(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
-    int32_t p = reference->degree, pairs = pairs_of(reference, line);
-    sp_pair squares = sp_splat(0.0), along = squares, last_squares = squares, last_along = squares;
+    int32_t p = reference->degree, count = count_of(reference, line);
+    sp_pair squares = sp_splat(0.0), along = squares;
     struct sp_metric_element element;
-    for (int32_t e = 0; e < pairs; e++) {
-        squares += last_squares, along += last_along;
-        last_squares = last_along = sp_splat(0.0);
+    for (int32_t e = 0; 2 * e < count; e++) {
+        sp_pair once = {1, 2 * e + 1 < count};
         sp_metric_open(reference, line, nodes, e, &element);
         for (int32_t q = 0; q <= p; q++) {
             struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
             if (e + q > 0 && sp_any(~sp_form_positive(form))) return __builtin_nan("");
-            sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q);
-            last_squares += reference->weight[q] * squared;
-            last_along += reference->weight[q] * sp_square_root(squared);
+            sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q), weight = reference->weight[q] * once;
+            squares += weight * squared;
+            along += weight * sp_square_root(squared);
         }
     }
-    if (length) *length = both_lanes(reference, line, along, last_along);
-    return both_lanes(reference, line, squares, last_squares);
+    if (length) *length = along[0] + along[1];
+    return squares[0] + squares[1];
 }
 
 /* Adds what the element gives to its node i. */
@@ -90,46 +85,44 @@ static void add_terms(const struct sp_metric_element *element, int32_t i, sp_pai
     }
 }
 
-/* Takes Gamma^c_ab grad_c from the Hessian: the second derivative of the energy along geodesics of the metric. Not where a node moves
- * straight. */
+/* Takes Gamma^c_ab grad_c from the Hessian: the second derivative of the energy along geodesics of the metric. With w the gradient, indices
+ * raised, and W = w^c B_c, that is S_ab'T W + (B_b'T_a W + B_a'T_b W - B_a'(w^c T_c) B_b)/2. Not where a node moves straight. */
 static void make_covariant(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_mask straight, struct sp_row *row) {
-    sp_pair symbols[6], zero = sp_splat(0.0);
-    sp_metric_symbols(components, chart, metric, symbols);
     struct sp_form form = sp_metric_form(components, chart, metric);
-    sp_pair reciprocal = sp_select(straight, zero, 1.0 / (form.e * form.g - form.f * form.f));
-    sp_pair up_1 = reciprocal * (form.g * row->r1 - form.f * row->r2), up_2 = reciprocal * (form.e * row->r2 - form.f * row->r1);
-    row->a += symbols[0] * up_1 + symbols[3] * up_2;
-    row->b += symbols[1] * up_1 + symbols[4] * up_2;
-    row->d += symbols[2] * up_1 + symbols[5] * up_2;
+    sp_pair reciprocal = sp_select(straight, sp_splat(0.0), 1.0 / (form.e * form.g - form.f * form.f)), along[3],
+            turned[SP_METRIC_COMPONENTS];
+    sp_pair w1 = reciprocal * (form.g * row->r1 - form.f * row->r2), w2 = reciprocal * (form.e * row->r2 - form.f * row->r1);
+    for (int k = 0; k < 3; k++)
+        along[k] = w1 * chart[SP_CHART_1 + k] + w2 * chart[SP_CHART_2 + k];
+    for (int32_t c = 0; c < components; c++)
+        turned[c] = w1 * metric[components + c] + w2 * metric[2 * components + c];
+    sp_pair *block[3] = {&row->a, &row->b, &row->d};
+    for (int32_t ab = 0; ab < 3; ab++) {
+        int32_t a = ab / 2, b = (ab + 1) / 2;
+        const sp_pair *b_a = chart + SP_CHART_1 + 3 * a, *b_b = chart + SP_CHART_1 + 3 * b;
+        sp_pair turning = sp_metric_product(components, metric + components * (SP_METRIC_T1 + a), b_b, along) +
+                          sp_metric_product(components, metric + components * (SP_METRIC_T1 + b), b_a, along) -
+                          sp_metric_product(components, turned, b_a, b_b);
+        *block[ab] += sp_metric_product(components, metric, chart + SP_CHART_11 + 3 * ab, along) + 0.5 * turning;
+    }
 }
 
-/* Diagonal block, M and right-hand side of pair k from its terms. */
-static void assemble_row(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, sp_mask straight,
-                         struct sp_row *row) {
-    int32_t components = line->kind->components;
+/* Diagonal block, M and right-hand side of pair k from its terms, and the coordinates of it that are held. */
+static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, struct sp_row *row,
+                             sp_mask *straight, sp_mask held[2]) {
+    int32_t components = line->kind->components, active = 0;
     const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     struct sp_form mass = sp_metric_form(components, chart, terms + MASS);
     row->weight = sp_splat(weight);
     row->e = mass.e / weight, row->f = mass.f / weight, row->g = mass.g / weight;
     row->r1 = -terms[FORCE], row->r2 = -terms[FORCE + 1];
     row->a = mass.e + terms[CURVATURE], row->b = mass.f + terms[CURVATURE + 1], row->d = mass.g + terms[CURVATURE + 2];
-    make_covariant(components, chart, line->nodes.metrics + SP_METRIC_PARTS * components * k, straight, row);
-}
-
-/* One row, and the coordinates of it that are held. */
-static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, struct sp_row *row,
-                             sp_mask *straight, sp_mask held[2]) {
-    int32_t active = 0;
     held[0] = held[1] = (sp_mask){0, 0};
-    for (int round = 0; round < 2; round++) { /* again, straight, if something is held */
-        assemble_row(line, k, terms, weight, *straight, row);
-        if (round == 0 && line->surface->kind == SP_PARAMETRIC)
-            active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
-        if (!active) return 0;
-        *straight |= held[0] | held[1];
-    }
-    sp_row_hold(row, held);
-    return 1;
+    if (line->surface->kind == SP_PARAMETRIC) active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
+    *straight |= held[0] | held[1];
+    make_covariant(components, chart, line->nodes.metrics + SP_METRIC_PARTS * components * k, *straight, row);
+    if (active) sp_row_hold(row, held);
+    return active;
 }
 
 /* Degree 1: -H between every pair of nodes and the next. */

@@ -45,11 +45,12 @@ static int note_start(const struct sp_system *system, struct start *start, struc
 static double displacement(const struct sp_system *system, const struct start *start) {
     double largest = 0;
     int32_t components = system->line.kind->components;
+    const sp_pair *metrics = system->line.nodes.metrics;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector moved = sp_subtract(sp_load(system->line.nodes.charts + SP_CHART * k), sp_load(start->positions + 3 * k));
-        sp_pair squared =
-            components ? sp_metric_product(components, system->line.nodes.metrics + SP_METRIC_PARTS * components * k, &moved.x, &moved.x)
-                       : sp_dot(moved, moved);
+        sp_pair squared = sp_dot(moved, moved), displaced[3];
+        sp_store(moved, displaced);
+        if (components) squared = sp_metric_product(components, metrics + SP_METRIC_PARTS * components * k, displaced, displaced);
         for (int lane = 0; lane < 2; lane++)
             largest = larger(largest, squared[lane]);
     }
@@ -183,35 +184,26 @@ double sp_refine_bytes(void) {
     return bytes + (SP_REFINE_INNER + 3) * 3 * sizeof(sp_pair);
 }
 
-/* One solve of chords, and the error of its length. */
-static struct climbed solve_chords(struct sp_newton *newton, const struct sp_options *options, int32_t iterations, double *error) {
-    struct climbed now = {0};
-    now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
-    now.outcome.iterations += iterations;
-    if (now.outcome.status < 0) return now;
-    now.length = sp_system_length(&newton->system, newton->system.line.nodes);
-    *error = sp_check_length_error(&newton->system.line, now.outcome.active);
-    return now;
-}
-
-/* The path of chords. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more than the guard allows (7 %
- * on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
+/* The path of chords, and the error of its length. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more
+ * than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, double *error) {
-    struct climbed now = solve_chords(newton, options, 0, error);
+    struct climbed now = {0};
     size_t bottom = arena->used;
-    while (newton->system.line.kind->components && now.outcome.status == SP_CONVERGED && *error > CHORD_ERROR * now.length) {
-        int32_t count = 2 * (newton->system.line.fold.inner + 1);
+    for (;;) {
         struct sp_system before;
-        if (count > SP_REFINE_INNER + 1) break;
-        arena->used = bottom;
+        int32_t iterations = now.outcome.iterations, count = 2 * (newton->system.line.fold.inner + 1);
+        now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
+        now.outcome.iterations += iterations;
+        if (now.outcome.status < 0) return now;
+        now.length = sp_system_length(&newton->system, newton->system.line.nodes);
+        *error = sp_check_length_error(&newton->system.line, now.outcome.active);
+        int enough = newton->system.line.kind->components == 0 || *error <= CHORD_ERROR * now.length || count > SP_REFINE_INNER + 1;
+        if (now.outcome.status != SP_CONVERGED || enough) return now;
         enum sp_status status = keep(&newton->system, &before, arena) ? carry_over(newton, &before, count) : SP_OUT_OF_MEMORY;
-        if (status == SP_CONVERGED)
-            now = solve_chords(newton, options, now.outcome.iterations, error);
-        else
-            now.outcome.status = status;
+        arena->used = bottom;
+        now.outcome.status = status;
+        if (status != SP_CONVERGED) return now;
     }
-    arena->used = bottom;
-    return now;
 }
 
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
