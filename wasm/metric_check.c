@@ -2,37 +2,57 @@
 #include "metric_check.h"
 
 static const double VANISHING = 1e-8;
+enum { SEARCH_ROUNDS = 40 };
 
-/* Determinant of the first fundamental form at half steps along the pairs: of node k at 2k, in the middle between k and k + 1 at 2k + 1. -1
- * where the form is not even semidefinite. */
-static sp_pair determinant_at(const struct sp_polyline *line, int32_t step, double scale) {
-    int32_t k = step / 2, dimension = line->kind->dimension, components = line->kind->components;
-    sp_pair place[3], between[SP_CHART + SP_METRIC_LARGEST];
-    const sp_pair *chart = line->nodes.charts + SP_CHART * k, *metric = line->nodes.metrics + SP_METRIC_PARTS * components * k;
-    if (step % 2) {
-        for (int32_t j = 0; j < dimension; j++)
-            place[j] = 0.5 * (line->nodes.places[dimension * k + j] + line->nodes.places[dimension * (k + 1) + j]);
-        if (line->surface->kind == SP_IMPLICIT) sp_implicit_settle(line->surface, 1, place, scale);
-        line->kind->charts(line->surface, 1, place, between, between + SP_CHART);
-        chart = between, metric = between + SP_CHART;
-    }
-    struct sp_form form = sp_metric_form(components, chart, metric);
+/* Determinant of the first fundamental form at t of the way from pair k to k + 1; -1 where the form is not even semidefinite. */
+static sp_pair determinant_at(const struct sp_polyline *line, int32_t k, sp_pair t, double scale) {
+    int32_t dimension = line->kind->dimension;
+    const sp_pair *from = line->nodes.places + dimension * k, *to = from + dimension;
+    sp_pair place[3], chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    for (int32_t j = 0; j < dimension; j++)
+        place[j] = from[j] + t * (to[j] - from[j]);
+    if (line->surface->kind == SP_IMPLICIT) sp_implicit_settle(line->surface, 1, place, scale);
+    line->kind->charts(line->surface, 1, place, chart, metric);
+    struct sp_form form = sp_metric_form(line->kind->components, chart, metric);
     sp_pair determinant = form.e * form.g - form.f * form.f;
     return sp_select(form.e + form.g <= sp_splat(0.0), sp_splat(-1.0), determinant);
 }
 
-/* The two halves meet in the middle node, or between the last two: there the step after is the one before, lanes exchanged. */
+/* The smallest determinant between pairs k and k + 1, if it has one minimum there. */
+static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, double scale) {
+    sp_pair low = sp_splat(0.0), high = sp_splat(1.0), third = high / 3.0;
+    for (int round = 0; round < SEARCH_ROUNDS; round++, third *= 2.0 / 3.0) {
+        sp_pair first = low + third, second = high - third;
+        sp_mask left = determinant_at(line, k, first, scale) < determinant_at(line, k, second, scale);
+        low = sp_select(left, low, first), high = sp_select(left, second, high);
+    }
+    return determinant_at(line, k, low, scale);
+}
+
+/* Whether the determinant comes down to nothing around a half step where it is smallest: no node need be near enough to see it. */
+static int vanishes(const struct sp_polyline *line, int32_t step, sp_pair before, sp_pair here, sp_pair after, double scale) {
+    sp_mask lowest = (here <= before) & (here <= after) & ((here < 0.5 * before) | (here < 0.5 * after));
+    for (int32_t k = (step - 1) / 2; k <= step / 2 && k <= line->fold.both && sp_any(lowest); k++) {
+        sp_pair least = smallest_between(line, k, scale);
+        if (sp_any(lowest & (least <= VANISHING * before) & (least <= VANISHING * after))) return 1;
+    }
+    return 0;
+}
+
+/* Half steps along the pairs: node k at 2k, the middle between k and k + 1 at 2k + 1. The two halves meet in the middle node, or between
+ * the last two: there the step after is the one before, lanes exchanged. */
 enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
     int32_t last = 2 * line->fold.both + 1 + line->fold.odd;
-    sp_pair zero = sp_splat(0.0), here = zero, after = zero;
+    sp_pair zero = sp_splat(0.0), before = zero, here = zero, after = zero;
     for (int32_t step = -1; step <= last && line->kind->components; step++) {
-        sp_pair before = here;
-        here = after, after = step < last ? determinant_at(line, step + 1, scale) : sp_swap(before);
+        int32_t next = step + 1, k = next < last ? next / 2 : (last - 1) / 2;
+        before = here, here = after;
+        after = step < last ? determinant_at(line, k, sp_splat(0.5 * (next - 2 * k)), scale) : sp_swap(before);
         if (step < 0) continue;
         if (sp_any(here != here)) return SP_NOT_FINITE;
         /* At an end the metric may vanish in one direction, as at a pole. */
         if (sp_any(step == 0 ? here < zero : here <= zero)) return SP_SINGULAR_METRIC;
-        if (step > 0 && sp_any((here < VANISHING * before) & (here < VANISHING * after))) return SP_SINGULAR_METRIC;
+        if (step > 0 && vanishes(line, step, before, here, after, scale)) return SP_SINGULAR_METRIC;
     }
     return SP_CONVERGED;
 }

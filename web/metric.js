@@ -42,7 +42,15 @@ export function checkMetric(kind, { density, metric }) {
 export function compileMetric(kind, definition, variables, parameters, apply) {
   const { density, metric, x, y, z, f } = definition;
   if (kind === 'metric' || (density === undefined && metric === undefined)) return null;
-  const [shape, names] = kind === 'implicit' ? [[f], ['f']] : metric ? [[], []] : [[x, y, z], ['x', 'y', 'z']];
+  const [shape, names] =
+    kind === 'implicit'
+      ? [[f], ['f']]
+      : metric
+        ? [[], []]
+        : [
+            [x, y, z],
+            ['x', 'y', 'z'],
+          ];
   const order = metric ? TENSOR[kind].order : [];
   const factors = metric ? order.map((name) => metric[name]) : [1];
   const compiled = compile({
@@ -51,7 +59,8 @@ export function compileMetric(kind, definition, variables, parameters, apply) {
     variables,
     parameters,
     valueOrder: 0,
-    density: density === undefined ? undefined : { source: density, positions: kind === 'parametric' ? { x, y, z } : {}, from: shape.length },
+    density:
+      density === undefined ? undefined : { source: density, positions: kind === 'parametric' ? { x, y, z } : {}, from: shape.length },
     apply,
   });
   return { code: metric ? METRIC.tensor : METRIC.density, compiled };

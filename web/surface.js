@@ -228,7 +228,8 @@ export class Surface {
 
   /** Compiles the module into the solver's present instance. */
   #install() {
-    const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) => this.#solver.install(module, data, dataBytes);
+    const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) =>
+      this.#solver.install(module, data, dataBytes);
     this.#installed = install(this.#compiled);
     this.#installedMetric = this.#metric && install(this.#metric.compiled);
     this.#record = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);

@@ -22,6 +22,12 @@ export const impossible = path.status === 'perfect';
 // @ts-expect-error: a point is numbers
 torus.shortestPath('4, 0, 0', [0, 3, 1]);
 // @ts-expect-error: an implicit surface needs f
-surfpath.implicit({ bounds: [[-1, 1], [-1, 1], [-1, 1]] });
+surfpath.implicit({
+  bounds: [
+    [-1, 1],
+    [-1, 1],
+    [-1, 1],
+  ],
+});
 
 export { converged, length, points };

@@ -52,7 +52,8 @@ describe('the package', () => {
   after(() => rm(project, { recursive: true, force: true }));
 
   test('holds what was built and the papers, and nothing else', () => {
-    const expected = /^(dist\/(index|slim|gallery)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG)\.md|LICENSE|package\.json)$/;
+    const expected =
+      /^(dist\/(index|slim|gallery)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG)\.md|LICENSE|package\.json)$/;
     const unexpected = packed.files.map((file) => file.path).filter((path) => !expected.test(path));
     assert.deepEqual(unexpected, []);
   });

@@ -68,8 +68,6 @@ describe('definitions', () => {
     ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, RangeError, /parameter a must be a finite number, not '1'/],
     ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],
     ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
-    ['a density', { ...gallery.saddle, density: 'u' }, RangeError, /parametric: density is not built yet/],
-    ['a metric', { ...gallery.saddle, metric: { E: 1, F: 0, G: 1 } }, RangeError, /parametric: metric is not built yet/],
   ];
   for (const [what, definition, kind, message] of bad)
     test(`parametric refuses ${what}`, () => refuses(() => surfpath.parametric(anything(definition)), kind, message));
@@ -85,13 +83,12 @@ describe('definitions', () => {
     ]);
     refuses(() => surfpath.implicit({ f, bounds: reversed }), RangeError, /bounds\[1\] must be two numbers, the smaller first/);
     refuses(() => surfpath.implicit(anything({})), TypeError, /f is missing/);
-    refuses(() => surfpath.implicit(anything({ f: 'x', density: 1 })), RangeError, /density is not built yet/);
   });
 
   test('surface refuses kinds that do not exist, and says which are not built yet', () => {
     refuses(() => surfpath.surface(anything(null)), TypeError, /surface: the definition must be an object/);
-    refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be 'parametric' or 'implicit', not undefined/);
-    for (const kind of ['metric', 'graph', 'revolution', 'tube', 'sweep'])
+    refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be 'parametric', 'implicit' or 'metric', not undefined/);
+    for (const kind of ['graph', 'revolution', 'tube', 'sweep'])
       refuses(() => surfpath.surface(anything({ kind })), RangeError, /is not built yet/);
   });
 

@@ -96,7 +96,12 @@ function read(source, scope, name) {
 /** @param {import('./postfix.js').Instruction[][]} programs changed in place @param {Density} density @param {Map<string, Meaning>} scope */
 function multiplyByDensity(programs, { source, from }, scope) {
   const density = read(source, scope, 'density');
-  const call = (/** @type {string} */ name, /** @type {number} */ value) => ({ kind: /** @type {const} */ ('call'), name, value, index: 0 });
+  const call = (/** @type {string} */ name, /** @type {number} */ value) => ({
+    kind: /** @type {const} */ ('call'),
+    name,
+    value,
+    index: 0,
+  });
   const squared = [...density, ...density, call('abs', 1), call('multiply', 2)];
   for (let k = from; k < programs.length; k++) programs[k] = [...programs[k], ...squared, call('multiply', 2)];
 }
