@@ -15,3 +15,12 @@ struct sp_form sp_metric_form(int32_t components, const sp_pair *chart, const sp
             sp_metric_product(components, metric, chart + (ab < 2 ? SP_CHART_1 : SP_CHART_2), chart + (ab ? SP_CHART_2 : SP_CHART_1));
     return (struct sp_form){products[0], products[1], products[2]};
 }
+
+sp_pair sp_metric_determinant(const struct sp_surface *surface, sp_pair *place, double scale) {
+    const struct sp_kind *kind = sp_kind_of(surface);
+    sp_pair chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    if (surface->kind == SP_IMPLICIT) sp_implicit_settle(surface, 1, place, scale);
+    kind->charts(surface, 1, place, chart, metric);
+    struct sp_form form = sp_metric_form(kind->components, chart, metric);
+    return sp_select(form.e + form.g <= sp_splat(0.0), sp_splat(-1.0), form.e * form.g - form.f * form.f);
+}

@@ -23,6 +23,10 @@ struct sp_form {
 
 struct sp_form sp_metric_form(int32_t components, const sp_pair *chart, const sp_pair *metric);
 
+/* Determinant of the first fundamental form at a pair of places, which are put onto the surface first; -1 where the form is not even
+ * semidefinite. `scale`: of sp_implicit_settle. */
+sp_pair sp_metric_determinant(const struct sp_surface *surface, sp_pair *place, double scale);
+
 /* Lanes in which a form is positive definite. */
 static inline sp_mask sp_form_positive(struct sp_form form) {
     sp_pair zero = sp_splat(0.0);

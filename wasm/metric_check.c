@@ -4,29 +4,25 @@
 static const double VANISHING = 1e-8;
 enum { SEARCH_ROUNDS = 40 };
 
-/* Determinant of the first fundamental form at t of the way from pair k to k + 1; -1 where the form is not even semidefinite. */
+/* The determinant at t of the way from pair k to k + 1. */
 static sp_pair determinant_at(const struct sp_polyline *line, int32_t k, sp_pair t, double scale) {
     int32_t dimension = line->kind->dimension;
     const sp_pair *from = line->nodes.places + dimension * k, *to = from + dimension;
-    sp_pair place[3], chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    sp_pair place[3];
     for (int32_t j = 0; j < dimension; j++)
         place[j] = from[j] + t * (to[j] - from[j]);
-    if (line->surface->kind == SP_IMPLICIT) sp_implicit_settle(line->surface, 1, place, scale);
-    line->kind->charts(line->surface, 1, place, chart, metric);
-    struct sp_form form = sp_metric_form(line->kind->components, chart, metric);
-    sp_pair determinant = form.e * form.g - form.f * form.f;
-    return sp_select(form.e + form.g <= sp_splat(0.0), sp_splat(-1.0), determinant);
+    return sp_metric_determinant(line->surface, place, scale);
 }
 
 /* The smallest determinant between pairs k and k + 1, if it has one minimum there. */
 static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, double scale) {
-    sp_pair low = sp_splat(0.0), high = sp_splat(1.0), third = high / 3.0;
+    sp_pair from = sp_splat(0.0), third = sp_splat(1.0 / 3.0), least = from;
     for (int round = 0; round < SEARCH_ROUNDS; round++, third *= 2.0 / 3.0) {
-        sp_pair first = low + third, second = high - third;
-        sp_mask left = determinant_at(line, k, first, scale) < determinant_at(line, k, second, scale);
-        low = sp_select(left, low, first), high = sp_select(left, second, high);
+        sp_pair first = determinant_at(line, k, from + third, scale), second = determinant_at(line, k, from + 2.0 * third, scale);
+        least = sp_select(first < second, first, second);
+        from = sp_select(first < second, from, from + third);
     }
-    return determinant_at(line, k, low, scale);
+    return least;
 }
 
 /* Whether the determinant comes down to nothing around a half step where it is smallest: no node need be near enough to see it. */

@@ -46,7 +46,7 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
     double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + (double)HISTORY_EXTRA;
     double node = kind->dimension + SP_CHART + SP_METRIC_PARTS * (double)kind->components;
     double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * node + 2) + 3 * sizeof(sp_mask));
-    double record = options->record ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
+    double record = options->record && surface->value ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
     return rows + entries * sizeof(struct sp_iterate) + record + sp_reference_bytes(1) + 18 * 16;
 }
 

@@ -57,39 +57,40 @@ void sp_sample_places(const struct sp_system *from, const struct sp_reference *r
     sp_fold_mirror(fold, places, dimension);
 }
 
-/* Writes a place and where it lies. */
-static void write_place(const struct sp_surface *surface, const sp_pair *place, double *point, double *parameters) {
-    sp_pair position[3] = {place[0], place[1], place[2]};
-    if (surface->kind == SP_PARAMETRIC && point) surface->value(1, place, position);
-    for (int j = 0; point && j < 3; j++)
-        point[j] = position[j][0];
-    for (int j = 0; parameters && j < 2; j++)
-        parameters[j] = place[j][0];
-}
-
 /* One sample, put onto the surface. Where that fails, the interpolated point. */
 static void sample(const struct sp_system *system, double scale, double t, double *point, double *parameters) {
     const struct sp_surface *surface = system->line.surface;
     double place[3];
     place_at(system, t, place);
-    sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])};
-    if (surface->kind == SP_PARAMETRIC)
+    sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
+    if (surface->kind == SP_PARAMETRIC) {
         sp_parametric_clip(surface, 1, at);
-    else
+        if (point) surface->value(1, at, position);
+    } else {
         sp_implicit_settle(surface, 1, at, scale);
-    write_place(surface, at, point, parameters);
+        sp_store(sp_load(at), position);
+    }
+    for (int j = 0; point && j < 3; j++)
+        point[j] = position[j][0];
+    for (int j = 0; parameters && j < 2; j++)
+        parameters[j] = at[j][0];
 }
 
-/* A node: its chart knows where it lies, unless the chart is that of u and v themselves. */
+/* A node: its chart knows where it lies, unless it is a chart of u and v themselves. */
 static void write_node(const struct sp_system *system, int32_t i, double *point, double *parameters) {
     const struct sp_polyline *line = &system->line;
-    sp_pair place[2];
-    for (int32_t j = 0; j < 2 && line->surface->kind == SP_PARAMETRIC; j++)
-        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
     int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
-    if (parameters || flat) write_place(line->surface, place, flat ? point : NULL, parameters);
-    for (int32_t j = 0; j < 3 && point && !flat; j++)
+    for (int32_t j = 0; parameters && j < 2; j++)
+        parameters[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
+    for (int32_t j = 0; !flat && j < 3; j++)
         point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
+    if (!flat || !point) return;
+    sp_pair place[2], position[SP_PARAMETRIC_VALUES];
+    for (int32_t j = 0; j < 2; j++)
+        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
+    line->surface->value(1, place, position);
+    for (int j = 0; j < 3; j++)
+        point[j] = position[j][0];
 }
 
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {

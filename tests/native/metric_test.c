@@ -266,6 +266,26 @@ static void check_status(double (*of)(double), int32_t inner, enum sp_status wan
     CHECK(status == wanted, "n = %d: status %d, not %d", inner, status, wanted);
 }
 
+/* The arena of exactly the promised size is enough, for chords and for the whole ladder; half of it is refused, or
+ * enough for a ladder that is not climbed to the end. */
+static void check_arena(const struct sp_surface *surface, int32_t algorithm, int32_t record) {
+    struct sp_request request = {{-0.5, 0.3, 0.2}, {0.6, 0.7, 0.9}, NULL, 0, 0};
+    if (surface->kind == SP_IMPLICIT) request.from[0] = 2.7, request.to[0] = 2.9;
+    struct sp_options options;
+    struct sp_result result;
+    sp_default_options(&options);
+    options.algorithm = algorithm, options.record = record, options.point_count = 17;
+    size_t bytes = (size_t)sp_solve_bytes(surface, &options, 0);
+    for (size_t part = 1; part <= 2; part++) {
+        struct sp_arena exact = {aligned_alloc(16, (bytes + 15) & ~(size_t)15), part * bytes / 2, 0};
+        int32_t status = sp_solve_path(surface, &request, &options, &exact, &result);
+        int refused = part == 1 && status == SP_OUT_OF_MEMORY, early = part == 1 && algorithm == SP_ELEMENTS && status == SP_CONVERGED;
+        CHECK(refused || early || (part == 2 && status == SP_CONVERGED), "algorithm %d, half %zu: status %d", algorithm, part, status);
+        CHECK(part == 1 || (!result.points == !surface->value && !result.record == !(record && surface->value)), "points or record");
+        free(exact.base);
+    }
+}
+
 int main(void) {
     arena = (struct sp_arena){aligned_alloc(16, 1 << 22), 1 << 22, 0};
     uint64_t seed = 20240611;
@@ -291,6 +311,9 @@ int main(void) {
         check_status(not_finite, inner, SP_NOT_FINITE);
     }
     check_status(negative_between, 3, SP_SINGULAR_METRIC);
+    for (int i = 0; i < 4; i++)
+        for (int32_t record = 0; record < 2; record++)
+            check_arena(surfaces[i], SP_POLYLINE, record), check_arena(surfaces[i], SP_ELEMENTS, record);
     free(arena.base);
     return checks_failed();
 }
