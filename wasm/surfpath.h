@@ -73,7 +73,8 @@ double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options 
 
 /* Computes a locally shortest path between two points.
  *
- * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md). `result` is always filled; its
+ * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md); where length has a
+ * metric of its own (surface.h), E = sum of its chords' squares by the trapezoidal rule. `result` is always filled; its
  * arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED, SP_ITERATION_LIMIT, SP_STALLED, SP_ILL_CONDITIONED,
  * SP_SADDLE with a path; SP_SINGULAR_METRIC, SP_SHEET_JUMP, SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range
  * are the caller's mistake and are clamped. Cost: O(K) a step. */

@@ -88,7 +88,7 @@ describe('definitions', () => {
     const path = dressed.shortestPath([0, 0], [1, 2], anything({ algorithm: 'elements', points: 3 }));
     assert.ok(Math.abs(path.length - 5) <= 1e-12, `${path.length}`);
     assert.deepEqual(
-      [...path.parameters].map((x) => Number(x.toFixed(12))),
+      Array.from(anything(path.parameters), (/** @type {number} */ x) => Number(x.toFixed(12))),
       [0, 0, 0.25, 0.5, 0.5, 1, 0.75, 1.5, 1, 2],
     );
     const drawn = bare.evaluate(anything(path.parameters));
