@@ -12,7 +12,7 @@ static double smaller(double a, double b) { return a < b ? a : b; }
 static double edge_speed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
     sp_pair place[2], chart[SP_CHART];
     place[arc->across] = sp_splat(arc->value), place[1 - arc->across] = sp_splat(t);
-    sp_parametric_kind.charts(surface, 1, place, chart);
+    sp_parametric_kind.charts(surface, 1, place, chart, NULL);
     struct sp_vector along = sp_load(chart + (arc->across ? SP_CHART_1 : SP_CHART_2));
     return root(sp_dot(along, along)[0]);
 }
