@@ -227,6 +227,12 @@ struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_opt
     return climb_all(newton, options, GRADED, GRADED_RUNGS, from, 0, 0, arena);
 }
 
+struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                 struct sp_arena *arena) {
+    struct rung rung = {from->elements.reference.degree, from->elements.count};
+    return finish(newton, climb(newton, options, from, rung, options->max_iterations, arena), 0);
+}
+
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
     struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
