@@ -216,7 +216,8 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
     int touches = first.outcome.active && newton->system.line.kind->components == 0;
-    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0 || touches) return finish(newton, first, error);
+    int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
+    if (!at_rest || first.outcome.squares == 0 || touches) return finish(newton, first, error);
     int lowest = first_rung(&newton->system);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, first.outcome.iterations, arena);

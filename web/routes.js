@@ -67,7 +67,8 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
   );
   return raw.map((found) => {
     const path = makePath(swap ? reverse(found) : found);
-    if (path.parameters) shift(path.parameters, [from[0] - path.parameters[0], from[1] - path.parameters[1]]);
+    const { parameters } = path;
+    if (parameters) shift(parameters, [0, 1].map((j) => (domain?.periodic[j] ? from[j] - parameters[j] : 0)));
     return path;
   });
 }
