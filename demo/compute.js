@@ -32,7 +32,7 @@ const CELLS_ALONG = 160;
 export const UNSOLVED = { path: null, frames: [], straight: null, milliseconds: NaN, problem: null };
 
 /**
- * @param {Surfpath} surfpath @param {Parameters<Surfpath['surface']>[0]} definition
+ * @param {Surfpath} surfpath @param {import('./definition.js').Definition} definition
  * @returns {Built}
  */
 export function buildSurface(surfpath, definition) {

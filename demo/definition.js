@@ -6,7 +6,7 @@ import { KINDS } from './kinds.js';
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {Record<string, string>} Texts what the fields hold, by name */
 /** @typedef {{ field: string | null, source: string, index: number, message: string }} Problem field null: no single field is at fault */
-/** @typedef {Parameters<import('surfpath').Surfpath['surface']>[0]} Definition */
+/** What the page shows: everything that has positions. @typedef {Exclude<Parameters<import('surfpath').Surfpath['surface']>[0], { kind: 'metric' }>} Definition */
 
 /** Coordinates of an end point. @param {Kind} kind */
 export const coordinates = (kind) => KINDS[kind].coordinates;

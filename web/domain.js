@@ -140,3 +140,27 @@ export function liftNear({ lower, upper, periodic }, point, near) {
     return periodic[j] ? x - period * Math.round((x - near[j]) / period) : x;
   });
 }
+
+/** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
+function freeCoordinate({ lower, upper, poles }, point) {
+  const at = poles.find((pole) => {
+    const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+    return point[across] === (side ? upper : lower)[across];
+  });
+  return at === undefined ? -1 : 1 - ((at - 1) >> 1);
+}
+
+/**
+ * Two ends, one that is a pole moved along its edge to face the other: a path leaves a pole along the meridian of its other end, and would else have to turn
+ * round in the chart first.
+ * @param {Domain | null} domain @param {number[]} a @param {number[]} b @returns {number[][]}
+ */
+export function facePoles(domain, a, b) {
+  if (!domain) return [a, b];
+  const face = (/** @type {number[]} */ point, /** @type {number[]} */ other) => {
+    const free = freeCoordinate(domain, point);
+    return free < 0 ? point : point.map((x, j) => (j === free ? other[j] : x));
+  };
+  const second = face(b, a);
+  return freeCoordinate(domain, b) < 0 ? [face(a, b), b] : [a, second];
+}

@@ -37,8 +37,7 @@ export function readFieldOptions(caller, given) {
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places u v or x y z of each
  * @returns {Float64Array}
  */
-function search({ domain, box, graphs, isPlain, run }, caller, from, places) {
-  if (!graphs || !isPlain) throw new RangeError(`${caller}: a density or a metric is not built yet here`);
+function search({ domain, box, graphs, run }, caller, from, places) {
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   let lengths = new Float64Array(places.length / from.length).fill(Infinity);
   for (let level = 0; lengths.includes(Infinity); level++) {
@@ -54,6 +53,16 @@ function search({ domain, box, graphs, isPlain, run }, caller, from, places) {
   return lengths;
 }
 
+/** A place at a pole, turned to face another: there, one coordinate is free. @param {import('./domain.js').Domain | null} domain @param {number[]} place @param {number[]} other */
+function face(domain, place, other) {
+  for (const pole of domain?.poles ?? []) {
+    const [coordinate, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+    const edge = (side ? domain?.upper : domain?.lower)?.[coordinate];
+    if (place[coordinate] === edge) return place.map((x, j) => (j === coordinate ? x : other[j]));
+  }
+  return place;
+}
+
 /**
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {import('./mesh.js').Mesh} mesh @param {boolean} exact
  * @returns {Float64Array} a distance a vertex
@@ -67,7 +76,9 @@ export function measureField(field, caller, from, mesh, exact) {
   const { solve } = readOptions(caller, undefined);
   const width = from.length;
   return lengths.map((length, i) => {
-    if (length === Infinity) return length;
-    return findGlobal(field, [from, Array.from(places.subarray(width * i, width * (i + 1)))], solve, 1)[0].length;
+    if (length === Infinity || length === 0) return length;
+    const to = Array.from(places.subarray(width * i, width * (i + 1)));
+    const [path] = findGlobal(field, [face(field.domain, from, to), face(field.domain, to, from)], solve, 1);
+    return path.converged || path.status === 'ill-conditioned' ? path.length : Number.NaN;
   });
 }

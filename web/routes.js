@@ -1,6 +1,6 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
-import { liftEnds } from './domain.js';
+import { facePoles, liftEnds } from './domain.js';
 import { findPaths, reverse } from './global.js';
 import { makePath } from './path.js';
 import { joinPaths, shareOut } from './via.js';
@@ -31,10 +31,11 @@ function shift(parameters, by) {
  * @returns {Path}
  */
 export function solveNear({ kind, domain, run }, ends, options, start) {
-  const lifted = domain ? liftEnds(domain, ends[0], ends[1], start) : ends;
+  const faced = start ? ends : facePoles(domain, ends[0], ends[1]);
+  const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
   const request = { kind, from: lifted[0], to: lifted[1], start };
   const path = makePath(run((heap, record) => heap.solve(record, request, options)));
-  if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
+  if (path.parameters) shift(path.parameters, [faced[0][0] - lifted[0][0], faced[0][1] - lifted[0][1]]);
   return path;
 }
 
@@ -44,9 +45,9 @@ export function solveNear({ kind, domain, run }, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, to], options, most) {
-  const first = from.findIndex((x, j) => x !== to[j]);
-  const swap = first >= 0 && from[first] > to[first];
-  const [a, b] = swap ? [to, from] : [from, to];
+  const different = from.findIndex((x, j) => x !== to[j]);
+  const swap = different >= 0 && from[different] > to[different];
+  const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   const own = (/** @type {import('./runtime/heap.js').Graph | null | undefined} */ graph) =>
     graph && !isPlain ? { ...graph, unique: false } : (graph ?? null);

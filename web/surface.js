@@ -165,6 +165,7 @@ export class Surface {
   distanceField(from, options) {
     const caller = 'distanceField';
     this.#checkAlive(caller);
+    this.#checkPositions(caller);
     const { exact, resolution } = readFieldOptions(caller, options);
     const point = this.#readPoint(caller, 'from', from);
     const mesh = this.#mesh(caller, resolution);

@@ -69,7 +69,7 @@ static void sample_solves(const struct sp_surface *surface, int point_count, int
     struct sp_options options;
     sp_default_options(&options);
     options.algorithm = SP_POLYLINE, options.point_count = point_count;
-    size_t bytes = (size_t)sp_solve_bytes(surface->kind, &options, 0);
+    size_t bytes = (size_t)sp_solve_bytes(surface, &options, 0);
     struct sp_arena arena = {reserve(bytes), bytes, 0};
     solve_all(surface, requests, count, &options, &arena);
     double start = nanoseconds();

@@ -35,8 +35,8 @@ describe('definitions', () => {
     ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, RangeError, /parameter a must be a finite number, not '1'/],
     ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],
     ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
-    ['a density', { ...gallery.saddle, density: 'u' }, RangeError, /parametric: density is not built yet/],
-    ['a metric', { ...gallery.saddle, metric: { E: 1, F: 0, G: 1 } }, RangeError, /parametric: metric is not built yet/],
+    ['a density that is no formula', { ...gallery.saddle, density: null }, TypeError, /parametric: density must be/],
+    ['a metric without G', { ...gallery.saddle, metric: { E: 1, F: 0 } }, TypeError, /metric must be \{ E, F, G \}; G is missing/],
   ];
   for (const [what, definition, kind, message] of bad)
     test(`parametric refuses ${what}`, () => refuses(() => surfpath.parametric(anything(definition)), kind, message));
@@ -52,14 +52,15 @@ describe('definitions', () => {
     ]);
     refuses(() => surfpath.implicit({ f, bounds: reversed }), RangeError, /bounds\[1\] must be two numbers, the smaller first/);
     refuses(() => surfpath.implicit(anything({})), TypeError, /f is missing/);
-    refuses(() => surfpath.implicit(anything({ f: 'x', density: 1 })), RangeError, /density is not built yet/);
   });
 
-  test('surface refuses kinds that do not exist, and says which are not built yet', () => {
+  test('surface refuses kinds that do not exist, and what is not built yet', () => {
     refuses(() => surfpath.surface(anything(null)), TypeError, /surface: the definition must be an object/);
     refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be one of parametric, .*, not undefined/);
     refuses(() => surfpath.surface(anything({ kind: 'constructor' })), RangeError, /kind must be one of .*, not 'constructor'/);
-    refuses(() => surfpath.surface(anything({ kind: 'metric' })), RangeError, /is not built yet/);
+    refuses(() => surfpath.surface(anything({ kind: 'metric' })), TypeError, /the definition needs E, F, G, u, v; E is missing/);
+    for (const name of ['density', 'metric'])
+      refuses(() => surfpath.graph(anything({ z: 'x', x: [0, 1], y: [0, 1], [name]: 1 })), RangeError, /is not built yet for this kind/);
   });
 
   test('names of Object.prototype are unknown like any other', () => {
