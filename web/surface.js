@@ -3,7 +3,7 @@
 import { checkBounds, checkDefinition, checkParameters, checkPeriodic, checkPoints, checkRange, readNumbers } from './definition.js';
 import { enterDomain, findDomain, liftEnds } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
-import { meshRectangle } from './mesh.js';
+import { bridgesSheets, meshRectangle } from './mesh.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { LAYOUT } from './runtime/heap.js';
 
@@ -17,6 +17,8 @@ const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
+/** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
+const FINER = 96;
 
 /** What the two kinds differ in. */
 const SHAPE = {
@@ -142,7 +144,8 @@ export class Surface {
 
   /**
    * Triangles, to draw.
-   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64); 1 … 256
+   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64, or 96 if two sheets
+   *   of the surface are too near to each other for 64); 1 … 256
    * @returns {Mesh}
    */
   mesh(options = {}) {
@@ -157,8 +160,14 @@ export class Surface {
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
     const box = this.#box;
     if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
+    const mesh = this.#meshImplicit(box, resolution);
+    return options.resolution === undefined && bridgesSheets(mesh) ? this.#meshImplicit(box, FINER) : mesh;
+  }
+
+  /** @param {number[]} box @param {number} resolution @returns {Mesh} */
+  #meshImplicit(box, resolution) {
     const mesh = this.#run((heap) => heap.meshImplicit(/** @type {any} */ (this.#installed).value, box, resolution));
-    if (mesh.status < 0) throw new RangeError(`${caller}: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
+    if (mesh.status < 0) throw new RangeError(`mesh: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
     return { positions: mesh.positions, normals: mesh.normals, indices: mesh.indices };
   }
 
