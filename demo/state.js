@@ -20,6 +20,8 @@ const state = {
   entry: '',
   kind: /** @type {Kind} */ ('parametric'),
   texts: /** @type {Texts} */ ({}),
+  /** Those of the last good surface. */
+  shown: /** @type {Texts} */ ({}),
   parameters: /** @type {Record<string, number>} */ ({}),
   ends: /** @type {number[][]} */ ([]),
   points: 64,
@@ -63,6 +65,13 @@ function renderMoment() {
   showMoment(state.moment, last);
 }
 
+/** Whether the surface is no longer the gallery's entry, so that the formula and source of that say nothing about it. */
+function isChanged() {
+  const entry = entries[state.entry];
+  const texts = entry && textsOf(entry);
+  return texts !== undefined && Object.keys(texts).some((name) => texts[name] !== state.shown[name]);
+}
+
 function render() {
   const { solved, problem } = state;
   const [start] = iterates();
@@ -70,8 +79,9 @@ function render() {
   view?.setEnds(state.ends.map(endPlace));
   showProblem(problem);
   showEndProblem(solved.problem);
-  say(find('typeset'), entries[state.entry]?.formula ?? null);
-  say(find('source'), entries[state.entry]?.source ?? null);
+  const entry = isChanged() ? undefined : entries[state.entry];
+  say(find('typeset'), entry?.formula ?? null);
+  say(find('source'), entry?.source ?? null);
   for (const [name, value] of Object.entries(state.parameters)) find(`value-${name}`).textContent = String(Number(value.toPrecision(4)));
   showResult({ ...solved, startLength: start ? lengthOf(start) : NaN, problem });
   renderMoment();
@@ -101,16 +111,17 @@ function updateSurface({ frame, direction }) {
     const built = buildSurface(surfpath, definitionOf(state.kind, state.texts, state.parameters));
     state.built?.surface.dispose();
     state.built = built;
+    state.shown = state.texts;
   } catch (error) {
     state.problem = problemOf(error, state.kind, state.texts);
     return render();
   }
   const { surface, mesh } = state.built;
-  view?.setSurface(mesh);
-  if (findBadEnd(surface, state.ends)) return chooseRandomEnds();
-  updatePath(true);
+  const outgrown = view?.setSurface(mesh);
+  if (findBadEnd(surface, state.ends)) chooseRandomEnds();
+  else updatePath(true);
   if (state.solved.path?.status === 'off-surface') chooseRandomEnds();
-  if (frame) view?.frame(middle(), direction);
+  if (frame || outgrown) view?.frame(middle(), direction);
 }
 
 /** The middle of the path. */
