@@ -5,7 +5,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench demo format clean help tools
+.PHONY: all test check tidy bench accuracy demo format clean help tools
 
 ENTRIES := index slim gallery
 WASM := $(wildcard wasm/*.c)
@@ -60,6 +60,9 @@ tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part o
 bench: all build/native/core.o ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
 
+accuracy: all ## print the tables of what is found, and how exactly (slow)
+	@set -e; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file; done
+
 demo: all ## build, serve the page on a free loopback port and print its address
 	@node demo/serve.js
 
@@ -83,6 +86,9 @@ $(NPM): package-lock.json | tools
 	@touch $@
 
 # WebAssembly
+
+# The graphs are built once: there, bytes count for more than inlining and vector loops.
+build/wasm/graph%.o: EMCC += -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=25
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)

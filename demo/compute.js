@@ -66,8 +66,8 @@ export function solve(surface, ends, options) {
   const problem = findBadEnd(surface, ends);
   if (problem) return { path: null, milliseconds: NaN, problem };
   try {
-    const path = surface.shortestPath(ends[0], ends[1], { ...options, record: true });
-    return { path, milliseconds: measure(() => surface.shortestPath(ends[0], ends[1], options)), problem: null };
+    const path = surface.shortestPath(ends[0], ends[1], { ...options, start: 'straight', record: true });
+    return { path, milliseconds: measure(() => surface.shortestPath(ends[0], ends[1], { ...options, start: 'straight' })), problem: null };
   } catch (error) {
     return {
       path: null,

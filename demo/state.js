@@ -132,7 +132,8 @@ function middle() {
 
 /** Takes a surface from the gallery, or a first formula to change. @param {string} name of the gallery, or own-parametric, own-implicit */
 export function choose(name) {
-  const entry = entries[name];
+  const found = entries[name];
+  const entry = found?.kind === 'parametric' || found?.kind === 'implicit' ? found : undefined;
   const own = /** @type {Kind} */ (name.replace('own-', ''));
   state.entry = name;
   state.kind = entry?.kind ?? own;

@@ -31,6 +31,11 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
+/* Solves a path across a curve where S_u x S_v vanishes and turns over: two arcs that meet in a point of it, the best of several seeds.
+ * `given`: a path from end to end that crosses the curve once, not in newton's own arrays. SP_SINGULAR_METRIC where that fails. */
+struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
+                              struct sp_arena *arena, struct sp_arcs *arcs);
+
 /* Sets the lengths of the pieces of edges, by quadrature, and returns the whole length; NaN if the arena is full. */
 double sp_arcs_measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena);
 

@@ -6,52 +6,85 @@ static const sp_pair *element_charts(const struct sp_elements *elements, const s
     return charts + (size_t)SP_CHART * (size_t)(e * elements->reference.degree);
 }
 
-/* V_q = sum_j D_qj (X_j - X_q), the derivative of the interpolated path at the nodes of an element, into `velocity`. */
-static void differentiate(const struct sp_reference *reference, const sp_pair *charts, sp_pair *velocity) {
-    int32_t p = reference->degree;
-    for (int32_t q = 0; q <= p; q++) {
-        struct sp_vector here = sp_load(charts + SP_CHART * q), sum = {{0}, {0}, {0}};
+/* Whether element pair e is the graded one. */
+static int is_graded(const struct sp_elements *elements, int32_t e) { return e == 0 && (elements->singular[0] || elements->singular[1]); }
+
+/* Points of the quadrature of element pair e; their weights in the energy and in the length. */
+static int32_t point_count(const struct sp_elements *elements, int32_t e) {
+    return is_graded(elements, e) ? elements->graded.count : elements->reference.degree + 1;
+}
+static sp_pair energy_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
+    if (is_graded(elements, e)) return (sp_pair){elements->graded.weight[0][q], elements->graded.weight[1][q]};
+    return sp_splat(elements->reference.weight[q]);
+}
+static double length_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
+    return is_graded(elements, e) ? elements->graded.length_weight[q] : elements->reference.weight[q];
+}
+static const double *derivative_row(const struct sp_elements *elements, int32_t e, int32_t q) {
+    return (is_graded(elements, e) ? elements->graded.derivative : elements->reference.derivative) + q * (elements->reference.degree + 1);
+}
+static sp_pair stiffness_of(const struct sp_elements *elements, int32_t e, int32_t i, int32_t j) {
+    int32_t at = i * (elements->reference.degree + 1) + j;
+    if (is_graded(elements, e)) return (sp_pair){elements->graded.stiffness[0][at], elements->graded.stiffness[1][at]};
+    return sp_splat(elements->reference.stiffness[at]);
+}
+
+/* V_q = sum_j D_qj (X_j - X_o), the derivative of the interpolated path at the points of element pair e, into `velocity`; X_o a node near
+ * q, which keeps short elements exact. */
+static void differentiate(const struct sp_elements *elements, int32_t e, const sp_pair *charts) {
+    int32_t p = elements->reference.degree, points = point_count(elements, e);
+    for (int32_t q = 0; q < points; q++) {
+        const double *row = derivative_row(elements, e, q);
+        int32_t origin = points == p + 1 ? q : 0;
+        struct sp_vector here = sp_load(charts + SP_CHART * origin), sum = {{0}, {0}, {0}};
         for (int32_t j = 0; j <= p; j++) {
-            if (j == q) continue;
+            if (j == origin) continue;
             struct sp_vector there = sp_load(charts + SP_CHART * j);
-            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(reference->derivative[q * (p + 1) + j])));
+            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(row[j])));
         }
-        sp_store(sum, velocity + 3 * q);
+        sp_store(sum, elements->velocity + 3 * q);
     }
 }
 
+/* The share of element pair e, in `velocity`, in the energy and in the length. */
+static sp_pair element_squares(const struct sp_elements *elements, int32_t e, sp_pair *length) {
+    sp_pair squares = sp_splat(0.0);
+    *length = sp_splat(0.0);
+    for (int32_t q = 0; q < point_count(elements, e); q++) {
+        struct sp_vector v = sp_load(elements->velocity + 3 * q);
+        sp_pair squared = sp_dot(v, v);
+        squares += energy_weight(elements, e, q) * squared;
+        *length += length_weight(elements, e, q) * sp_square_root(squared);
+    }
+    return squares;
+}
+
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length) {
-    sp_pair squares = sp_splat(0.0), along = sp_splat(0.0);
+    sp_pair squares = sp_splat(0.0), along = sp_splat(0.0), share;
     for (int32_t e = 0; e < elements->count / 2; e++) {
-        differentiate(&elements->reference, element_charts(elements, charts, e), elements->velocity);
-        for (int32_t q = 0; q <= elements->reference.degree; q++) {
-            struct sp_vector v = sp_load(elements->velocity + 3 * q);
-            sp_pair squared = sp_dot(v, v);
-            squares += elements->reference.weight[q] * squared;
-            along += elements->reference.weight[q] * sp_square_root(squared);
-        }
+        differentiate(elements, e, element_charts(elements, charts, e));
+        squares += element_squares(elements, e, &share);
+        along += share;
     }
     if (length) *length = along[0] + along[1];
     return squares[0] + squares[1];
 }
 
-/* D_i = sum_q D_qi weight_q V_q, what node i of the element in `velocity` adds to minus the force on it. */
-static struct sp_vector element_pull(const struct sp_elements *elements, int32_t i) {
-    const struct sp_reference *reference = &elements->reference;
+/* D_i = sum_q D_qi weight_q V_q, what node i of the element pair e in `velocity` adds to minus the force on it. */
+static struct sp_vector element_pull(const struct sp_elements *elements, int32_t e, int32_t i) {
     struct sp_vector sum = {{0}, {0}, {0}};
-    for (int32_t q = 0; q <= reference->degree; q++)
-        sum = sp_add(sum, sp_scale(sp_load(elements->velocity + 3 * q),
-                                   sp_splat(reference->derivative[q * (reference->degree + 1) + i] * reference->weight[q])));
+    for (int32_t q = 0; q < point_count(elements, e); q++)
+        sum = sp_add(sum, sp_scale(sp_load(elements->velocity + 3 * q), derivative_row(elements, e, q)[i] * energy_weight(elements, e, q)));
     return sum;
 }
 
 struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts) {
-    differentiate(&elements->reference, charts, elements->velocity);
-    return element_pull(elements, 0);
+    differentiate(elements, 0, charts);
+    return element_pull(elements, 0, 0);
 }
 
 /* One row, and the coordinates of it that are held. */
-static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct sp_vector pull, double weight, struct sp_row *row,
+static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct sp_vector pull, sp_pair weight, struct sp_row *row,
                              sp_mask *straight, sp_mask held[2]) {
     const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     sp_row_assemble(chart, pull, weight, *straight, row);
@@ -65,23 +98,24 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct s
 
 struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                       struct sp_row *rows, sp_mask *straight, sp_mask *held) {
-    const struct sp_reference *reference = &elements->reference;
-    int32_t p = reference->degree, size = p + 1, pairs = elements->count / 2;
+    int32_t p = elements->reference.degree, pairs = elements->count / 2;
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
-    sp_pair squares = sp_splat(0.0);
+    sp_pair squares = sp_splat(0.0), length, carried_weight = sp_splat(0.0);
     for (int32_t e = 0; e < pairs; e++) {
-        differentiate(reference, element_charts(elements, line->nodes.charts, e), elements->velocity);
-        for (int32_t i = 0; i <= p; i++) {
-            struct sp_vector velocity = sp_load(elements->velocity + 3 * i), pull = element_pull(elements, i);
-            int32_t k = e * p + i, border = i == 0 || i == p;
-            squares += reference->weight[i] * sp_dot(velocity, velocity);
-            if (i == 0) pull = sp_add(pull, carried);
-            if (i == p && e < pairs - 1) carried = pull;
-            if (k == 0 || (i == p && e < pairs - 1)) continue;
-            if (k == p * pairs) pull = sp_add(pull, sp_swap_vector(pull));
+        differentiate(elements, e, element_charts(elements, line->nodes.charts, e));
+        squares += element_squares(elements, e, &length);
+        for (int32_t i = e == 0; i <= p; i++) {
+            struct sp_vector pull = element_pull(elements, e, i);
+            sp_pair weight = stiffness_of(elements, e, i, i);
+            int32_t k = e * p + i;
+            if (i == 0) pull = sp_add(pull, carried), weight += carried_weight;
+            if (i == p && e < pairs - 1) {
+                carried = pull, carried_weight = weight;
+                continue;
+            }
+            if (k == p * pairs) pull = sp_add(pull, sp_swap_vector(pull)), weight += sp_swap(weight);
             straight[k] = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
-            double weight = (border ? 2 : 1) * reference->stiffness[i * size + i];
             energy.active += assemble_node(line, k, pull, weight, rows + k, straight + k, held + 2 * k);
         }
     }
@@ -111,8 +145,8 @@ static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair va
 
 /* The upper triangle of one element's matrix: K_ij B_i'B_j between its nodes, the diagonal blocks of its inner nodes, in the last column
  * their right-hand sides. */
-static void fill_matrix(const struct sp_elements *elements, const sp_pair *charts, const struct sp_row *rows, const sp_mask *held,
-                        double shift, sp_pair *matrix) {
+static void fill_matrix(const struct sp_elements *elements, int32_t e, const sp_pair *charts, const struct sp_row *rows,
+                        const sp_mask *held, double shift, sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_vector frames[2 * (SP_MAX_DEGREE + 1)];
     for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
@@ -123,7 +157,7 @@ static void fill_matrix(const struct sp_elements *elements, const sp_pair *chart
         int32_t row = position(p, i);
         load_frame(charts + SP_CHART * i, held + 2 * i, frames + 2 * i);
         for (int32_t j = 0; j < i; j++) {
-            double stiffness = elements->reference.stiffness[i * (p + 1) + j];
+            sp_pair stiffness = stiffness_of(elements, e, i, j);
             int32_t column = position(p, j);
             for (int32_t a = 0; a < 2; a++)
                 for (int32_t b = 0; b < 2; b++)
@@ -202,7 +236,7 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
     start_skeleton(elements, rows, shift);
     for (int32_t e = 0; e < elements->count / 2; e++) {
         sp_pair *matrix = matrix_of(elements, e);
-        fill_matrix(elements, element_charts(elements, line->nodes.charts, e), rows + e * p, held + 2 * e * p, shift, matrix);
+        fill_matrix(elements, e, element_charts(elements, line->nodes.charts, e), rows + e * p, held + 2 * e * p, shift, matrix);
         struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));
         inertia.negative += inner.negative, inertia.usable &= inner.usable;
         add_schur(elements, matrix, e);

@@ -12,6 +12,8 @@
 struct sp_elements {
     struct sp_reference reference; /* degree p */
     int32_t count;                 /* m, even */
+    int32_t singular[2];           /* 1: the path begins, ends, on a singular curve, and its outermost elements are graded */
+    struct sp_graded graded;       /* for them; not used if neither is */
     sp_pair *matrices;       /* m/2 matrices of sp_elements_order^2 numbers: LDL' of each element, borders and right-hand side below */
     sp_pair *velocity;       /* 3 a node pair of one element: scratch of the assembly */
     struct sp_row *skeleton; /* m/2 + 1 rows: the nodes between elements */

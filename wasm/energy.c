@@ -28,9 +28,9 @@ double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
     return length + sp_square_root(sp_dot(middle, middle))[0];
 }
 
-void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, double weight, sp_mask coordinate, struct sp_row *row) {
+void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
     struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2), normal = sp_cross(b1, b2);
-    row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2), row->weight = sp_splat(weight);
+    row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2), row->weight = weight;
     row->r1 = -sp_dot(b1, pull), row->r2 = -sp_dot(b2, pull);
     struct sp_vector part = sp_scale(normal, sp_dot(pull, normal) / sp_dot(normal, normal));
     part = (struct sp_vector){sp_select(coordinate, pull.x, part.x), sp_select(coordinate, pull.y, part.y),
@@ -91,7 +91,7 @@ static int32_t hold_active(const struct sp_polyline *line, int32_t k, struct sp_
     sp_mask held[2], none[2] = {{0}, {0}};
     if (!sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held)) return 0;
     straight[k] |= held[0] | held[1];
-    sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), 2, straight[k], rows + k);
+    sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), sp_splat(2.0), straight[k], rows + k);
     sp_row_hold(rows + k, held);
     sp_mask mirrored[2] = {sp_swap_mask(held[0]), sp_swap_mask(held[1])};
     int meets_itself = !line->fold.odd && k == line->fold.both; /* the last Q leads to the same pair, lanes exchanged */
@@ -111,7 +111,7 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     int32_t unknown = sp_fold_unknown(fold);
     for (int32_t k = 1; k <= unknown; k++) {
         straight[k] = coordinate;
-        sp_row_assemble(charts + SP_CHART * k, pull_at(fold, charts, k), 2, coordinate, rows + k);
+        sp_row_assemble(charts + SP_CHART * k, pull_at(fold, charts, k), sp_splat(2.0), coordinate, rows + k);
         if (k <= fold.both) assemble_coupling(charts + SP_CHART * k, charts + SP_CHART * (k + 1), rows + k);
     }
     for (int32_t k = 1; line->surface->kind == SP_PARAMETRIC && k <= unknown; k++)

@@ -1,4 +1,4 @@
-/* The cube root, and the elementary functions by number. The other functions are in the files functions_*.c. */
+/* The cube root, the hypotenuse, and the elementary functions by number. The other functions are in the files functions_*.c. */
 #include "functions_wide.h"
 
 /* A third of the upper half of the bits, plus (1023 - 1023/3 - 0.033) 2^20, or 54/3 2^20 less after scaling a subnormal number by 2^54, are
@@ -17,6 +17,19 @@ sp_pair sp_cbrt(sp_pair x) {
     sp_pair quotient = magnitude / (root * root);
     root += root * ((quotient - root) / (root + root + quotient));
     return sp_select((x == 0.0) | ~(magnitude < SP_INFINITY), x, sp_with_sign_of(root, x));
+}
+
+/* Beyond these the squares may overflow, or lose bits to underflow. */
+#define SQUARES_OVERFLOW 0x1p500
+#define SQUARES_UNDERFLOW 0x1p-500
+
+sp_pair sp_hypot(sp_pair x, sp_pair y) {
+    sp_pair a = sp_absolute(x), b = sp_absolute(y), larger = sp_select(a > b, a, b);
+    sp_pair scale = sp_select(larger < SQUARES_UNDERFLOW, sp_splat(0x1p600), sp_splat(1.0));
+    scale = sp_select(larger > SQUARES_OVERFLOW, sp_splat(0x1p-600), scale);
+    a *= scale, b *= scale;
+    sp_pair length = sp_square_root(a * a + b * b) / scale, infinity = sp_splat(SP_INFINITY);
+    return sp_select((a == infinity) | (b == infinity), infinity, length);
 }
 
 double sp_apply_function(int32_t function, double x, double y) {
@@ -50,6 +63,18 @@ double sp_apply_function(int32_t function, double x, double y) {
         return sp_cbrt(a)[0];
     case SP_POW:
         return sp_pow(a, b)[0];
+    case SP_LOG2:
+        return sp_log2(a)[0];
+    case SP_LOG10:
+        return sp_log10(a)[0];
+    case SP_ASINH:
+        return sp_asinh(a)[0];
+    case SP_ACOSH:
+        return sp_acosh(a)[0];
+    case SP_ATANH:
+        return sp_atanh(a)[0];
+    case SP_HYPOT:
+        return sp_hypot(a, b)[0];
     default:
         return SP_NAN;
     }

@@ -26,7 +26,8 @@ const struct sp_function_constants sp_constants = {
     .arctangent = {BOTH(-0x1.5555555555555p-2), BOTH(0x1.99999999995eap-3), BOTH(-0x1.249249244dacep-3), BOTH(0x1.c71c71890f6c4p-4),
                    BOTH(-0x1.745d08fbb0f95p-4), BOTH(0x1.3b11cb76fb8c9p-4), BOTH(-0x1.10e98f73b1b4bp-4), BOTH(0x1.dddd37f4d10a6p-5),
                    BOTH(-0x1.8ee5cbe5acf09p-5), BOTH(0x1.deefe6a054357p-6)},
-    .inverse_ln2 = BOTH(0x1.71547652b82fep+0),
+    .inverse_ln2 = {BOTH(0x1.71547652b82fep+0), BOTH(0x1.777d0ffda0d24p-56)},
+    .inverse_ln10 = {BOTH(0x1.bcb7b1526e50ep-2), BOTH(0x1.95355baaafad3p-57)},
     /* 40 bits, so that products with exponents are exact. */
     .ln2_high = BOTH(0x1.62e42fefa2000p-1),
     .ln2_low = BOTH(0x1.9ef35793c7673p-41),

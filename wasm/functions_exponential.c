@@ -1,7 +1,8 @@
-/* Exponential, logarithm, power and the hyperbolic functions.
+/* Exponential, logarithms, power, the hyperbolic functions and their inverses.
  *
  * exp: x = k ln 2 + r, a polynomial in r, scaled by 2^k. log: x = 2^k m with m near 1, a series in (m - 1)/(m + 1). pow: exp(y log x) with
- * a logarithm of about 68 bits, because an error of the exponent is multiplied by up to 745. */
+ * a logarithm of about 68 bits, because an error of the exponent is multiplied by up to 745; log2 and log10 use it too, so that powers of 2
+ * and 10 come out exact. asinh, acosh, atanh: the logarithm of a wide number, for near 1 its second part is all that counts. */
 #include "functions_wide.h"
 
 #define SMALLEST_NORMAL 0x1p-1022
@@ -13,6 +14,9 @@
 /* Above this y log x overflows or underflows for every x but 1, so that y itself may be cut off there. */
 #define LARGEST_POWER 0x1p66
 
+/* From here on sqrt(x^2 + 1) is x to 2^-57. */
+#define ROOT_IS_X 0x1p28
+
 /* 2^n for integers -1022 <= n <= 1023. */
 static inline sp_pair power_of_two(sp_pair n) { return sp_pair_of((sp_word_of(n + SP_ROUNDER) + 1023) << 52); }
 
@@ -23,7 +27,7 @@ static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
     clamped = sp_select(x.high < EXPONENT_LOWEST, sp_splat(EXPONENT_LOWEST), clamped);
     sp_pair x_low = sp_select(x.high == clamped, x.low, sp_splat(0.0));
 
-    sp_pair exponent = sp_nearest_integer(clamped * sp_constants.inverse_ln2);
+    sp_pair exponent = sp_nearest_integer(clamped * sp_constants.inverse_ln2.high);
     sp_pair head = clamped - exponent * sp_constants.ln2_high, correction = exponent * sp_constants.ln2_low - x_low;
     sp_pair r = head - correction, lost = (head - r) - correction;
     struct sp_wide linear = sp_add_smaller(sp_splat(1.0), r);
@@ -72,15 +76,58 @@ static inline struct scaled split(sp_pair x) {
     return (struct scaled){biased - sp_select(subnormal, sp_splat(1023.0 + 54.0), sp_splat(1023.0)), sp_pair_of((bits & fraction) + root)};
 }
 
-sp_pair sp_log(sp_pair x) {
-    struct scaled parts = split(x);
+/* The logarithm of 2^exponent mantissa, plus a correction that is small beside it or beside ln2_high. */
+static inline sp_pair logarithm(struct scaled parts, sp_pair correction) {
     sp_pair f = parts.mantissa - 1.0, s = f / (2.0 + f), square = s * s, half = 0.5 * f * f;
     sp_pair rest = square * sp_polynomial(square, sp_constants.logarithm, 7);
-    sp_pair tail = s * (half + rest) + parts.exponent * sp_constants.ln2_low;
-    sp_pair value = parts.exponent * sp_constants.ln2_high - ((half - tail) - f);
+    sp_pair tail = s * (half + rest) + correction;
+    return parts.exponent * sp_constants.ln2_high - ((half - tail) - f);
+}
 
+/* The value, but where x is not a positive finite number what a logarithm is there. */
+static inline sp_pair logarithm_of(sp_pair x, sp_pair value) {
     sp_pair special = sp_select(x < 0.0, sp_splat(SP_NAN), sp_select(x == 0.0, sp_splat(-SP_INFINITY), x));
     return sp_select((x > 0.0) & (x < SP_INFINITY), value, special);
+}
+
+sp_pair sp_log(sp_pair x) {
+    struct scaled parts = split(x);
+    return logarithm_of(x, logarithm(parts, parts.exponent * sp_constants.ln2_low));
+}
+
+/* log(x 2^doublings) for x.high >= 1; exact in x.low, however small the logarithm. */
+static inline sp_pair logarithm_beyond_one(struct sp_wide x, sp_pair doublings) {
+    struct scaled parts = split(x.high);
+    parts.exponent += doublings;
+    return logarithm(parts, parts.exponent * sp_constants.ln2_low + x.low / x.high);
+}
+
+/* log(x + sqrt(x^2 + one)) for x >= 0, one = 1 or -1; NaN where the root is. Out of line, as two functions share it. */
+__attribute__((noinline)) static sp_pair inverse_hyperbolic(sp_pair x, double one) {
+    struct sp_wide square = sp_multiply_exactly(x, x), sum = sp_add_exactly(square.high, sp_splat(one));
+    struct sp_wide root = sp_wide_square_root(sum.high, sum.low + square.low);
+    struct sp_wide argument = sp_add_exactly(x, root.high);
+    argument.low += root.low;
+    sp_mask large = x > ROOT_IS_X;
+    argument = sp_wide_select(large, (struct sp_wide){x, sp_splat(0.0)}, argument);
+    sp_pair value = logarithm_beyond_one(argument, sp_select(large, sp_splat(1.0), sp_splat(0.0)));
+    return sp_select(x < SP_INFINITY, value, x);
+}
+
+sp_pair sp_asinh(sp_pair x) { return sp_with_sign_of(inverse_hyperbolic(sp_absolute(x), 1.0), x); }
+
+sp_pair sp_acosh(sp_pair x) { return sp_select(x >= 1.0, inverse_hyperbolic(x, -1.0), sp_splat(SP_NAN)); }
+
+sp_pair sp_atanh(sp_pair x) {
+    sp_pair magnitude = sp_absolute(x), one = sp_splat(1.0);
+    struct sp_wide above = sp_add_smaller(one, magnitude), below = sp_add_smaller(one, -magnitude), ratio;
+    ratio.high = above.high / below.high;
+    struct sp_wide product = sp_multiply_exactly(ratio.high, below.high);
+    sp_pair rest = ((above.high - product.high) - product.low) + (above.low - ratio.high * below.low);
+    ratio.low = rest / below.high;
+    sp_pair value = 0.5 * logarithm_beyond_one(ratio, sp_splat(0.0));
+    sp_pair special = sp_select(magnitude == 1.0, sp_splat(SP_INFINITY), sp_splat(SP_NAN));
+    return sp_with_sign_of(sp_select(magnitude < 1.0, value, special), x);
 }
 
 /* log x to about 2^-65 of it, for finite x > 0. */
@@ -102,6 +149,16 @@ static inline struct sp_wide wide_logarithm(sp_pair x) {
     struct sp_wide sum = sp_add_smaller(parts.exponent * sp_constants.ln2_high, fraction.high);
     return sp_add_smaller(sum.high, sum.low + (fraction.low + parts.exponent * sp_constants.ln2_low));
 }
+
+/* Out of line, as two functions share it. */
+__attribute__((noinline)) static sp_pair scaled_logarithm(sp_pair x, struct sp_wide factor) {
+    struct sp_wide value = sp_wide_multiply(wide_logarithm(x), factor);
+    return logarithm_of(x, value.high + value.low);
+}
+
+sp_pair sp_log2(sp_pair x) { return scaled_logarithm(x, sp_constants.inverse_ln2); }
+
+sp_pair sp_log10(sp_pair x) { return scaled_logarithm(x, sp_constants.inverse_ln10); }
 
 static inline sp_mask is_integer(sp_pair x) {
     sp_pair magnitude = sp_absolute(x);

@@ -23,7 +23,8 @@ struct sp_function_constants {
     sp_pair sine[6], cosine[6];
     sp_pair arcsine_numerator[6], arcsine_denominator[5];
     sp_pair arctangent[10];
-    sp_pair inverse_ln2, ln2_high, ln2_low;
+    struct sp_wide inverse_ln2, inverse_ln10;
+    sp_pair ln2_high, ln2_low;
     sp_pair exponential[11];
     sp_pair hyperbolic_sine[8];
     sp_pair hyperbolic_tangent_numerator[3], hyperbolic_tangent_denominator[4];
@@ -76,6 +77,12 @@ static inline struct sp_wide sp_add_smaller(sp_pair a, sp_pair b) {
     return (struct sp_wide){sum, (a - sum) + b};
 }
 
+/* a + b exactly, whichever is larger. */
+static inline struct sp_wide sp_add_exactly(sp_pair a, sp_pair b) {
+    sp_pair sum = a + b, b_part = sum - a;
+    return (struct sp_wide){sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
 /* a b to 2^-105, for products and factors that neither overflow nor are subnormal. Factors are cut to their upper 26 bits instead of by
  * Dekker's multiplication with 2^27 + 1, which overflows for large ones. */
 static inline struct sp_wide sp_multiply_exactly(sp_pair a, sp_pair b) {
@@ -90,6 +97,14 @@ static inline struct sp_wide sp_multiply_exactly(sp_pair a, sp_pair b) {
 static inline struct sp_wide sp_wide_multiply(struct sp_wide a, struct sp_wide b) {
     struct sp_wide product = sp_multiply_exactly(a.high, b.high);
     return sp_add_smaller(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+/* sqrt(high + low) for high > 2^-1000 or both 0: with |low| <= 2^-26 high to 2^-56 at least, with |low| <= 2^-53 high to about 2^-104. */
+static inline struct sp_wide sp_wide_square_root(sp_pair high, sp_pair low) {
+    sp_pair root = sp_square_root(high);
+    struct sp_wide square = sp_multiply_exactly(root, root);
+    sp_pair rest = ((high - square.high) - square.low) + low;
+    return (struct sp_wide){root, sp_select(root == 0.0, root, rest / (2.0 * root))};
 }
 
 /* a - b, for |a| >= |b|, to about 2^-104 of a. */

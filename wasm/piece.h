@@ -25,6 +25,13 @@ struct sp_piece {
 int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
                    int32_t *iterations);
 
+/* The same where the end of that number lies on a singular curve. */
+int sp_piece_solve_graded(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int end,
+                          struct sp_arena *arena, int32_t *iterations);
+
+/* Lets the piece keep its paths in other storage from now on, its present one copied there. */
+void sp_piece_move(struct sp_piece *piece, const struct sp_storage *storage);
+
 /* Makes the path just solved the piece's own. */
 void sp_piece_keep(const struct sp_newton *newton, struct sp_piece *piece);
 

@@ -102,3 +102,65 @@ void sp_reference_interpolate(const struct sp_reference *reference, double t, do
     for (int32_t j = 0; j <= p; j++)
         values[j] /= sum;
 }
+
+/* Node i of the n-point Gauss rule on 0 … 1, and its weight: Newton on P_n from Chebyshev's guess. */
+static double gauss(int32_t n, int32_t i, double *weight) {
+    double x = -sp_cos(sp_splat(PI * (i + 0.75) / (n + 0.5)))[0], before, slope = 1;
+    for (int round = 0; round < 12; round++) {
+        double value = legendre(n, x, &before);
+        slope = n * (before - x * value) / (1 - x * x);
+        x -= value / slope;
+        if (value * value < 1e-31 * slope * slope) break;
+    }
+    legendre(n, x, &before);
+    slope = n * before / (1 - x * x);
+    *weight = 1 / ((1 - x * x) * slope * slope);
+    return 0.5 * (1 + x);
+}
+
+/* Derivatives at t of the p + 1 Lagrange polynomials: l_j' = sum_i l_i(t) D_ij. */
+static void differentiate_at(const struct sp_reference *reference, double t, double *row) {
+    int32_t size = reference->degree + 1;
+    double values[SP_MAX_DEGREE + 1];
+    sp_reference_interpolate(reference, t, values);
+    for (int32_t j = 0; j < size; j++) {
+        row[j] = 0;
+        for (int32_t i = 0; i < size; i++)
+            row[j] += values[i] * reference->derivative[i * size + j];
+    }
+}
+
+static void fill_graded_stiffness(const struct sp_graded *graded, int32_t size, int lane) {
+    for (int32_t i = 0; i < size; i++) {
+        double sum = 0;
+        for (int32_t j = 0; j < size; j++) {
+            double entry = 0;
+            for (int32_t q = 0; q < graded->count; q++)
+                entry += graded->weight[lane][q] * graded->derivative[q * size + i] * graded->derivative[q * size + j];
+            graded->stiffness[lane][i * size + j] = entry;
+            sum += j == i ? 0 : entry;
+        }
+        graded->stiffness[lane][i * size + i] = -sum;
+    }
+}
+
+int sp_graded_make(struct sp_graded *graded, const struct sp_reference *reference, const int32_t ends[2], struct sp_arena *arena) {
+    size_t size = (size_t)reference->degree + 1, count = size + 1;
+    double **vectors[] = {&graded->derivative, &graded->length_weight, &graded->weight[0],
+                          &graded->weight[1],  &graded->stiffness[0],  &graded->stiffness[1]};
+    size_t lengths[] = {count * size, count, count, count, size * size, size * size};
+    graded->count = reference->degree + 2;
+    for (int i = 0; i < 6; i++) {
+        *vectors[i] = sp_arena_take(arena, lengths[i], sizeof(double));
+        if (!*vectors[i]) return 0;
+    }
+    for (int32_t q = 0; q < graded->count; q++) {
+        double sigma = gauss(graded->count, q, graded->length_weight + q);
+        differentiate_at(reference, sigma, graded->derivative + q * (reference->degree + 1));
+        for (int lane = 0; lane < 2; lane++)
+            graded->weight[lane][q] = graded->length_weight[q] / (ends[lane] ? 2 * sigma : 1);
+    }
+    for (int lane = 0; lane < 2; lane++)
+        fill_graded_stiffness(graded, reference->degree + 1, lane);
+    return 1;
+}

@@ -17,6 +17,20 @@ struct sp_reference {
     double *stiffness;   /* K = D' diag(weight) D, rows adding up to 0 */
 };
 
+/* The operator of the two outermost elements where the path ends on a singular curve at one end or both: there the path is smooth not in
+ * its parameter a but in sigma, a = sigma^2 counted from the end, and its nodes lie at equal sigma as elsewhere at equal a. Lanes as in a
+ * folded path, lane 0 the first end. */
+struct sp_graded {
+    int32_t count;         /* Gauss points */
+    double *derivative;    /* count x (p + 1): d/dsigma of the interpolating polynomial at the Gauss points */
+    double *length_weight; /* quadrature of the length */
+    double *weight[2];     /* quadrature of the energy, per lane: w/(2 sigma), or w where the end is regular */
+    double *stiffness[2];  /* K per lane */
+};
+
+/* Makes the graded operator of a reference element; ends[i]: end i lies on a singular curve. Returns 0 if the arena is full. */
+int sp_graded_make(struct sp_graded *graded, const struct sp_reference *reference, const int32_t ends[2], struct sp_arena *arena);
+
 /* Makes the reference element of degree 1 … SP_MAX_DEGREE. Returns 0 if the arena is full. Cost: O(p^3). */
 int sp_reference_make(struct sp_reference *reference, int32_t degree, struct sp_arena *arena);
 

@@ -8,9 +8,11 @@ struct rung {
 };
 
 static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
-enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]) };
+/* Where the path ends on a singular curve. */
+static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
+enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
-static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04;
+static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
@@ -50,11 +52,13 @@ static enum sp_status start_rung(struct sp_newton *newton, const struct sp_syste
     if (!sp_reference_make(&elements->reference, rung.degree, arena)) return SP_OUT_OF_MEMORY;
     elements->count = rung.count;
     elements->matrices = sp_arena_take(arena, order * order * (size_t)rung.count / 2, sizeof(sp_pair));
-    elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 1), sizeof(sp_pair));
+    elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 2), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
     if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
+    int graded = elements->singular[0] || elements->singular[1];
+    if (graded && !sp_graded_make(&elements->graded, &elements->reference, elements->singular, arena)) return SP_OUT_OF_MEMORY;
     system->line.fold = sp_fold_of(rung.degree * rung.count - 1);
-    sp_sample_places(from, &elements->reference, rung.count, system->line.nodes.places);
+    sp_sample_places(from, elements, system->line.nodes.places);
     int32_t unknown = sp_fold_unknown(system->line.fold);
     if (system->line.surface->kind == SP_PARAMETRIC)
         sp_parametric_clip(system->line.surface, unknown, system->line.nodes.places + 2);
@@ -86,8 +90,8 @@ static struct climbed climb(struct sp_newton *newton, const struct sp_options *o
 /* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
 static int strayed(const struct climbed *climbed, double first_length) {
     double change = climbed->length / first_length - 1;
-    return climbed->outcome.status < 0 || climbed->outcome.status == SP_STALLED || change > LENGTH_GUARD || change < -LENGTH_GUARD ||
-           climbed->moved > DISPLACEMENT_GUARD * climbed->length;
+    if (climbed->outcome.status < 0 || climbed->outcome.status == SP_STALLED) return 1;
+    return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || climbed->moved > DISPLACEMENT_GUARD * climbed->length);
 }
 
 /* The smallest relative error that the coordinates' rounding allows. */
@@ -115,24 +119,26 @@ static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_op
 }
 
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
-static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *first,
-                                   double first_length, int32_t iterations, struct sp_arena *arena) {
+static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
+                                   const struct sp_system *first, double first_length, int32_t iterations, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
     double last = first_length, change = first_length;
+    int settled = 0;
     struct sp_storage storage;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
     newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
     size_t bottom = arena->used;
-    for (int r = 0; r < RUNGS; r++) {
+    for (int r = 0; r < rungs; r++) {
         arena->used = bottom;
-        now = climb_guarded(newton, options, &before, first, first_length, LADDER[r], iterations, arena);
+        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], iterations, arena);
         iterations = now.outcome.iterations;
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, now.length > last ? now.length - last : last - now.length);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
+        settled = !astray && from_elements && change <= allowed;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
         if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
@@ -141,7 +147,9 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         else
             before = sp_storage_keep(&storage, &newton->system);
     }
-    if (now.outcome.status == SP_CONVERGED) now.outcome.status = SP_TOLERANCE_NOT_MET;
+    /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
+    double enough = LENGTH_ALONE * tolerance_of(newton, options, now.length) * now.length;
+    if (now.outcome.status == SP_CONVERGED && !(settled && change <= enough)) now.outcome.status = SP_TOLERANCE_NOT_MET;
     return finish(newton, now, change);
 }
 
@@ -149,8 +157,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
 double sp_refine_bytes(void) {
     struct rung last = LADDER[RUNGS - 1];
     double order = sp_elements_order(last.degree), half = last.count / 2, degree = last.degree, pairs = SP_REFINE_INNER / 2 + 3;
-    double numbers = order * order * half + 3 * (degree + 1) + 3 * pairs + 2 * 3 * pairs;
-    return sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
+    double numbers = order * order * half + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs;
+    return 4 * sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
@@ -170,7 +178,12 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
         return finish(newton, first, error);
     }
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, &kept, first.length, first.outcome.iterations, arena);
+    return climb_all(newton, options, LADDER, RUNGS, &kept, first.length, first.outcome.iterations, arena);
+}
+
+struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                   struct sp_arena *arena) {
+    return climb_all(newton, options, GRADED, GRADED_RUNGS, from, 0, 0, arena);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,

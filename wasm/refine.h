@@ -18,6 +18,10 @@ struct sp_refined {
  */
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
 
+/* Solves between ends of which newton->system.elements.singular lie on a singular curve, from a path that is not in newton's own arrays. */
+struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                   struct sp_arena *arena);
+
 /* A path of `count` chords, even, from another path, which is not in newton's own arrays. */
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena);

@@ -18,13 +18,28 @@ static void polyline_place(const struct sp_system *system, double t, double plac
     }
 }
 
+static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }
+
+/* Where in the reference element of element e the path's parameter x, 0 … 1 within it, lies: graded elements count in square roots. */
+static double to_reference(const struct sp_elements *elements, int32_t e, double x) {
+    if (e == 0 && elements->singular[0]) return root(x);
+    if (e == elements->count - 1 && elements->singular[1]) return 1 - root(1 - x);
+    return x;
+}
+
+static double from_reference(const struct sp_elements *elements, int32_t e, double x) {
+    if (e == 0 && elements->singular[0]) return x * x;
+    if (e == elements->count - 1 && elements->singular[1]) return 1 - (1 - x) * (1 - x);
+    return x;
+}
+
 /* The place at t of elements. */
 static void element_place(const struct sp_system *system, double t, double place[3]) {
     const struct sp_elements *elements = &system->elements;
     int32_t dimension = system->line.kind->dimension, p = elements->reference.degree, e = (int32_t)(t * elements->count);
     if (e > elements->count - 1) e = elements->count - 1;
     double values[SP_MAX_DEGREE + 1];
-    sp_reference_interpolate(&elements->reference, t * elements->count - e, values);
+    sp_reference_interpolate(&elements->reference, to_reference(elements, e, t * elements->count - e), values);
     for (int j = 0; j < 3; j++)
         place[j] = 0;
     for (int32_t i = 0; i <= p; i++)
@@ -39,12 +54,17 @@ void sp_sample_place(const struct sp_system *system, double t, double place[3]) 
         element_place(system, t, place);
 }
 
-void sp_sample_places(const struct sp_system *from, const struct sp_reference *reference, int32_t count, sp_pair *places) {
-    int32_t p = reference->degree, last = p * count, dimension = from->line.kind->dimension;
+double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
+    int32_t p = elements->reference.degree, e = i / p;
+    return (e + (p > 1 ? from_reference(elements, e, elements->reference.node[i % p]) : 0)) / elements->count;
+}
+
+void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
+    int32_t last = to->reference.degree * to->count, dimension = from->line.kind->dimension;
     struct sp_fold fold = sp_fold_of(last - 1);
     for (int32_t i = 0; i <= last; i++) {
-        double place[3], t = (i / p + (p > 1 ? reference->node[i % p] : 0)) / count;
-        sp_sample_place(from, t, place);
+        double place[3];
+        sp_sample_place(from, sp_sample_parameter(to, i), place);
         for (int32_t j = 0; j < dimension; j++) {
             double end = i == 0 || i == last
                              ? sp_fold_get(from->line.fold, from->line.nodes.places, dimension, i ? from->line.fold.inner + 1 : 0, j)

@@ -12,6 +12,9 @@ void sp_sample_points(const struct sp_system *system, double scale, int32_t poin
 /* The place (3 numbers; parametric 2 and a zero) at t in [0, 1] of a path, interpolated, not yet put onto the surface. */
 void sp_sample_place(const struct sp_system *system, double t, double place[3]);
 
+/* The path's parameter, 0 … 1, at node i of some elements. */
+double sp_sample_parameter(const struct sp_elements *elements, int32_t i);
+
 /* Writes one sample at a place: the point of the surface, and unless NULL its parameters. */
 void sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters);
 
@@ -27,8 +30,7 @@ int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner
 /* Copies a path, as far as sampling needs it, into `storage`. */
 struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct sp_system *system);
 
-/* Fills `places` of a path of `count` elements of the degree of `reference` (1: chords) with the path of `from`. Implicit places still have
- * to be settled. */
-void sp_sample_places(const struct sp_system *from, const struct sp_reference *reference, int32_t count, sp_pair *places);
+/* Fills `places` of the nodes of `to` (degree 1: chords) with the path of `from`. Implicit places still have to be settled. */
+void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places);
 
 #endif

@@ -103,6 +103,22 @@ static struct sp_refined solve_polyline(struct sp_newton *newton, const struct s
     return refined;
 }
 
+/* Elements; where they touch a wall or meet a singular curve, arcs of them. */
+static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
+                                        struct sp_arcs *arcs, struct sp_result *result) {
+    struct sp_storage storage;
+    struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
+    int parametric = newton->system.line.surface->kind == SP_PARAMETRIC;
+    if (pole > 0 && parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) return refined;
+    struct sp_system start = sp_storage_keep(&storage, &newton->system);
+    refined = sp_refine_run(newton, options, arena);
+    if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
+    if (refined.outcome.status != SP_SINGULAR_METRIC || !parametric) return refined;
+    result->crosses_singularity = 1;
+    return sp_cusp_run(newton, options, &start, arena, arcs);
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -120,9 +136,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status != SP_CONVERGED) return status;
     struct sp_arcs arcs;
     arcs.count = 0;
-    struct sp_refined refined = elements ? sp_refine_run(&newton, options, arena) : solve_polyline(&newton, options);
-    if (elements && refined.outcome.active && refined.outcome.status == SP_CONVERGED)
-        refined = sp_contact_run(&newton, options, arena, &arcs);
+    struct sp_refined refined =
+        elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);

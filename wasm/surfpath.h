@@ -8,6 +8,7 @@
 #define SURFPATH_H
 
 #include "arena.h"
+#include "graph.h"
 #include "mesh.h"
 #include "status.h"
 #include "surface.h"
@@ -37,7 +38,7 @@ struct sp_request {
                             NULL: the straight line from end to end, solved from the lexicographically smaller end, so that
                             exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
-    int32_t unused;
+    int32_t pole; /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; 0: none */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. */
@@ -62,7 +63,7 @@ struct sp_result {
     int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
     int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
     int32_t history_count;
-    int32_t unused;
+    int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
 };
 
 /* Writes the defaults: SP_POLYLINE, K = 64, 100 iterations, stop by decrement, no record. */
@@ -87,6 +88,47 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
  * unchanged by the last two. */
 int32_t sp_project_point(const struct sp_surface *surface, const double point[3], double place[3]);
 
+/* Where a geodesic starts, and how far it goes. */
+struct sp_trace_request {
+    double from[3];      /* parametric: u, v; implicit: x, y, z, near the surface */
+    double direction[3]; /* du, dv, or a vector of space whose tangent part counts; of any length but 0 */
+    double length;       /* >= 0; SP_NOT_FINITE if it is not */
+};
+
+struct sp_trace_options {
+    double tolerance;    /* largest error of a step, of the direction and relative to the step's length: 1e-14 … 1e-2 */
+    int32_t point_count; /* K, points between the two ends: 1 … 100,000 */
+    int32_t max_steps;   /* steps, rejected ones too: 1 … 10,000,000 */
+};
+
+struct sp_trace_result {
+    double length;            /* as asked, or up to where the trace ended; NaN without a path */
+    double length_error;      /* estimate of the distance between the end and that of the geodesic, never below 4e-15 length */
+    double conjugate;         /* length at which the first point conjugate to the start lies, NaN if it is not on the path */
+    double *points;           /* 3 (K + 2): x y z, equally spaced by length, ends included; in the arena; NULL without a path */
+    double *parameters;       /* 2 (K + 2): u v, continuous across seams, in the rectangle; NULL for an implicit surface */
+    int32_t status;           /* enum sp_status */
+    int32_t steps;            /* accepted steps */
+    int32_t touches_boundary; /* 1: an inner point lies on an edge of the rectangle */
+    int32_t normal;           /* 1: the direction has no tangent part, the caller's mistake: no path */
+};
+
+/* Writes the defaults: tolerance 1e-12, K = 64, 200,000 steps. */
+void sp_default_trace_options(struct sp_trace_options *options);
+
+/* Bytes of arena that sp_trace_path needs for these options on a surface of this kind. */
+double sp_trace_bytes(int32_t kind, const struct sp_trace_options *options);
+
+/* Follows the geodesic from a point in a direction: the exponential map, by DOP853, with the Jacobi field that vanishes at the start.
+ *
+ * `result` is always filled; its arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED (length as asked),
+ * SP_EDGE_REACHED (a wall of the rectangle came first: the path ends on it), SP_ITERATION_LIMIT (max_steps), SP_TOLERANCE_NOT_MET (steps
+ * vanish in rounding) with the path so far; SP_SINGULAR_METRIC (S_u x S_v or grad f vanishes ahead, or at the start), SP_OFF_SURFACE,
+ * SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range are clamped. Cost: about 13 evaluations a step, and 4 more in each with a
+ * point to write; twice that where the path ends early. */
+int32_t sp_trace_path(const struct sp_surface *surface, const struct sp_trace_request *request, const struct sp_trace_options *options,
+                      struct sp_arena *arena, struct sp_trace_result *result);
+
 /* Sizes and offsets in WebAssembly, mirrored in web/runtime/heap.js; a test compares the two. */
 #ifdef __wasm__
 #define SP_SIZE(name, bytes) _Static_assert(sizeof(struct name) == (bytes), "mirrored in heap.js")
@@ -110,6 +152,7 @@ SP_AT(sp_request, from, 0);
 SP_AT(sp_request, to, 24);
 SP_AT(sp_request, start, 48);
 SP_AT(sp_request, start_count, 52);
+SP_AT(sp_request, pole, 56);
 SP_SIZE(sp_iterate, 32);
 SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);
@@ -129,6 +172,25 @@ SP_AT(sp_result, iterations, 52);
 SP_AT(sp_result, index, 56);
 SP_AT(sp_result, touches_boundary, 60);
 SP_AT(sp_result, history_count, 64);
+SP_AT(sp_result, crosses_singularity, 68);
+SP_SIZE(sp_trace_request, 56);
+SP_AT(sp_trace_request, from, 0);
+SP_AT(sp_trace_request, direction, 24);
+SP_AT(sp_trace_request, length, 48);
+SP_SIZE(sp_trace_options, 16);
+SP_AT(sp_trace_options, tolerance, 0);
+SP_AT(sp_trace_options, point_count, 8);
+SP_AT(sp_trace_options, max_steps, 12);
+SP_SIZE(sp_trace_result, 48);
+SP_AT(sp_trace_result, length, 0);
+SP_AT(sp_trace_result, length_error, 8);
+SP_AT(sp_trace_result, conjugate, 16);
+SP_AT(sp_trace_result, points, 24);
+SP_AT(sp_trace_result, parameters, 28);
+SP_AT(sp_trace_result, status, 32);
+SP_AT(sp_trace_result, steps, 36);
+SP_AT(sp_trace_result, touches_boundary, 40);
+SP_AT(sp_trace_result, normal, 44);
 SP_SIZE(sp_arena, 12);
 SP_AT(sp_arena, base, 0);
 SP_AT(sp_arena, size, 4);
@@ -139,6 +201,22 @@ SP_AT(sp_mesh, normals, 4);
 SP_AT(sp_mesh, indices, 8);
 SP_AT(sp_mesh, vertex_count, 12);
 SP_AT(sp_mesh, triangle_count, 16);
+SP_SIZE(sp_graph_options, 64);
+SP_AT(sp_graph_options, box, 0);
+SP_AT(sp_graph_options, cell, 48);
+SP_AT(sp_graph_options, resolution, 56);
+SP_SIZE(sp_graph, 112);
+SP_AT(sp_graph, spacing, 0);
+SP_AT(sp_graph, vertex_count, 60);
+SP_AT(sp_graph, edge_count, 64);
+SP_AT(sp_graph, unique, 68);
+SP_AT(sp_graph, singular, 72);
+SP_SIZE(sp_graph_answer, 24);
+SP_AT(sp_graph_answer, distance, 0);
+SP_AT(sp_graph_answer, places, 8);
+SP_AT(sp_graph_answer, lengths, 12);
+SP_AT(sp_graph_answer, candidate_count, 16);
+SP_AT(sp_graph_answer, point_count, 20);
 #undef SP_SIZE
 #undef SP_AT
 #endif

@@ -30,6 +30,13 @@ function checkExpression(caller, name, value) {
     throw new TypeError(`${caller}: ${name} must be a formula in a string, or a finite number, not ${describe(value)}`);
 }
 
+/** Several formulas in an array. @param {string} caller @param {string} name @param {unknown} value @param {number} count */
+export function checkExpressions(caller, name, value, count) {
+  if (!Array.isArray(value) || value.length !== count)
+    throw new TypeError(`${caller}: ${name} must be ${count} formulas, ${count === 2 ? '[x, y]' : '[x, y, z]'}, not ${describe(value)}`);
+  for (const [i, one] of value.entries()) checkExpression(caller, `${name}[${i}]`, one);
+}
+
 /** @param {string} caller @param {any} definition @param {string[]} required @param {string[]} expressions those of them that are formulas */
 export function checkDefinition(caller, definition, required, expressions) {
   if (typeof definition !== 'object' || definition === null)

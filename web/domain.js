@@ -1,6 +1,7 @@
 /** The parameter rectangle of a surface: its ranges, which directions are closed, and lifts of points across a seam. Knows only evaluations of S and its derivatives. */
 
-/** @typedef {{ lower: number[], upper: number[], periodic: boolean[] }} Domain */
+/** @typedef {{ lower: number[], upper: number[] }} Range */
+/** @typedef {Range & { periodic: boolean[], poles: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
 
 /** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
@@ -15,7 +16,7 @@ const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offs
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
 
-/** Diagonal of the bounding box of 17 × 17 samples. @param {Jets} jets @param {Domain} domain */
+/** Diagonal of the bounding box of 17 × 17 samples. @param {Jets} jets @param {Range} range */
 function diagonal(jets, { lower, upper }) {
   const places = [];
   for (let i = 0; i <= GRID; i++)
@@ -34,44 +35,57 @@ function diagonal(jets, { lower, upper }) {
   return gap(low, high);
 }
 
+/** Places along an edge of the rectangle. @param {Range} range @param {number} direction of the coordinate that is constant there @param {number} side 0: lower, 1: upper @param {number[]} fractions */
+function edgePlaces({ lower, upper }, direction, side, fractions) {
+  const other = 1 - direction;
+  const edge = (side ? upper : lower)[direction];
+  return fractions.flatMap((fraction) => {
+    const along = lower[other] + fraction * (upper[other] - lower[other]);
+    return direction === 0 ? [edge, along] : [along, edge];
+  });
+}
+
+/** Edges that are one point: a pole, an apex. @param {Jets} jets @param {Range} range @param {number} size of the surface */
+function findPoles(jets, range, size) {
+  const fractions = Array.from({ length: GRID + 1 }, (_, i) => i / GRID);
+  return [0, 1, 2, 3]
+    .filter((edge) => {
+      const sampled = jets(edgePlaces(range, edge >> 1, edge & 1, fractions));
+      return fractions.every((_, i) => gap(vector(sampled, i, 0), vector(sampled, 0, 0)) <= POSITION_GAP * size);
+    })
+    .map((edge) => edge + 1);
+}
+
 /**
  * Whether a surface closes smoothly in a direction: S and its first derivatives agree on both edges, and the edges are curves, not points.
  * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls.
- * @param {Jets} jets @param {Domain} domain @param {number} direction 0: u, 1: v
+ * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction 0: u, 1: v
  */
-function closes(jets, domain, direction) {
-  const { lower, upper } = domain;
-  const other = 1 - direction;
-  const places = [];
-  for (const edge of [lower[direction], upper[direction]])
-    for (const fraction of TEST_FRACTIONS) {
-      const along = lower[other] + fraction * (upper[other] - lower[other]);
-      places.push(...(direction === 0 ? [edge, along] : [along, edge]));
-    }
-  const sampled = jets(places);
-  const size = diagonal(jets, domain);
-  const count = TEST_FRACTIONS.length;
+function closes(jets, range, size, direction) {
+  const [low, high] = [0, 1].map((side) => jets(edgePlaces(range, direction, side, TEST_FRACTIONS)));
   let [position, derivative, largest, variation] = [0, 0, 0, 0];
-  for (let i = 0; i < count; i++) {
-    position = Math.max(position, gap(vector(sampled, i, 0), vector(sampled, count + i, 0)));
-    variation = Math.max(variation, gap(vector(sampled, i, 0), vector(sampled, 0, 0)));
+  for (let i = 0; i < TEST_FRACTIONS.length; i++) {
+    position = Math.max(position, gap(vector(low, i, 0), vector(high, i, 0)));
+    variation = Math.max(variation, gap(vector(low, i, 0), vector(low, 0, 0)));
     for (const offset of [3, 6]) {
-      derivative = Math.max(derivative, gap(vector(sampled, i, offset), vector(sampled, count + i, offset)));
-      largest = Math.max(largest, gap(vector(sampled, i, offset), [0, 0, 0]));
+      derivative = Math.max(derivative, gap(vector(low, i, offset), vector(high, i, offset)));
+      largest = Math.max(largest, gap(vector(low, i, offset), [0, 0, 0]), gap(vector(high, i, offset), [0, 0, 0]));
     }
   }
   return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
 }
 
 /**
- * Which directions are periodic: as asked, or, 'auto', where the surface closes.
- * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Jets} jets @param {{ lower: number[], upper: number[] }} range
+ * What a rectangle is glued to: which directions are periodic, as asked, or, 'auto', where the surface closes; and which edges are points.
+ * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Jets} jets @param {Range} range
  * @returns {Domain}
  */
 export function findDomain(asked, jets, { lower, upper }) {
-  const domain = { lower, upper, periodic: [false, false] };
-  const periodic = asked === 'auto' ? [closes(jets, domain, 0), closes(jets, domain, 1)] : [asked.u === true, asked.v === true];
-  return { lower, upper, periodic };
+  const range = { lower, upper };
+  const size = diagonal(jets, range);
+  const periodic =
+    asked === 'auto' ? [0, 1].map((direction) => closes(jets, range, size, direction)) : [asked.u === true, asked.v === true];
+  return { lower, upper, periodic, poles: findPoles(jets, range, size) };
 }
 
 /**
@@ -104,7 +118,7 @@ export function liftEnds(domain, from, to, start) {
  * The lift of a point nearest to another: moved by whole periods.
  * @param {Domain} domain @param {number[]} point @param {number[]} near
  */
-function liftNear({ lower, upper, periodic }, point, near) {
+export function liftNear({ lower, upper, periodic }, point, near) {
   return point.map((x, j) => {
     const period = upper[j] - lower[j];
     return periodic[j] ? x - period * Math.round((x - near[j]) / period) : x;

@@ -42,7 +42,13 @@
  * @property {Readonly<Record<string, number>>} [parameters]
  */
 
-/** @typedef {Readonly<Description & (ParametricDefinition | ImplicitDefinition)>} GalleryEntry */
+/** @typedef {{ kind: 'graph' } & import('./shapes.js').GraphDefinition} GraphDefinition */
+/** @typedef {{ kind: 'revolution' } & import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
+/** @typedef {{ kind: 'tube' } & import('./shapes.js').TubeDefinition} TubeDefinition */
+/** @typedef {{ kind: 'sweep' } & import('./shapes.js').SweepDefinition} SweepDefinition */
+/** @typedef {GraphDefinition | RevolutionDefinition | TubeDefinition | SweepDefinition} ShapeDefinition */
+
+/** @typedef {Readonly<Description & (ParametricDefinition | ImplicitDefinition | ShapeDefinition)>} GalleryEntry */
 
 /** @type {(half: number) => readonly [readonly [number, number], readonly [number, number], readonly [number, number]]} */
 const cube = (half) => [
@@ -309,6 +315,45 @@ const entries = {
     from: [-2.29, -1.49],
     to: [0.96, -1.7],
     camera: [-0.25, 0.43, 0.87],
+  },
+  hills: {
+    kind: 'graph',
+    title: 'Two hills',
+    formula: 'z = 1.4 exp(−(x + 0.9)² − (y + 0.3)²) + h exp(−(x − 1)² − 2(y − 0.3)²)',
+    source: 'a graph over the plane: u and v are x and y',
+    z: '1.4*exp(-(x+0.9)^2-(y+0.3)^2)+h*exp(-(x-1)^2-2*(y-0.3)^2)',
+    x: [-2.5, 2.5],
+    y: [-2, 2],
+    parameters: { h: 1 },
+    from: [-2.2, -0.5],
+    to: [2.1, 0.4],
+    camera: [-0.4, -0.68, 0.61],
+  },
+  vase: {
+    kind: 'revolution',
+    title: 'Vase',
+    formula: 'r = 0.8 + 0.45 cos(2t − 1.2), z = 0.9 t',
+    source: 'a surface of revolution: u is the angle, v is t',
+    r: '0.8+b*cos(2*t-1.2)',
+    z: '0.9*t',
+    t: [0, 4],
+    parameters: { b: 0.45 },
+    from: [0.4, 0.5],
+    to: [3, 3.7],
+    camera: [0.45, 0.78, 0.44],
+  },
+  trefoil: {
+    kind: 'tube',
+    title: 'Trefoil knot',
+    formula: 'tube of radius 0.5 around x = sin t + 2 sin 2t, y = cos t − 2 cos 2t, z = −sin 3t',
+    source: 'a tubular surface: u is the angle across, v is t',
+    centreline: ['sin(t)+2*sin(2*t)', 'cos(t)-2*cos(2*t)', '-sin(3*t)'],
+    radius: 'a',
+    t: [0, '2*pi'],
+    parameters: { a: 0.5 },
+    from: [1.2, 0.4],
+    to: [4.9, 2.3],
+    camera: [0.3, -0.5, 0.81],
   },
 };
 

@@ -11,7 +11,12 @@ export const load = makeLoad(() => wasm);
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
+/** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
+/** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
+/** @typedef {import('./shapes.js').SweepDefinition} SweepDefinition */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./path.js').Status} Status */
+/** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */

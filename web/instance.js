@@ -2,13 +2,25 @@
 
 import { checkNames, describe } from './path.js';
 import { compileSolver, Solver } from './runtime/solver.js';
+import { PARAMETRIC_KINDS } from './shapes.js';
 import { Surface } from './surface.js';
 
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
+/** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
+/** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
+/** @typedef {import('./shapes.js').SweepDefinition} SweepDefinition */
 /** @typedef {import('./runtime/solver.js').WasmSource} WasmSource */
 
-const UNBUILT = ['metric', 'graph', 'revolution', 'tube', 'sweep'];
+/**
+ * A definition with the name of its kind.
+ * @typedef {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition) | ({ kind: 'graph' } & GraphDefinition)
+ *   | ({ kind: 'revolution' } & RevolutionDefinition) | ({ kind: 'tube' } & TubeDefinition) | ({ kind: 'sweep' } & SweepDefinition)} AnyDefinition
+ */
+
+const KINDS = [...PARAMETRIC_KINDS, 'implicit'];
+const UNBUILT = ['metric'];
 
 /** One instance: surfaces of it share a memory; two instances share nothing. Made by `load`. */
 export class Surfpath {
@@ -31,16 +43,49 @@ export class Surfpath {
   }
 
   /**
+   * The graph z(x, y) over a rectangle. Its u and v are x and y.
+   * @param {GraphDefinition} definition
+   */
+  graph(definition) {
+    return this.#add('graph', definition);
+  }
+
+  /**
+   * A surface of revolution: the profile r(t), z(t) turned about the z axis. Its u is the angle from the x axis, its v is t.
+   * @param {RevolutionDefinition} definition
+   */
+  revolution(definition) {
+    return this.#add('revolution', definition);
+  }
+
+  /**
+   * A tube of a given radius around a curve. Its u is the angle across the curve, its v is t. The curve may have straight pieces and points of
+   * inflection, but must nowhere stand still; where it closes, so does the tube. The surface is smooth where the radius is smaller than the
+   * curve's radius of curvature, and may meet itself elsewhere.
+   * @param {TubeDefinition} definition
+   */
+  tube(definition) {
+    return this.#add('tube', definition);
+  }
+
+  /**
+   * A profile carried along a path, upright as seen along it. Its u is s, its v is t. Along the z axis a profile [x, y] keeps its x and y.
+   * @param {SweepDefinition} definition
+   */
+  sweep(definition) {
+    return this.#add('sweep', definition);
+  }
+
+  /**
    * A surface from plain data: an entry of the gallery, say. Fields that its kind does not know are ignored.
-   * @param {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition)} definition
+   * @param {AnyDefinition} definition
    */
   surface(definition) {
     if (typeof definition !== 'object' || definition === null)
       throw new TypeError(`surface: the definition must be an object, not ${describe(definition)}`);
     const { kind } = definition;
-    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use 'parametric' or 'implicit'`);
-    if (kind !== 'parametric' && kind !== 'implicit')
-      throw new RangeError(`surface: kind must be 'parametric' or 'implicit', not ${describe(kind)}`);
+    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use one of ${KINDS.join(', ')}`);
+    if (!KINDS.includes(kind)) throw new RangeError(`surface: kind must be one of ${KINDS.join(', ')}, not ${describe(kind)}`);
     return this.#add(kind, definition);
   }
 
@@ -51,7 +96,7 @@ export class Surfpath {
     this.#solver = null;
   }
 
-  /** @param {'parametric' | 'implicit'} kind @param {any} definition */
+  /** @param {string} kind @param {any} definition */
   #add(kind, definition) {
     if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
     const surface = new Surface(this.#solver, kind, definition, () => this.#surfaces.delete(surface));

@@ -28,27 +28,29 @@ export const STATUS = new Map([
  * @typedef {object} Path a path, plain data, copies only
  * @property {Status} status how the computation ended
  * @property {boolean} converged true for status `converged` alone
- * @property {number} length sum of the chords, in the unit of the surface's coordinates; NaN without a path
- * @property {number} lengthError estimate of |length − length of the geodesic|, same unit
+ * @property {number} length sum of the chords (traced: length of the geodesic), in the unit of the surface's coordinates; NaN without a path
+ * @property {number} lengthError estimate of |length − length of the geodesic| (traced: of the error of the end's position), same unit
  * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path
  * @property {Float64Array | null} parameters u v of the K + 2 points, continuous across seams; null for implicit surfaces
- * @property {number} iterations Newton steps
- * @property {number} energy E = (K + 1) Σ |chord|², unit length²
+ * @property {number} iterations Newton steps (traced: steps of the integrator)
+ * @property {number} energy E = (K + 1) Σ |chord|², unit length²; NaN if traced, as gradientNorm
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E
  * @property {number} index Morse index; 0: locally shortest; −1: not computed
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular
- * @property {number | null} conjugate first conjugate length (traced paths only)
+ * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
  * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points
  */
 
 /**
  * @typedef {object} PathOptions
- * @property {'elements' | 'polyline' | 'paper'} [algorithm] 'elements': high-order elements, as many as `tolerance` asks for; 'polyline' (default): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
+ * @property {'elements' | 'polyline' | 'paper'} [algorithm] 'elements' (default): high-order elements, as many as `tolerance` asks for; 'polyline' (default where
+ *   `gradientTolerance` is given): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
  *   paper's sign test and line search
  * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64
- * @property {'straight' | ArrayLike<number> | Path} [start] default 'straight': the straight line of the parameters (implicit: of space, projected); a
- *   polyline (u v or x y z, ends included) or an earlier path: a warm start
+ * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
+ *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
+ * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
  * @property {number} [maxIterations] Newton steps at most, default 100
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
  * @property {number} [tolerance] 'elements': wanted relative error of the length, and of positions over the length, 1e-15 … 0.1, default 1e-9
@@ -60,12 +62,12 @@ const ALGORITHMS = new Map([
   ['polyline', 1],
   ['paper', 2],
 ]);
-const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance'];
-const MOST_POINTS = 100_000;
+const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance', 'via'];
+export const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
 /** @param {string} caller @param {string} name @param {unknown} value @param {number} least @param {number} most @returns {number} */
-function integer(caller, name, value, least, most) {
+export function wholeNumber(caller, name, value, least, most) {
   if (typeof value !== 'number') throw new TypeError(`${caller}: options.${name} must be a number, not ${describe(value)}`);
   if (!Number.isInteger(value) || value < least || value > most)
     throw new RangeError(`${caller}: options.${name} must be a whole number from ${least} to ${most}, not ${value}`);
@@ -87,15 +89,6 @@ export function checkNames(caller, options, known) {
       throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
 }
 
-/** What is designed but not built yet is refused, never silently replaced. @param {string} caller @param {Record<string, unknown>} options */
-function refuseUnbuilt(caller, options) {
-  const unbuilt = [
-    [options.start === 'global', "start 'global' is not built yet: use 'straight', a polyline or an earlier path"],
-    [options.via !== undefined, 'via is not built yet: solve piece by piece'],
-  ];
-  for (const [asked, message] of unbuilt) if (asked) throw new RangeError(`${caller}: ${message}`);
-}
-
 /** @param {string} caller @param {unknown} [tolerance] */
 function readTolerance(caller, tolerance = 1e-9) {
   if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
@@ -108,15 +101,15 @@ function readTolerance(caller, tolerance = 1e-9) {
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
  * @param {PathOptions | undefined} given
- * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'straight' | ArrayLike<number> | Path }}
+ * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path, via: unknown[] }}
  */
 export function readOptions(caller, given) {
   if (given !== undefined && (typeof given !== 'object' || given === null))
     throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
   const options = /** @type {Record<string, any>} */ (given ?? {});
-  refuseUnbuilt(caller, options);
   checkNames(caller, options, KNOWN);
-  const { algorithm = 'polyline', points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'straight' } = options;
+  const { points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'global', via = [] } = options;
+  const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   if (options.tolerance !== undefined && algorithm !== 'elements')
     throw new RangeError(
       `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
@@ -131,15 +124,16 @@ export function readOptions(caller, given) {
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
   if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
+  if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
   const solve = {
     tolerance: readTolerance(caller, options.tolerance),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
-    points: integer(caller, 'points', points, 1, MOST_POINTS),
-    maxIterations: integer(caller, 'maxIterations', maxIterations, 0, MOST_ITERATIONS),
+    points: wholeNumber(caller, 'points', points, 1, MOST_POINTS),
+    maxIterations: wholeNumber(caller, 'maxIterations', maxIterations, 0, MOST_ITERATIONS),
     record,
   };
-  return { solve, start };
+  return { solve, start, via };
 }
 
 /**
@@ -157,7 +151,7 @@ export function readStart(caller, start, dimension) {
     throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
     throw new TypeError(
-      `${caller}: options.start must be 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
+      `${caller}: options.start must be 'global', 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
     );
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
@@ -182,8 +176,8 @@ export function makePath(raw) {
     gradientNorm: raw.gradientNorm,
     index: raw.index,
     touchesBoundary: raw.touchesBoundary,
-    crossesSingularity: false,
-    conjugate: null,
+    crossesSingularity: raw.crossesSingularity,
+    conjugate: raw.conjugate,
     history: raw.history,
   };
 }

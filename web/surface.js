@@ -1,15 +1,20 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
-import { checkBounds, checkDefinition, checkParameters, checkPeriodic, checkPoints, checkRange, readNumbers } from './definition.js';
-import { enterDomain, findDomain, liftEnds } from './domain.js';
+import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
+import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
+import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { ReferenceFinder } from './reference.js';
 import { LAYOUT } from './runtime/heap.js';
+import { findGlobal, passThrough, solveNear } from './routes.js';
+import { readShape } from './shapes.js';
+import { readTrace, readTraceOptions } from './trace.js';
 
-/** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
 
 const KIND = { parametric: 0, implicit: 1 };
@@ -19,51 +24,46 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
+const MOST_GEODESICS = 8;
 
 /** What the two kinds differ in. */
 const SHAPE = {
-  parametric: { names: ['x', 'y', 'z'], variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
-  implicit: { names: ['f'], variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
+  parametric: { variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
+  implicit: { variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
 };
 
 export class Surface {
   /** @type {'parametric' | 'implicit'} */ kind;
   #solver;
   #forget;
-  /** @type {Expression[][]} */ #ranges = [];
+  /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
   /** @type {Record<string, number>} */ #parameters;
+  /** @type {ReferenceFinder | null} */ #finder = null;
+  /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
+  #reference = { wanted: null, compiled: null };
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
+  #graphs;
   #record = 0;
   #generation = 0;
   #disposed = false;
 
-  /** Made by `parametric` and `implicit` of an instance. @param {import('./runtime/solver.js').Solver} solver @param {'parametric' | 'implicit'} kind @param {any} definition @param {() => void} forget called when the surface is disposed */
+  /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when the surface is disposed */
   constructor(solver, kind, definition, forget) {
-    const shape = SHAPE[kind];
-    checkDefinition(kind, definition, kind === 'parametric' ? [...shape.names, ...shape.variables] : shape.names, shape.names);
-    this.kind = kind;
+    this.#shape = readShape(kind, definition);
+    this.kind = kind === 'implicit' ? kind : 'parametric';
+    this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
     this.#forget = forget;
-    for (const name of kind === 'parametric' ? shape.variables : []) {
-      checkRange(kind, definition[name], name);
-      this.#ranges.push([...definition[name]]);
-    }
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
-    this.#compiled = compile({
-      outputs: shape.names.map((name) => definition[name]),
-      names: shape.names,
-      variables: shape.variables,
-      parameters: this.#parameters,
-      apply: solver.apply,
-      valueOrder: shape.valueOrder,
-    });
+    if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
+    this.#compiled = this.#compile();
     this.#install();
     this.#settle(range);
   }
@@ -86,7 +86,7 @@ export class Surface {
   }
 
   /**
-   * The shortest path near its start between two points.
+   * The shortest path between two points: of all that a graph search found, or near a given start.
    * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
    * @param {ArrayLike<number>} to
    * @param {PathOptions} [options]
@@ -95,15 +95,51 @@ export class Surface {
   shortestPath(from, to, options) {
     const caller = 'shortestPath';
     this.#checkAlive(caller);
-    const { solve, start } = readOptions(caller, options);
-    const dimension = SHAPE[this.kind].variables.length;
-    const given = readStart(caller, start, dimension);
+    const { solve, start, via } = readOptions(caller, options);
+    const stops = via.map((point, i) => this.#readPoint(caller, `options.via[${i}]`, point));
+    const places = [this.#readPoint(caller, 'from', from), ...stops, this.#readPoint(caller, 'to', to)];
+    if (stops.length > 0) return passThrough(this.#field(), caller, places, solve, start);
+    if (start === 'global') return findGlobal(this.#field(), places, solve, 1)[0];
+    return solveNear(this.#field(), places, solve, readStart(caller, start, SHAPE[this.kind].variables.length));
+  }
+
+  /**
+   * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
+   * @param {ArrayLike<number>} from as for {@link shortestPath}
+   * @param {ArrayLike<number>} to
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @returns {Path[]}
+   */
+  geodesics(from, to, options) {
+    const caller = 'geodesics';
+    this.#checkAlive(caller);
+    const { max = MOST_GEODESICS, ...others } = options ?? {};
+    const { solve, start, via } = readOptions(caller, options && others);
+    if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
+    if (!Number.isInteger(max) || max < 1)
+      throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
+    if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    const lifted = this.#domain ? liftEnds(this.#domain, ends[0], ends[1], given) : ends;
-    const request = { kind: KIND[this.kind], from: lifted[0], to: lifted[1], start: given };
-    const path = makePath(this.#run((heap) => heap.solve(this.#record, request, solve)));
-    if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
-    return path;
+    return findGlobal(this.#field(), ends, solve, max).filter(({ index }) => index === 0);
+  }
+
+  /**
+   * The geodesic from a point in a direction: the exponential map. It ends early, with status `edge-reached`, on an edge of the rectangle.
+   * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
+   * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts; its length does not matter. Zero or normal to the surface throws
+   * @param {number} length how far, ≥ 0
+   * @param {TraceOptions} [options]
+   * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   */
+  trace(from, direction, length, options) {
+    const caller = 'trace';
+    this.#checkAlive(caller);
+    const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
+    const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
+    const wanted = readTraceOptions(caller, options);
+    const path = this.#run((heap) => heap.trace(this.#record, request, wanted));
+    if (path) return makePath(path);
+    throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
   }
 
   /**
@@ -184,16 +220,18 @@ export class Surface {
         throw new RangeError(
           `${caller}: the surface has no parameter '${name}'; it has ${Object.keys(this.#parameters).join(', ') || 'none'}`,
         );
-    const before = this.#parameters;
+    const [before, reference] = [this.#parameters, this.#reference.wanted];
     this.#wake();
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
       const range = this.#readRange(caller);
-      this.#writeParameters();
+      this.#dropGraphs();
+      this.#refresh();
       this.#settle(range);
     } catch (error) {
       this.#parameters = before;
-      this.#writeParameters();
+      this.#reference.wanted = reference;
+      this.#refresh();
       throw error;
     }
   }
@@ -202,10 +240,8 @@ export class Surface {
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
-    if (this.#installed && this.#generation === this.#solver.generation) {
-      this.#solver.remove(this.#installed);
-      this.#solver.heap.release(this.#record);
-    }
+    this.#dropGraphs();
+    if (this.#installed && this.#generation === this.#solver.generation) this.#uninstall();
     this.#installed = null;
     this.#forget();
   }
@@ -213,6 +249,34 @@ export class Surface {
   /** @param {string} caller */
   #checkAlive(caller) {
     if (this.#disposed) throw new Error(`${caller}: this surface was disposed`);
+  }
+
+  #compile() {
+    const { outputs, names, variables } = this.#shape;
+    const { wanted } = this.#reference;
+    this.#reference.compiled = wanted;
+    return compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, wanted) : outputs,
+      names,
+      variables,
+      parameters: this.#parameters,
+      apply: this.#solver.apply,
+      valueOrder: SHAPE[this.kind].valueOrder,
+    });
+  }
+
+  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
+  #refresh() {
+    if (this.#reference.compiled === this.#reference.wanted) return this.#writeParameters();
+    this.#uninstall();
+    this.#compiled = this.#compile();
+    this.#install();
+    this.#writeRecord();
+  }
+
+  #uninstall() {
+    this.#solver.remove(/** @type {any} */ (this.#installed));
+    this.#solver.heap.release(this.#record);
   }
 
   /** Compiles the module into the solver's present instance. */
@@ -226,6 +290,7 @@ export class Surface {
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     if (this.#generation === this.#solver.generation) return;
+    this.#graphs.drop(null);
     this.#install();
     this.#writeRecord();
   }
@@ -249,19 +314,20 @@ export class Surface {
     );
   }
 
-  /** The rectangle as the parameters make it. @param {string} caller */
+  /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
     if (this.kind !== 'parametric') return null;
     const [lower, upper] = [
       [0, 0],
       [0, 0],
     ];
-    for (const [j, name] of ['u', 'v'].entries()) {
-      const range = this.#ranges[j].map((end) => evaluateConstant(end, this.#parameters, this.#solver.apply, name));
+    for (const [j, [name, ends]] of this.#shape.ranges.entries()) {
+      const range = ends.map((end) => evaluateConstant(end, this.#parameters, this.#solver.apply, name));
       if (!range.every(Number.isFinite) || !(range[0] < range[1]))
         throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
       [lower[j], upper[j]] = range;
     }
+    if (this.#finder) this.#reference.wanted = this.#finder.find(this.#parameters, [lower[1], upper[1]]);
     return { lower, upper };
   }
 
@@ -288,6 +354,22 @@ export class Surface {
     return this.#domain ? enterDomain(this.#domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
+  /** What finding a path needs of this surface. @returns {import('./routes.js').Field} */
+  #field() {
+    return {
+      kind: KIND[this.kind],
+      domain: this.#domain,
+      box: this.#box,
+      graphs: this.#graphs,
+      run: (call) => this.#run((heap) => call(heap, this.#record)),
+    };
+  }
+
+  /** Frees the graphs: they are those of other parameters, or no longer needed. */
+  #dropGraphs() {
+    this.#graphs.drop(this.#generation === this.#solver.generation ? this.#solver.heap : null);
+  }
+
   /** Where a projection starts. @param {number[]} target */
   #nearest(target) {
     if (!this.#domain) return target;
@@ -302,12 +384,6 @@ export class Surface {
 }
 
 if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surface.prototype, Symbol.dispose, { value: Surface.prototype.dispose });
-
-/** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
-function shift(parameters, by) {
-  if (by[0] === 0 && by[1] === 0) return;
-  for (let i = 0; i < parameters.length; i++) parameters[i] += by[i & 1];
-}
 
 /** Position and unit normal from jets of 18 numbers. @param {Float64Array} jets */
 function positionsAndNormals(jets) {

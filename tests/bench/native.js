@@ -21,6 +21,7 @@ const includes = ['-I', path('../../wasm'), '-I', path('../native'), '-I', path(
  * @param {import('../../web/expression/graph.js').Apply} [apply]
  */
 export function compileEntry(entry, apply = instantiate().apply) {
+  if (entry.kind !== 'parametric' && entry.kind !== 'implicit') throw new RangeError(`no native build of a ${entry.kind}`);
   const implicit = entry.kind === 'implicit';
   const variables = implicit ? ['x', 'y', 'z'] : ['u', 'v'];
   const outputs = implicit ? [entry.f] : [entry.x, entry.y, entry.z];

@@ -22,8 +22,10 @@ SMALLEST_NORMAL = sys.float_info.min
 SMALLEST = 5e-324
 HALF_PI = 1.5707963267948966
 COUNT = 700
-FUNCTIONS = {name: getattr(mpmath, name) for name in 'sin cos tan asin acos atan atan2 sinh cosh tanh exp log cbrt'.split()}
+NAMES = 'sin cos tan asin acos atan atan2 sinh cosh tanh exp log cbrt log10 asinh acosh atanh hypot'
+FUNCTIONS = {name: getattr(mpmath, name) for name in NAMES.split()}
 FUNCTIONS['pow'] = mpmath.power
+FUNCTIONS['log2'] = lambda x: mpmath.log(x, 2)
 
 
 # --- numbers
@@ -59,7 +61,8 @@ def is_regular(name, x, y):
         return False
     if name == 'pow':
         return x > 0 or y == int(y)
-    return {'log': x > 0, 'asin': abs(x) <= 1, 'acos': abs(x) <= 1}.get(name, True)
+    domains = {'log': x > 0, 'log2': x > 0, 'log10': x > 0, 'asin': abs(x) <= 1, 'acos': abs(x) <= 1, 'acosh': x >= 1, 'atanh': abs(x) < 1}
+    return domains.get(name, True)
 
 
 def by_rule(name, x, y):
@@ -216,8 +219,42 @@ def powers():
     return pairs + integers + roots + limits + close + repeat(COUNT // 2, lambda: (uniform(0, 10), uniform(-10, 10)))
 
 
+def binary_logarithms():
+    return positive() + [2.0 ** k for k in range(-1074, 1024, 41)] + around(3.0, 1e100)
+
+
+def decimal_logarithms():
+    return positive() + [float(f'1e{k}') for k in range(-323, 309, 7)] + [10.0 ** k for k in range(23)]
+
+
+def inverse_hyperbolic():
+    ends = around(1.0, 0.75, 2.0 ** 26, 2.0 ** 27, 2.0 ** 28, 2.0 ** -26, 2.0 ** -27, 2.0 ** -28, 2.0 ** -53, 2.0 ** 53, 1.3407807929942596e154)
+    return (SPECIAL + ends + repeat(COUNT, lambda: uniform(-4, 4)) + repeat(500, lambda: scaled(-60, 60))
+            + repeat(100, lambda: scaled(-1074, 1024)))
+
+
+def above_one():
+    close = [neighbour(1.0, 2 ** k + j) for k in range(52) for j in (0, 1, 3)]
+    return (SPECIAL + close + around(2.0 ** 26, 2.0 ** 28, 1.3407807929942596e154) + repeat(COUNT, lambda: uniform(1, 8))
+            + repeat(300, lambda: 1 + abs(scaled(-50, 1))) + repeat(300, lambda: abs(scaled(0, 60))) + repeat(100, lambda: abs(scaled(0, 1024))))
+
+
+def inside_one():
+    return (unit_interval() + around(2.0 ** -26, 2.0 ** -27, 2.0 ** -28, 2.0 ** -53, 1 / 3) + repeat(100, lambda: scaled(-1074, -60)))
+
+
+def legs():
+    near = [(x, neighbour(x, step)) for x in (1.0, 2.0 ** 500, 2.0 ** -500, 2.0 ** 511) for step in (-1, 0, 1)]
+    exact = [(3.0 * k, 4.0 * k) for k in (1.0, 2.0 ** 1000, 2.0 ** -1074, 2.0 ** 500, 2.0 ** -500)]
+    far = [(x, math.ldexp(x, -k)) for x in (1.0, 1.5, neighbour(2.0, -1)) for k in range(20, 30)]
+    large = repeat(50, lambda: (abs(scaled(1022, 1024)) / 1.5, scaled(1000, 1023)))
+    return points() + near + exact + far + large + repeat(100, lambda: (scaled(-1074, -1000), scaled(-1074, -1000)))
+
+
 ARGUMENTS = {'sin': angles, 'cos': angles, 'tan': angles, 'asin': unit_interval, 'acos': unit_interval, 'atan': slopes, 'atan2': points,
-             'sinh': hyperbolic, 'cosh': hyperbolic, 'tanh': hyperbolic, 'exp': exponents, 'log': positive, 'cbrt': cubes, 'pow': powers}
+             'sinh': hyperbolic, 'cosh': hyperbolic, 'tanh': hyperbolic, 'exp': exponents, 'log': positive, 'cbrt': cubes, 'pow': powers,
+             'log2': binary_logarithms, 'log10': decimal_logarithms, 'asinh': inverse_hyperbolic, 'acosh': above_one, 'atanh': inside_one,
+             'hypot': legs}
 
 
 # --- polynomials of wasm/functions_constants.c

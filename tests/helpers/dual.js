@@ -21,6 +21,11 @@ const FUNCTIONS = {
   atan: (x) => [Math.atan(x), 1 / (1 + x * x), (-2 * x) / (1 + x * x) ** 2],
   sinh: (x) => [Math.sinh(x), Math.cosh(x), Math.sinh(x)],
   cosh: (x) => [Math.cosh(x), Math.sinh(x), Math.cosh(x)],
+  log2: (x) => (x < 0 ? [Number.NaN, Number.NaN, Number.NaN] : [Math.log2(x), 1 / (x * Math.LN2), -1 / (x * x * Math.LN2)]),
+  log10: (x) => (x < 0 ? [Number.NaN, Number.NaN, Number.NaN] : [Math.log10(x), 1 / (x * Math.LN10), -1 / (x * x * Math.LN10)]),
+  asinh: (x) => [Math.asinh(x), (1 + x * x) ** -0.5, -x * (1 + x * x) ** -1.5],
+  acosh: (x) => [Math.acosh(x), x < 1 ? Number.NaN : (x * x - 1) ** -0.5, -x * (x * x - 1) ** -1.5],
+  atanh: (x) => [Math.atanh(x), 1 / (1 - x * x), (2 * x) / (1 - x * x) ** 2],
   tanh: (x) => [Math.tanh(x), 1 / Math.cosh(x) ** 2, (-2 * Math.tanh(x)) / Math.cosh(x) ** 2],
 };
 
@@ -76,6 +81,7 @@ function apply(name, operands) {
   if (name === 'divide') return divide(a, b);
   if (name === 'atan2') return arctangent(a, b);
   if (name === 'pow') return power(a, b);
+  if (name === 'hypot') return b ? operands.reduce(length) : one(a, ...FUNCTIONS.abs(a.value));
   if (name === 'min') return operands.reduce((x, y) => (Number.isNaN(x.value) || x.value < y.value ? x : y));
   if (name === 'max') return operands.reduce((x, y) => (Number.isNaN(x.value) || x.value > y.value ? x : y));
   return one(a, ...FUNCTIONS[name](a.value));
@@ -98,6 +104,13 @@ function arctangent(a, b) {
     ab: (y * y - x * x) / square ** 2,
     bb: (2 * x * y) / square ** 2,
   });
+}
+
+/** @param {Dual} a @param {Dual} b */
+function length(a, b) {
+  const [x, y] = [a.value, b.value];
+  const value = Math.hypot(x, y);
+  return two(a, b, value, { a: x / value, b: y / value, aa: y ** 2 / value ** 3, ab: (-x * y) / value ** 3, bb: x ** 2 / value ** 3 });
 }
 
 /** @param {Dual} a @param {Dual} b */

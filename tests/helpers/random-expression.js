@@ -2,8 +2,10 @@
 
 /** @typedef {import('./random.js').Random} Random */
 
-const UNARY = ['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'sinh', 'cosh', 'tanh', 'exp', 'log', 'sqrt', 'cbrt', 'abs', 'sign', 'floor'];
-const BINARY = ['atan2', 'pow', 'min', 'max'];
+const TOTAL = ['sin', 'cos', 'tan', 'atan', 'sinh', 'cosh', 'tanh', 'asinh', 'exp', 'cbrt', 'abs', 'sign', 'floor'];
+/** Not defined everywhere, so drawn less often. */
+const PARTIAL = ['asin', 'acos', 'acosh', 'atanh', 'log', 'log2', 'log10', 'sqrt'];
+const BINARY = ['atan2', 'pow', 'min', 'max', 'hypot'];
 const NUMBERS = ['2', '3', '0.5', '.25', '1.5e1', '7', '1e-1'];
 
 /**
@@ -55,7 +57,7 @@ function randomAtom(random, depth, names) {
 
 /** @param {Random} random @param {number} depth @param {readonly string[]} names */
 function randomCall(random, depth, names) {
-  if (random.next() < 0.75) return `${random.pick(UNARY)}(${inner(random, depth, names)})`;
+  if (random.next() < 0.75) return `${random.pick(random.next() < 0.25 ? PARTIAL : TOTAL)}(${inner(random, depth, names)})`;
   return `${random.pick(BINARY)}(${inner(random, depth, names)}, ${inner(random, depth, names)})`;
 }
 

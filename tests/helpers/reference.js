@@ -4,6 +4,7 @@
  * Derivatives are symbolic where mathjs knows them, else central differences of order four.
  */
 import { derivative, parse } from 'mathjs';
+import { isShape, positionOnShape, rangesOfShape } from './shape-reference.js';
 
 /** @typedef {number[]} Vector three numbers */
 
@@ -153,6 +154,7 @@ export function referenceSurface(definition) {
 function makeReference(definition) {
   if (definition.kind === 'parametric') return parametricReference(definition);
   if (definition.kind === 'implicit') return implicitReference(definition);
+  if (isShape(definition)) return shapeReference(definition);
   throw new RangeError(`no reference for surfaces of kind ${definition.kind}`);
 }
 
@@ -167,6 +169,25 @@ function parametricReference({ x = 'u', y = 'v', z = '0', u, v, periodic = 'auto
   const ends = [u, v].map((range) => (range ?? []).map((end) => compileExpression(end, [], parameters)([])));
   const rectangle = /** @type {[[number, number], [number, number]]} */ (ends);
   const position = (/** @type {ArrayLike<number>} */ place) => positions.map((coordinate) => coordinate(place));
+  return {
+    kind: 'parametric',
+    rectangle,
+    periodic: periodic === 'auto' ? [closes(position, rectangle, 0), closes(position, rectangle, 1)] : [!!periodic.u, !!periodic.v],
+    position,
+    tangents: (place) => [partials[0].map((partial) => partial(place)), partials[1].map((partial) => partial(place))],
+  };
+}
+
+/**
+ * @param {Definition} definition of a graph, surface of revolution, tube or sweep
+ * @returns {ParametricReference}
+ */
+function shapeReference(definition) {
+  const position = positionOnShape(definition);
+  const { periodic = 'auto', parameters } = definition;
+  const ends = rangesOfShape(definition).map((range) => range.map((end) => compileExpression(end, [], parameters)([])));
+  const rectangle = /** @type {[[number, number], [number, number]]} */ (ends);
+  const partials = [0, 1].map((i) => [0, 1, 2].map((k) => differences((place) => position(place)[k], i)));
   return {
     kind: 'parametric',
     rectangle,

@@ -12,7 +12,7 @@ import { add, cross, dot, norm, referenceSurface, scale, subtract, unit } from '
  * A surface as the library takes it.
  *
  * @typedef {object} Definition
- * @property {'parametric'|'implicit'|'metric'} kind
+ * @property {string} kind
  * @property {Expression} [x]
  * @property {Expression} [y]
  * @property {Expression} [z]

@@ -11,9 +11,11 @@ static const struct {
     const char *name;
     double bound; /* ulp */
 } functions[SP_FUNCTION_COUNT] = {
-    [SP_SIN] = {"sin", 1},     [SP_COS] = {"cos", 1},       [SP_TAN] = {"tan", 2.5},   [SP_ASIN] = {"asin", 2.5}, [SP_ACOS] = {"acos", 2.5},
-    [SP_ATAN] = {"atan", 2.5}, [SP_ATAN2] = {"atan2", 2.5}, [SP_SINH] = {"sinh", 2.5}, [SP_COSH] = {"cosh", 2.5}, [SP_TANH] = {"tanh", 2.5},
-    [SP_EXP] = {"exp", 1},     [SP_LOG] = {"log", 1},       [SP_CBRT] = {"cbrt", 2.5}, [SP_POW] = {"pow", 2.5},
+    [SP_SIN] = {"sin", 1},       [SP_COS] = {"cos", 1},       [SP_TAN] = {"tan", 2.5},     [SP_ASIN] = {"asin", 2.5},
+    [SP_ACOS] = {"acos", 2.5},   [SP_ATAN] = {"atan", 2.5},   [SP_ATAN2] = {"atan2", 2.5}, [SP_SINH] = {"sinh", 2.5},
+    [SP_COSH] = {"cosh", 2.5},   [SP_TANH] = {"tanh", 2.5},   [SP_EXP] = {"exp", 1},       [SP_LOG] = {"log", 1},
+    [SP_CBRT] = {"cbrt", 2.5},   [SP_POW] = {"pow", 2.5},     [SP_LOG2] = {"log2", 1},     [SP_LOG10] = {"log10", 1},
+    [SP_ASINH] = {"asinh", 2.5}, [SP_ACOSH] = {"acosh", 2.5}, [SP_ATANH] = {"atanh", 2.5}, [SP_HYPOT] = {"hypot", 2.5},
 };
 
 /* A line of the table: the result is value + rest ulp(value). */
@@ -65,8 +67,20 @@ static sp_pair apply(int function, sp_pair x, sp_pair y) {
         return sp_log(x);
     case SP_CBRT:
         return sp_cbrt(x);
-    default:
+    case SP_POW:
         return sp_pow(x, y);
+    case SP_LOG2:
+        return sp_log2(x);
+    case SP_LOG10:
+        return sp_log10(x);
+    case SP_ASINH:
+        return sp_asinh(x);
+    case SP_ACOSH:
+        return sp_acosh(x);
+    case SP_ATANH:
+        return sp_atanh(x);
+    default:
+        return sp_hypot(x, y);
     }
 }
 

@@ -14,6 +14,10 @@ const random = createRandom(4);
 const definitionFields = {
   parametric: ['kind', 'x', 'y', 'z', 'u', 'v', 'parameters'],
   implicit: ['kind', 'f', 'bounds', 'parameters'],
+  graph: ['kind', 'z', 'x', 'y', 'parameters'],
+  revolution: ['kind', 'r', 'z', 't', 'parameters'],
+  tube: ['kind', 'centreline', 'radius', 't', 'parameters'],
+  sweep: ['kind', 'profile', 'path', 's', 't', 'parameters'],
 };
 const descriptionFields = ['title', 'formula', 'source', 'from', 'to', 'camera'];
 const functions = ['sin', 'cos', 'tan', 'exp', 'log', 'sqrt', 'sinh', 'cosh'];
@@ -39,13 +43,31 @@ function namesIn(expression) {
  * @param {Entry} entry
  * @returns {[(string|number)[], string[]]}
  */
-const expressionsOf = (entry) =>
-  entry.kind === 'implicit'
-    ? [[entry.f], ['x', 'y', 'z']]
-    : [
+function expressionsOf(entry) {
+  switch (entry.kind) {
+    case 'implicit':
+      return [[entry.f], ['x', 'y', 'z']];
+    case 'parametric':
+      return [
         [entry.x, entry.y, entry.z],
         ['u', 'v'],
       ];
+    case 'graph':
+      return [[entry.z], ['x', 'y']];
+    case 'revolution':
+      return [[entry.r, entry.z], ['t']];
+    case 'tube':
+      return [
+        [...entry.centreline, entry.radius],
+        ['u', 't'],
+      ];
+    case 'sweep':
+      return [
+        [...entry.profile, ...entry.path],
+        ['s', 't'],
+      ];
+  }
+}
 
 test('has every surface of the paper, and more', () => {
   const sources = entries.map(([, { source }]) => source).join('\n');
@@ -98,10 +120,10 @@ test('expressions use the plain syntax, known functions, their variables and eve
   }
 });
 
-test('parametric entries: a rectangle, finite and regular inside, the points well inside', () => {
+test('entries with a rectangle: it is one, finite and regular inside, the points well inside', () => {
   for (const [name, entry] of entries) {
-    const surface = entry.kind === 'parametric' ? referenceSurface(entry) : null;
-    if (surface?.kind !== 'parametric') continue;
+    const surface = referenceSurface(/** @type {any} */ (entry));
+    if (surface.kind !== 'parametric') continue;
     for (const place of [entry.from, entry.to]) {
       surface.rectangle.forEach(([low, high], i) => {
         assert.ok(low < high && place[i] > low && place[i] < high, `${name} at ${place}`);

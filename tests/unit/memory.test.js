@@ -103,6 +103,19 @@ describe('memory', () => {
     assertSame(await footprintAfter(work(1000)), await footprintAfter(work(0)));
   });
 
+  test('a tube that takes another frame, or finds none, leaves it as it was', async () => {
+    const centreline = /** @type {[string, string, string]} */ (['t*cos(a)', 'b*t^2', 't*sin(a)']);
+    const work = (/** @type {number} */ count) => (/** @type {Surfpath} */ surfpath) => {
+      const tube = surfpath.tube({ centreline, radius: 0.2, t: [0, 1], parameters: { a: 0, b: 0 } });
+      for (let i = 0; i < count; i++) {
+        tube.set({ a: i % 2 === 0 ? Math.PI / 2 : 0 });
+        assert.throws(() => tube.set({ b: Number.MAX_VALUE }), /centreline stands still/);
+        assert.throws(() => surfpath.tube({ centreline: [1, 2, 3], radius: 1, t: [0, 1] }), /centreline stands still/);
+      }
+    };
+    assertSame(await footprintAfter(work(500)), await footprintAfter(work(2)));
+  });
+
   test('a surface that was disposed of is garbage', async () => {
     const { surfpath } = await loadWatched();
     const make = () => {

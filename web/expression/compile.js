@@ -5,6 +5,7 @@ import { emit } from './emit.js';
 import { ExpressionError } from './error.js';
 import { constants, functions } from './functions.js';
 import { Graph } from './graph.js';
+import { differentiateNodes } from './nodes.js';
 import { isName } from './notation.js';
 import { parse } from './parse.js';
 
@@ -14,6 +15,14 @@ import { parse } from './parse.js';
 
 /** How many named parameters there may be. */
 const LARGEST_PARAMETER_COUNT = 64;
+
+/**
+ * What a surface is put together with that is not three formulas.
+ * @typedef {object} Formulas
+ * @property {Graph} graph where its nodes are made
+ * @property {(source: string | number, name: string, variables: string[]) => number} read the node of a formula over some of the variables; `name` is for error messages
+ * @property {(node: number, variable: string) => number} slope the node of a derivative
+ */
 
 /**
  * @typedef {object} Compiled
@@ -29,7 +38,7 @@ const LARGEST_PARAMETER_COUNT = 64;
 /**
  * Compiles the expressions of a surface.
  * @param {object} options
- * @param {(string | number)[]} options.outputs the expressions
+ * @param {(string | number)[] | ((formulas: Formulas) => number[])} options.outputs the expressions, or what makes their nodes
  * @param {string[]} options.names what the caller calls them, for error messages: 'x', 'y', 'z' or 'f'
  * @param {string[]} options.variables such as 'u', 'v'
  * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
@@ -39,17 +48,31 @@ const LARGEST_PARAMETER_COUNT = 64;
  * @throws {ExpressionError} for an expression or parameter that cannot be used
  * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
  */
-export function compile({ outputs, names, variables, parameters = {}, valueOrder = outputs.length === 1 ? 1 : 0, apply }) {
+export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, apply }) {
   const parameterNames = Object.keys(parameters);
   const scope = createScope(variables, parameters);
   const graph = new Graph(apply);
-  const jets = outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
+  const jets =
+    typeof outputs === 'function'
+      ? differentiateNodes(graph, outputs(formulasOf(graph, variables, scope)), variables.length, 2)
+      : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
   const jet = layOut(jets, 2);
   const value = layOut(jets, valueOrder);
   const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
   const { module, constants: numbers, dataBytes } = emit(graph, { jet, value }, counts);
   const data = Float64Array.from([...parameterNames.map((name) => parameters[name]), ...numbers]);
   return { module, data, dataBytes, parameterNames, graph, jet, value };
+}
+
+/** @param {Graph} graph @param {string[]} variables @param {Map<string, Meaning>} scope @returns {Formulas} */
+function formulasOf(graph, variables, scope) {
+  const visible = (/** @type {string[]} */ names) =>
+    new Map([...scope].filter(([name, { kind }]) => kind !== 'variable' || names.includes(name)));
+  return {
+    graph,
+    read: (source, name, names) => differentiate(graph, read(source, visible(names), name), 0, 0).value,
+    slope: (node, variable) => differentiateNodes(graph, [node], variables.length, 1)[0].first[variables.indexOf(variable)],
+  };
 }
 
 /**

@@ -2,7 +2,7 @@
  *
  * Every step of the program turns the jets of its operands into the jet of its result. What is zero is never built. */
 
-import { ATAN2, LOG, POW, rules } from './functions.js';
+import { ATAN2, HYPOT, LOG, POW, rules } from './functions.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
 /** @typedef {import('./postfix.js').Instruction} Instruction */
@@ -34,7 +34,7 @@ export function differentiate(graph, program, variableCount, order) {
 }
 
 /** The rules of differentiation, on jets. */
-class Calculus {
+export class Calculus {
   /** The pairs of variables of the second derivatives. @type {[number, number][]} */ #pairs = [];
   #g;
   #variables;
@@ -83,6 +83,8 @@ class Calculus {
         return this.#power(a, b);
       case 'atan2':
         return this.#atan2(a, b);
+      case 'hypot':
+        return b ? operands.reduce((length, next) => this.#hypot(length, next)) : this.#unary('abs', a);
       case 'min':
         return operands.reduce((least, next) => this.#minimum(least, next));
       case 'max':
@@ -220,6 +222,21 @@ class Calculus {
       aa: g.negate(twice),
       ab: g.multiply(g.subtract(q, p), g.add(q, p)),
       bb: twice,
+    });
+  }
+
+  /** With p = a/h and q = b/h: p and q, then q²/h, -pq/h and p²/h. @param {Jet} a @param {Jet} b */
+  #hypot(a, b) {
+    const g = this.#g;
+    const value = g.call(HYPOT, a.value, b.value);
+    const p = g.divide(a.value, value);
+    const q = g.divide(b.value, value);
+    return this.#chainTwo(a, b, value, {
+      a: p,
+      b: q,
+      aa: g.divide(g.integerPower(q, 2), value),
+      ab: g.negate(g.divide(g.multiply(p, q), value)),
+      bb: g.divide(g.integerPower(p, 2), value),
     });
   }
 

@@ -33,9 +33,15 @@ export const solverFunctions = [
   'log',
   'cbrt',
   'pow',
+  'log2',
+  'log10',
+  'asinh',
+  'acosh',
+  'atanh',
+  'hypot',
 ].map((name) => ({
   name,
-  arity: /** @type {1 | 2} */ (name === 'atan2' || name === 'pow' ? 2 : 1),
+  arity: /** @type {1 | 2} */ (['atan2', 'pow', 'hypot'].includes(name) ? 2 : 1),
 }));
 
 /** @param {string} name */
@@ -46,6 +52,7 @@ export const COS = numberOf('cos');
 export const ATAN2 = numberOf('atan2');
 export const LOG = numberOf('log');
 export const POW = numberOf('pow');
+export const HYPOT = numberOf('hypot');
 
 /** @type {Map<string, number>} names a formula may use as numbers */
 export const constants = new Map([
@@ -76,6 +83,21 @@ function elementary(name, slope, curvature) {
   const number = numberOf(name);
   return [name, { value: (g, x) => g.call(number, x), slope, curvature }];
 }
+
+/**
+ * A logarithm to another base.
+ * @param {string} name
+ * @param {number} slopeAtOne
+ */
+const logarithm = (name, slopeAtOne) =>
+  elementary(
+    name,
+    (g, x) => g.divide(g.constant(slopeAtOne), x),
+    (g, x, _, slope) => g.negate(g.divide(slope, x)),
+  );
+
+/** -x f'(x)³, with x f'(x) first: it stays of the size of 1. @type {Rule['curvature']} */
+const minusCubeTimes = (g, x, _, slope) => g.negate(g.multiply(g.multiply(x, slope), square(g, slope)));
 
 /** @type {Map<string, Rule>} functions of one argument; floor and sign count as constant, and the slope of abs at 0 is 0 */
 export const rules = new Map([
@@ -145,6 +167,20 @@ export const rules = new Map([
     (g, x) => g.divide(g.one, x),
     (g, _x, _, slope) => g.negate(square(g, slope)),
   ),
+  logarithm('log2', Math.LOG2E),
+  logarithm('log10', Math.LOG10E),
+  elementary('asinh', (g, x) => g.divide(g.one, g.call(HYPOT, x, g.one)), minusCubeTimes),
+  // Two roots: their product does not overflow, and is NaN below 1 and -1.
+  elementary(
+    'acosh',
+    (g, x) => g.divide(g.one, g.multiply(g.squareRoot(g.subtract(x, g.one)), g.squareRoot(g.add(x, g.one)))),
+    minusCubeTimes,
+  ),
+  elementary(
+    'atanh',
+    (g, x) => g.divide(g.one, g.multiply(g.subtract(g.one, x), g.add(g.one, x))),
+    (g, x, _, slope) => twice(g, g.multiply(x, square(g, slope))),
+  ),
   elementary(
     'cbrt',
     (g, _, value) => g.divide(g.one, g.multiply(g.constant(3), square(g, value))),
@@ -163,6 +199,7 @@ export const functions = new Map([
   callable('ln', 'log', 1, 1),
   callable('atan2', 'atan2', 2, 2),
   callable('pow', 'pow', 2, 2),
+  callable('hypot', 'hypot', 1, Number.POSITIVE_INFINITY),
   callable('min', 'min', 1, Number.POSITIVE_INFINITY),
   callable('max', 'max', 1, Number.POSITIVE_INFINITY),
 ]);

@@ -136,7 +136,7 @@ export class Graph {
   /** -1, 1, or the argument itself where it is 0 or NaN. @param {number} a */
   sign(a) {
     if (this.#isConstant(a)) return this.constant(Math.sign(this.numberOf(a)));
-    const unit = this.#node(Operation.or, this.#node(Operation.and, a, this.negativeZero), this.one);
+    const unit = this.or(this.and(a, this.negativeZero), this.one);
     return this.select(this.zero, this.absolute(a), unit, a);
   }
 
@@ -157,9 +157,23 @@ export class Graph {
     if (yes === no) return yes;
     if (this.#isConstant(a) && this.#isConstant(b)) return this.numberOf(a) < this.numberOf(b) ? yes : no;
     const mask = this.#node(Operation.less, a, b);
-    if (no === this.zero) return this.#node(Operation.and, yes, mask);
-    const otherwise = this.#node(Operation.andNot, no, mask);
-    return yes === this.zero ? otherwise : this.#node(Operation.or, this.#node(Operation.and, yes, mask), otherwise);
+    return this.or(this.and(yes, mask), this.andNot(no, mask));
+  }
+
+  /** The bits that both have: of a number and a mask, the number or 0. @param {number} a @param {number} b */
+  and(a, b) {
+    return a === this.zero ? a : this.#node(Operation.and, a, b);
+  }
+
+  /** The bits of the first that the second has not. @param {number} a @param {number} b */
+  andNot(a, b) {
+    return a === this.zero ? a : this.#node(Operation.andNot, a, b);
+  }
+
+  /** The bits that either has. @param {number} a @param {number} b */
+  or(a, b) {
+    if (a === this.zero) return b;
+    return b === this.zero ? a : this.#node(Operation.or, a, b);
   }
 
   /** `condition != 0 ? a : 0`: keeps 0 times infinity from becoming NaN. @param {number} condition @param {number} a */

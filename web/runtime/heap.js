@@ -7,7 +7,7 @@
 export const LAYOUT = {
   sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, lower: 16, upper: 32, extent: 48 },
   sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
-  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52 },
+  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52, pole: 56 },
   sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
   sp_result: {
     bytes: 72,
@@ -24,18 +24,39 @@ export const LAYOUT = {
     index: 56,
     touches_boundary: 60,
     history_count: 64,
+    crosses_singularity: 68,
+  },
+  sp_trace_request: { bytes: 56, from: 0, direction: 24, length: 48 },
+  sp_trace_options: { bytes: 16, tolerance: 0, point_count: 8, max_steps: 12 },
+  sp_trace_result: {
+    bytes: 48,
+    length: 0,
+    length_error: 8,
+    conjugate: 16,
+    points: 24,
+    parameters: 28,
+    status: 32,
+    steps: 36,
+    touches_boundary: 40,
+    normal: 44,
   },
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
+  sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
+  sp_graph: { bytes: 112, spacing: 0, vertex_count: 60, edge_count: 64, unique: 68, singular: 72 },
+  sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
 };
 
 const OUT_OF_MEMORY = -6;
+/** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
+const MOST_GRAPH_BYTES = 2 ** 29;
+const MOST_TRACE_STEPS = 200_000;
 
 /** @typedef {{ kind: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
 /** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
 /**
- * @typedef {object} RawPath what sp_solve_path wrote, copied
+ * @typedef {object} RawPath what sp_solve_path or sp_trace_path wrote, copied
  * @property {number} status
  * @property {number} length
  * @property {number} lengthError
@@ -44,9 +65,25 @@ const OUT_OF_MEMORY = -6;
  * @property {number} iterations
  * @property {number} index
  * @property {boolean} touchesBoundary
+ * @property {boolean} crossesSingularity
+ * @property {number | null} conjugate
  * @property {Float64Array} points
  * @property {Float64Array | null} parameters
  * @property {Iterate[]} history
+ */
+
+/**
+ * @typedef {object} Graph a graph of a surface, in linear memory until {@link Heap.releaseGraph}
+ * @property {number} status
+ * @property {number} at address of its struct
+ * @property {number} block address of its arrays
+ * @property {number} bytes of them
+ * @property {number} vertices
+ * @property {number} edges
+ * @property {number} spacing implicit: diagonal of a cell
+ * @property {boolean} unique geodesics of this surface are taken as unique
+ * @property {boolean} singular the normal vanishes along a curve
+ * @property {boolean} flooded made around one point
  */
 
 export class Heap {
@@ -65,7 +102,12 @@ export class Heap {
       result: this.allocate(LAYOUT.sp_result.bytes),
       arena: this.allocate(LAYOUT.sp_arena.bytes),
       mesh: this.allocate(LAYOUT.sp_mesh.bytes),
+      traceRequest: this.allocate(LAYOUT.sp_trace_request.bytes),
+      traceOptions: this.allocate(LAYOUT.sp_trace_options.bytes),
+      traceResult: this.allocate(LAYOUT.sp_trace_result.bytes),
       numbers: this.allocate(64),
+      graphOptions: this.allocate(LAYOUT.sp_graph_options.bytes),
+      answer: this.allocate(LAYOUT.sp_graph_answer.bytes),
     };
   }
 
@@ -126,7 +168,7 @@ export class Heap {
   /**
    * Runs sp_solve_path.
    * @param {number} surface address of its record
-   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null }} request
+   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request
    * @param {SolveOptions} options
    * @returns {RawPath}
    */
@@ -142,10 +184,50 @@ export class Heap {
     if (start) this.writeDoubles(this.#arenaBase, start);
     this.writeDoubles(requestAt, [...request.from, 0].slice(0, 3));
     this.writeDoubles(requestAt + LAYOUT.sp_request.to, [...request.to, 0].slice(0, 3));
-    this.#words(requestAt + LAYOUT.sp_request.start, 2).set([start ? this.#arenaBase : 0, startCount]);
+    this.#words(requestAt + LAYOUT.sp_request.start, 3).set([start ? this.#arenaBase : 0, startCount, request.pole ?? 0]);
     this.#words(arena, 3).set([this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0]);
     this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
     return this.#readResult(options.points + 2);
+  }
+
+  /**
+   * Runs sp_trace_path.
+   * @param {number} surface address of its record
+   * @param {{ kind: number, from: number[], direction: number[], length: number }} request
+   * @param {{ points: number, tolerance: number }} options
+   * @returns {RawPath | null} null: the direction is normal to the surface
+   */
+  trace(surface, request, options) {
+    const { traceRequest, traceOptions, traceResult, arena } = this.#structs;
+    this.writeDoubles(traceOptions, [options.tolerance]);
+    this.#words(traceOptions + LAYOUT.sp_trace_options.point_count, 2).set([options.points, MOST_TRACE_STEPS]);
+    if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, traceOptions))) return emptyPath(OUT_OF_MEMORY);
+    this.writeDoubles(traceRequest, [...request.from, 0].slice(0, 3));
+    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.direction, [...request.direction, 0].slice(0, 3));
+    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.length, [request.length]);
+    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    this.#exports.sp_trace_path(surface, traceRequest, traceOptions, arena, traceResult);
+    return this.#readTrace(options.points + 2);
+  }
+
+  /** Copies the result struct of a trace and its arrays. @param {number} count points of the path @returns {RawPath | null} */
+  #readTrace(count) {
+    const at = this.#structs.traceResult;
+    const [length, lengthError, conjugate] = this.#doubles(at, 3);
+    const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
+    if (normal) return null;
+    if (!pointsAt) return emptyPath(status);
+    return {
+      ...emptyPath(status),
+      length,
+      lengthError,
+      iterations: steps,
+      touchesBoundary: touches !== 0,
+      crossesSingularity: false,
+      conjugate: Number.isNaN(conjugate) ? null : conjugate,
+      points: this.#doubles(pointsAt, 3 * count).slice(),
+      parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
+    };
   }
 
   /**
@@ -192,6 +274,72 @@ export class Heap {
     }
   }
 
+  /**
+   * Runs sp_graph_build and keeps the graph.
+   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number }} options
+   * @returns {Graph} of status 0; any other: nothing is kept
+   */
+  buildGraph(surface, kind, { box, cell, resolution }) {
+    const { graphOptions, arena } = this.#structs;
+    const at = this.allocate(LAYOUT.sp_graph.bytes);
+    this.writeDoubles(graphOptions, [...box, 0, 0].slice(0, 6));
+    this.writeDoubles(graphOptions + LAYOUT.sp_graph_options.cell, [cell]);
+    this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
+    let status = OUT_OF_MEMORY;
+    for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
+      if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
+      this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+      status = this.#exports.sp_graph_build(surface, graphOptions, arena, at);
+    }
+    const bytes = status === 0 ? this.#exports.sp_graph_bytes(at) : 0;
+    const block = status === 0 ? this.allocate(bytes) : 0;
+    if (block) this.#exports.sp_graph_keep(at, block);
+    else this.release(at);
+    if (!block)
+      return {
+        status: status || OUT_OF_MEMORY,
+        at: 0,
+        block,
+        bytes,
+        vertices: 0,
+        edges: 0,
+        spacing: 0,
+        unique: false,
+        singular: false,
+        flooded: false,
+      };
+    const [vertices, edges, unique, singular] = this.#words(at + LAYOUT.sp_graph.vertex_count, 4);
+    const spacing = this.#doubles(at, 1)[0];
+    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0, flooded: cell > 0 };
+  }
+
+  /** @param {Graph} graph */
+  releaseGraph({ at, block }) {
+    this.release(block);
+    this.release(at);
+  }
+
+  /**
+   * Runs sp_graph_search.
+   * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {number[]} to @param {number} points of a candidate
+   * @returns {{ status: number, distance: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
+   */
+  searchGraph(surface, graph, from, to, points) {
+    const { numbers, arena, answer } = this.#structs;
+    const dimension = from.length;
+    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
+      return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
+    this.writeDoubles(numbers, [...from, 0].slice(0, 3));
+    this.writeDoubles(numbers + 24, [...to, 0].slice(0, 3));
+    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, arena, answer);
+    const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
+    const candidates = Array.from({ length: count }, (_, i) =>
+      this.#doubles(places + 8 * dimension * written * i, dimension * written).slice(),
+    );
+    return { status, distance: this.#doubles(answer, 1)[0], candidates };
+  }
+
   /** @param {SolveOptions} options */
   #writeOptions(options) {
     const at = this.#structs.options;
@@ -203,7 +351,7 @@ export class Heap {
   #readResult(count) {
     const at = this.#structs.result;
     const [length, lengthError, energy, gradientNorm] = this.#doubles(at, 4);
-    const [pointsAt, parametersAt, historyAt, recordAt, status, iterations, index, touches, entries] = this.#words(at + 32, 9);
+    const [pointsAt, parametersAt, historyAt, recordAt, status, iterations, index, touches, entries, crosses] = this.#words(at + 32, 10);
     const history = this.#readHistory(historyAt, recordAt, entries, count);
     return {
       status,
@@ -214,6 +362,8 @@ export class Heap {
       iterations,
       index,
       touchesBoundary: touches !== 0,
+      crossesSingularity: crosses !== 0,
+      conjugate: null,
       points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
       parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
       history,
@@ -259,7 +409,18 @@ export class Heap {
 /** @param {number} status @returns {RawPath} */
 export function emptyPath(status) {
   const none = { length: Number.NaN, lengthError: Number.NaN, energy: Number.NaN, gradientNorm: Number.NaN };
-  return { status, ...none, iterations: 0, index: -1, touchesBoundary: false, points: new Float64Array(0), parameters: null, history: [] };
+  return {
+    status,
+    ...none,
+    iterations: 0,
+    index: -1,
+    touchesBoundary: false,
+    crossesSingularity: false,
+    conjugate: null,
+    points: new Float64Array(0),
+    parameters: null,
+    history: [],
+  };
 }
 
 /** @param {number} status */

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { compile } from '../../../web/expression/compile.js';
+import { differentiateNodes } from '../../../web/expression/nodes.js';
 import { parse } from '../../../web/expression/parse.js';
 import { evaluateDual, evaluateNumber } from '../../helpers/dual.js';
 import { evaluateGraph } from '../../helpers/evaluate-graph.js';
@@ -28,6 +29,23 @@ function byGraph(source, point, p = 2) {
   const { graph, jet } = compile({ outputs: [source], names: ['f'], variables: VARIABLES, parameters: { p }, apply });
   const values = evaluateGraph(graph, point, [p], apply);
   return jet.map((id) => values[id]);
+}
+
+/** The same by differentiating nodes, then those of f_u twice: f_uuu, f_uuv, f_uvv. @param {string} source @param {number[]} point @param {number} [p] */
+function byNodes(source, point, p = 2) {
+  const { graph, value } = compile({
+    outputs: ({ read, slope }) => {
+      const node = read(source, 'f', VARIABLES);
+      return [node, slope(node, 'u')];
+    },
+    names: ['f', 'f_u'],
+    variables: VARIABLES,
+    parameters: { p },
+    apply,
+  });
+  const [jet, next] = differentiateNodes(graph, value, 2, 2);
+  const values = evaluateGraph(graph, point, [p], apply);
+  return [jet.value, ...jet.first, ...jet.second, ...next.second].map((id) => values[id]);
 }
 
 /** The same by dual numbers. @param {string} source @param {number[]} point @param {number} [p] */
@@ -363,6 +381,60 @@ const SMOOTH = [
     ],
   ],
   [
+    'log2(u)',
+    [
+      [0.5, 0],
+      [3, 0],
+    ],
+  ],
+  [
+    'log10(1+u^2)',
+    [
+      [0, 0],
+      [-2, 0],
+    ],
+  ],
+  [
+    'asinh(u)',
+    [
+      [0, 0],
+      [0.7, 0],
+      [-40, 0],
+    ],
+  ],
+  [
+    'acosh(u)',
+    [
+      [1.5, 0],
+      [40, 0],
+    ],
+  ],
+  [
+    'atanh(u)',
+    [
+      [0, 0],
+      [0.7, 0],
+      [-0.7, 0],
+    ],
+  ],
+  [
+    'hypot(u, v)',
+    [
+      [3, 4],
+      [0, 1],
+      [-2, 0],
+    ],
+  ],
+  ['hypot(u, 2)', [[0, 0]]],
+  [
+    'hypot(u v, u, v)',
+    [
+      [3, 4],
+      [-1, 0.5],
+    ],
+  ],
+  ['hypot(u)', [[-3, 0]]],
+  [
     '|u|',
     [
       [2, 0],
@@ -424,6 +496,19 @@ test('every operator against dual numbers', () => {
   }
 });
 
+test('nodes that are in the graph already against dual numbers, and their third derivatives against finite differences', () => {
+  for (const [source, points] of SMOOTH) {
+    for (const point of points) {
+      const actual = byNodes(source, point);
+      assertNear(actual.slice(0, 6), byDual(source, point), 2e-14, `${source} at ${point}`);
+      const along = (/** @type {number} */ k, /** @type {number} */ t) => byGraph(source, [point[0] + t, point[1]])[k];
+      const third = [3, 4, 5].map((k) => differences((t) => along(k, t), 0.006)[0]);
+      // As below; the second derivatives are exact, so only one difference is taken.
+      assertNear(actual.slice(6), third, 1e-8, `third derivatives of ${source} at ${point}`);
+    }
+  }
+});
+
 test('every operator against finite differences', () => {
   for (const [source, points] of SMOOTH) {
     for (const point of points) {
@@ -445,6 +530,13 @@ test('finite where the true derivative is', () => {
     ['tanh(u)', [1000, 0], [1, 0, 0, 0, 0, 0]],
     ['tanh(u)', [-1000, 0], [-1, 0, 0, 0, 0, 0]],
     ['atan(u)', [1e200, 0], [Math.PI / 2, 0, 0, 0, 0, 0]],
+    ['asinh(u)', [-1e200, 0], [-Math.asinh(1e200), 1e-200, 0, 0, 0, 0]],
+    ['acosh(u)', [1e200, 0], [Math.acosh(1e200), 1e-200, 0, 0, 0, 0]],
+    ['log2(u)', [2 ** 900, 0], [900, 2 ** -900 / Math.LN2, 0, 0, 0, 0]],
+    ['log10(u)', [1e300, 0], [300, 1e-300 / Math.LN10, 0, 0, 0, 0]],
+    ['hypot(u, v)', [3e200, 4e200], [5e200, 0.6, 0.8, 0, 0, 0]],
+    ['hypot(u, v)', [3, 4], [5, 0.6, 0.8, 0.128, -0.096, 0.072]],
+    ['hypot(u)', [0, 0], [0, 0, 0, 0, 0, 0]],
     ['exp(-u^2)', [1e4, 0], [0, 0, 0, 0, 0, 0]],
     ['pow(u, p)', [0, 0], [0, 1, 0, 0, 0, 0], 1],
     ['pow(u, p)', [0, 0], [1, 0, 0, 0, 0, 0], 0],
@@ -464,6 +556,7 @@ test('finite where the true derivative is', () => {
   ];
   for (const [source, point, expected, p] of awkward) {
     assertNear(byGraph(source, point, p), expected, 1e-15, `${source} at ${point}`);
+    assertNear(byNodes(source, point, p).slice(0, 6), expected, 1e-15, `nodes of ${source} at ${point}`);
   }
 });
 
@@ -473,6 +566,9 @@ test('not finite where the true derivative is not', () => {
     ['cbrt(u)', Infinity],
     ['ln(u)', Infinity],
     ['1/u', -Infinity],
+    ['log2(u)', Infinity],
+    ['acosh(1+u)', Infinity],
+    ['atanh(1-u)', -Infinity],
   ])) {
     const [, fu, fv, fuu] = byGraph(source, [0, 0]);
     assert.equal(fu, first, source);

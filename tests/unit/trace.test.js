@@ -1,0 +1,162 @@
+/** Traced geodesics through the public face: the known paths of tests/data, shortest paths, both kinds of surface, every refusal. (Closed forms: tests/native.) */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { loadCases } from '../helpers/cases.js';
+import { dot, norm, referenceSurface, subtract } from '../helpers/reference.js';
+import { verifyPath } from '../helpers/verify-path.js';
+
+const surfpath = await load();
+const sphere = surfpath.implicit({ f: 'x^2+y^2+z^2-4' });
+const torus = /** @type {const} */ ({
+  kind: 'parametric',
+  x: '(4+1.5*cos(v))*cos(u)',
+  y: '(4+1.5*cos(v))*sin(u)',
+  z: '1.5*sin(v)',
+  u: [0, '2pi'],
+  v: [0, '2pi'],
+});
+const saddle = surfpath.parametric({ x: 'u', y: 'v', z: 'u^2-v^2', u: [-1, 1], v: [-1, 1] });
+
+/** @param {{ points: ArrayLike<number> }} path @param {number} i from the end if negative */
+const pointOf = (path, i) => Array.from(path.points).slice(3 * i, 3 * i + 3 || undefined);
+
+/** The direction of a known path: of space, or the angle from S_u in the tangent plane. @param {any} stored @param {import('../helpers/verify-path.js').Definition} definition */
+function directionOf(stored, definition) {
+  if (stored.start_direction) return stored.start_direction;
+  const surface = /** @type {import('../helpers/reference.js').ParametricReference} */ (referenceSurface(definition));
+  const [first, second] = surface.tangents(stored.from);
+  const [E, F, G] = [dot(first, first), dot(first, second), dot(second, second)];
+  const area = Math.sqrt(E * G - F * F);
+  const [along, across] = [Math.cos(stored.start_angle), Math.sin(stored.start_angle)];
+  return [along / Math.sqrt(E) - (across * F) / (Math.sqrt(E) * area), (across * Math.sqrt(E)) / area];
+}
+
+test('known paths, traced from their start, end where they end', () => {
+  let count = 0;
+  for (const { id, definition, from, to, expected } of loadCases({ kinds: ['parametric', 'implicit'] })) {
+    const stored = /** @type {any} */ (expected);
+    const known = stored.start_direction !== undefined || stored.start_angle !== undefined;
+    if (!known || definition.density !== undefined || stored.touches_boundary || stored.crosses_cusp) continue;
+    const surface = surfpath.surface(/** @type {any} */ (definition));
+    const path = surface.trace(from, directionOf(stored, definition), expected.length, { points: 10 });
+    const target = to.length === 2 ? Array.from(surface.evaluate(expected.to_lift ?? to)).slice(0, 3) : to;
+    const miss = norm(subtract(target, pointOf(path, -1)));
+    assert.ok(path.converged, `${id}: ${path.status}`);
+    /* The data's own start is exact to about 1e-15, which grows along the path as our rounding does. */
+    assert.ok(miss <= 10 * path.lengthError && path.lengthError < 1e-6, `${id}: misses by ${miss}, estimate ${path.lengthError}`);
+    assert.equal(path.conjugate, null, `${id}: a shortest path has no conjugate point inside`);
+    surface.dispose();
+    count++;
+  }
+  assert.ok(count > 80, `${count} cases`);
+});
+
+test('the start of a shortest path, traced, lands on its end, the nearer the finer the path', () => {
+  const surface = surfpath.parametric(torus);
+  const [from, to] = [
+    [0.3, 0.4],
+    [1.8, 2.9],
+  ];
+  const misses = [64, 128, 256, 512].map((points) => {
+    const path = surface.shortestPath(from, to, { points });
+    const q = /** @type {Float64Array} */ (path.parameters);
+    const direction = [0, 1].map((j) => -25 * q[j] + 48 * q[2 + j] - 36 * q[4 + j] + 16 * q[6 + j] - 3 * q[8 + j]);
+    return subtract(pointOf(path, -1), pointOf(surface.trace(from, direction, path.length + path.lengthError), -1));
+  });
+  /* A path of chords leaves in a direction that is off by a series in 1/K^2, whose first term the last two cancel. */
+  for (let i = 1; i < misses.length; i++) assert.ok(norm(misses[i]) < 0.3 * norm(misses[i - 1]), `misses ${misses.map(norm)}`);
+  const extrapolated = norm(misses[3].map((x, j) => (513 ** 2 * x - 257 ** 2 * misses[2][j]) / (513 ** 2 - 257 ** 2)));
+  assert.ok(extrapolated < 1e-7, `misses ${extrapolated}`);
+});
+
+test('a path is plain data, on the surface, equally spaced, continuous across seams', () => {
+  const surface = surfpath.parametric(torus);
+  const path = surface.trace([6.2, 0.1], [3, 1], 60, { points: 500 });
+  assert.deepEqual([path.status, path.converged, path.length, path.index, path.history], ['converged', true, 60, -1, []]);
+  assert.ok(Number.isNaN(path.energy) && Number.isNaN(path.gradientNorm) && path.lengthError < 1e-9);
+  assert.deepEqual(structuredClone(path), path);
+  const q = /** @type {Float64Array} */ (path.parameters);
+  assert.ok(q[2 * 501] > 2 * Math.PI + 6, `u goes on: ${q[2 * 501]}`);
+  for (let i = 0; i < 501; i++) assert.ok(Math.abs(q[2 * i + 2] - q[2 * i]) < 0.1 && Math.abs(q[2 * i + 3] - q[2 * i + 1]) < 0.1);
+  const chords = Array.from({ length: 501 }, (_, i) => norm(subtract(pointOf(path, i + 1), pointOf(path, i))));
+  const sum = chords.reduce((a, b) => a + b);
+  assert.deepEqual(verifyPath(torus, { ...path, length: sum }, { from: [6.2, 0.1] }), []);
+});
+
+test('the sphere in both forms: great circles, conjugate at half of one', () => {
+  const globe = surfpath.parametric({ x: '2cos(v)cos(u)', y: '2cos(v)sin(u)', z: '2sin(v)', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  for (const path of [globe.trace([0, 0], [1, 1], 9), sphere.trace([2, 0, 0], [0, 1, 1], 9)]) {
+    assert.ok(Math.abs(/** @type {number} */ (path.conjugate) - 2 * Math.PI) < 1e-10, `conjugate ${path.conjugate}`);
+    const [s, c] = [Math.sin(4.5) * Math.SQRT2, 2 * Math.cos(4.5)];
+    assert.ok(norm(subtract(pointOf(path, -1), [c, s, s])) < 1e-10);
+  }
+  assert.equal(sphere.trace([2, 0, 0], [0, 1, 1], 6).conjugate, null);
+  assert.deepEqual(sphere.trace([2, 0, 0], [5, 1, 1], 3), sphere.trace([2, 0, 0], [0, 1, 1], 3), 'the tangent part counts');
+});
+
+test('ends on the edge of the rectangle', () => {
+  const path = saddle.trace([-0.5, -0.3], [1, 0.4], 10, { points: 20 });
+  assert.deepEqual([path.status, path.converged, path.points.length], ['edge-reached', false, 66]);
+  const [u, v] = /** @type {Float64Array} */ (path.parameters).subarray(-2);
+  assert.ok(Math.abs(u - 1) < 1e-12 && Math.abs(v) < 1 && path.length > 1.5 && path.length < 3, `ends at ${u}, ${v}, ${path.length}`);
+  const again = saddle.trace([-0.5, -0.3], [1, 0.4], 0.999999 * path.length);
+  assert.equal(again.status, 'converged');
+});
+
+test('a trace of length 0 stays', () => {
+  const path = saddle.trace([0.5, 0.25], [1, 0], 0, { points: 2 });
+  assert.deepEqual([path.status, path.length, ...path.points], ['converged', 0, ...Array(4).fill([0.5, 0.25, 0.1875]).flat()]);
+});
+
+test('what cannot be traced has a status and no path', () => {
+  const cone = surfpath.implicit({ f: 'x^2+y^2-z^2' });
+  const root = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(u)', u: [-1, 1], v: [-1, 1] });
+  for (const [path, status] of /** @type {const} */ ([
+    [cone.trace([3, 4, 5], [-3, -4, -5], 20), 'singular-metric'],
+    [root.trace([-0.5, 0], [1, 0], 1), 'not-finite'],
+    [sphere.trace([2.5, 0, 0], [0, 1, 0], 1), 'off-surface'],
+  ])) {
+    assert.equal(path.status, status);
+    assert.deepEqual([path.converged, path.length, path.points.length, path.parameters], [false, Number.NaN, 0, null]);
+  }
+});
+
+test('mistakes throw, and say which', () => {
+  /** @type {[any[], ErrorConstructor, RegExp][]} */
+  const mistakes = [
+    [[[0, 0], [0, 0], 1], RangeError, /^trace: direction must not be zero/],
+    [[[0, 0], [1, 0, 0], 1], RangeError, /^trace: direction must be \[u, v\]/],
+    [[[0, 0], [1, Number.NaN], 1], RangeError, /^trace: direction\[1\] must be a finite number/],
+    [[[0, 0], 'north', 1], TypeError, /^trace: direction must be/],
+    [[[2, 0], [1, 0], 1], RangeError, /^trace: from\[0\] = 2 lies outside/],
+    [[[0, 0], [1, 0], -1], RangeError, /^trace: length must be .*not -1$/],
+    [[[0, 0], [1, 0], Number.NaN], RangeError, /^trace: length must be/],
+    [[[0, 0], [1, 0], Infinity], RangeError, /^trace: length must be/],
+    [[[0, 0], [1, 0], '1'], TypeError, /^trace: length must be a number/],
+    [
+      [
+        [0, 0],
+        [1, 0],
+      ],
+      TypeError,
+      /^trace: length must be a number/,
+    ],
+    [[[0, 0], [1, 0], 1, 7], TypeError, /^trace: options must be an object/],
+    [[[0, 0], [1, 0], 1, { start: 'straight' }], TypeError, /no option 'start'/],
+    [[[0, 0], [1, 0], 1, { points: 0 }], RangeError, /options.points/],
+    [[[0, 0], [1, 0], 1, { tolerance: 1e-16 }], RangeError, /options.tolerance/],
+    [[[0, 0], [1, 0], 1, { tolerance: '1' }], TypeError, /options.tolerance/],
+  ];
+  for (const [given, kind, message] of mistakes) {
+    assert.throws(
+      () => saddle.trace(.../** @type {[any, any, any, any]} */ (given)),
+      (error) => error instanceof kind && message.test(/** @type {Error} */ (error).message),
+      String(message),
+    );
+  }
+  assert.throws(() => sphere.trace([2, 0, 0], [-3, 0, 0], 1), /^RangeError: trace: direction is normal to the surface/);
+  const gone = surfpath.implicit({ f: 'x' });
+  gone.dispose();
+  assert.throws(() => gone.trace([0, 0, 0], [0, 1, 0], 1), /^Error: trace: this surface was disposed/);
+});

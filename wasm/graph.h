@@ -1,0 +1,83 @@
+/* A graph on a surface: vertices spread over all of it, edges as long as the surface is between them. Built once a surface; the shortest
+ * ways through it are where Newton starts. Knows nothing of Newton. MATH.md, "The globally shortest path". */
+#ifndef SURFPATH_GRAPH_H
+#define SURFPATH_GRAPH_H
+
+#include "arena.h"
+#include "status.h"
+#include "surface.h"
+
+enum {
+    SP_GRAPH_MAX_RESOLUTION = 256,
+    SP_GRAPH_FLOOD_CELLS = 40000, /* a flood stops at this many cells */
+    SP_GRAPH_MAX_CANDIDATES = 16, /* candidates of one search */
+    SP_GRAPH_MAX_POINTS = 1000,   /* points of a candidate */
+};
+
+struct sp_graph_options {
+    double box[6]; /* parametric: umin umax vmin vmax, one period of a direction without walls; implicit: xmin xmax ymin ymax zmin zmax */
+    double cell;   /* implicit: > 0: no box; cells of this width are flooded from the point (box[0], box[2], box[4]). Else 0 */
+    int32_t resolution; /* parametric: about this many cells a direction; implicit: cells along the longest side. 8 … 256 */
+    int32_t unused;
+};
+
+struct sp_graph_edge {
+    int32_t to;
+    float length;
+};
+
+/* Everything lies in one piece of memory: in the arena at first, then where sp_graph_keep puts it. */
+struct sp_graph {
+    double spacing;              /* implicit: width of a cell */
+    double lower[2], step[2];    /* parametric: place of a vertex from its index, i * count[1] + j */
+    double *positions;           /* 3 a vertex */
+    float *normals;              /* implicit: 3 a vertex, unit; (0, 0, 0): not a point of the surface, without edges. Parametric: NULL */
+    int32_t *first;              /* vertex_count + 1: where the edges of a vertex begin */
+    struct sp_graph_edge *edges; /* each way */
+    int32_t kind, vertex_count, edge_count;
+    int32_t unique;       /* 1: no curvature > 0 at a sample of a rectangle without wraps, collapsed edges or cusps: geodesics are unique */
+    int32_t singular;     /* 1: the normal vanishes along a curve; no edge crosses it */
+    int32_t collapsed[4]; /* the edges u = min, u = max, v = min, v = max of the rectangle that are points: poles, apexes */
+    int32_t count[2], wraps[2];
+    int32_t unused;
+};
+
+/* What a search found. */
+struct sp_graph_answer {
+    double distance; /* length of the shortest way through the graph; NaN without one */
+    double *places;  /* candidate_count polylines of point_count places (u v, continuous across seams, or x y z), in the arena */
+    double *lengths; /* of the ways through the graph */
+    int32_t candidate_count, point_count;
+};
+
+/* Bytes of arena with which sp_graph_build is likely to succeed; if it does not, it does with a few times as many. */
+double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options);
+
+/* Builds the graph of a surface in `arena`, which is reset first.
+ *
+ * Parametric: a grid, every vertex joined to the 32 around it that a coprime step of at most 3 reaches; an edge is two chords through its
+ * middle on the surface. Edges do not cross a curve on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes
+ * sign, centres moved onto f = 0; neighbours at most two cells away are joined where their normals and the chord say that they lie on the
+ * same sheet. Returns SP_CONVERGED, SP_NOT_FINITE (the box is empty or not finite) or SP_OUT_OF_MEMORY. */
+int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
+                       struct sp_graph *graph);
+
+/* Bytes that a graph needs outside the arena. */
+double sp_graph_bytes(const struct sp_graph *graph);
+
+/* Moves a graph out of the arena into a block of sp_graph_bytes bytes, aligned to 16, that the caller keeps as long as the graph. */
+void sp_graph_keep(struct sp_graph *graph, void *block);
+
+/* Bytes of arena that sp_graph_search needs. */
+double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count);
+
+/* Finds ways through the graph from one point to another: the shortest, then the shortest through a vertex away from all those found before
+ * (at least a tenth of the shortest), as long as they are at most a quarter longer, at most eight; ways over a collapsed edge pass it on
+ * both sides. Each is resampled by length and smoothed; implicit, its places are near f = 0.
+ *
+ * `from`, `to`: u v, or x y z on the surface. Returns SP_CONVERGED, SP_DISCONNECTED, SP_OFF_SURFACE (no vertex near an end), SP_NOT_FINITE
+ * (an end), SP_OUT_OF_MEMORY. */
+int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
+                        struct sp_arena *arena, struct sp_graph_answer *answer);
+
+#endif

@@ -1,0 +1,70 @@
+/* What the two builders of graphs share: arrays taken piece by piece, edges appended to the end of the arena. */
+#ifndef SURFPATH_GRAPH_BUILD_H
+#define SURFPATH_GRAPH_BUILD_H
+
+#include "graph.h"
+#include "vector.h"
+
+enum { SP_GRAPH_BLOCK = 32 }; /* pairs evaluated at once */
+
+struct sp_builder {
+    const struct sp_surface *surface;
+    const struct sp_graph_options *options;
+    struct sp_arena *arena;
+    struct sp_graph *graph;
+    int32_t edge_capacity;
+};
+
+int32_t sp_graph_build_parametric(struct sp_builder *builder);
+int32_t sp_graph_build_implicit(struct sp_builder *builder);
+
+/* sp_arena_take, once. */
+void *sp_graph_take(struct sp_arena *arena, size_t count, size_t item_bytes);
+
+/* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
+int sp_builder_take(struct sp_builder *builder);
+
+/* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. */
+int sp_builder_edge(struct sp_builder *builder, int32_t to, double length);
+
+/* At most 2 SP_GRAPH_BLOCK points, put and got one by one, evaluated together. The lane without a point repeats the last. */
+struct sp_block {
+    sp_pair in[3 * SP_GRAPH_BLOCK], out[SP_PARAMETRIC_JET * SP_GRAPH_BLOCK];
+    int32_t inputs, outputs, count;
+};
+
+void sp_block_open(struct sp_block *block, int32_t inputs, int32_t outputs);
+
+void sp_block_put(struct sp_block *block, const double *point);
+
+void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate);
+
+double sp_block_get(const struct sp_block *block, int32_t i, int32_t j);
+
+static inline double sp_root(double x) { return __builtin_sqrt(x); }
+
+double sp_dot3(const double a[3], const double b[3]);
+double sp_distance3(const double a[3], const double b[3]);
+
+/* The largest whole number that is not above x, for |x| < 2^51. */
+static inline double sp_round_down(double x) {
+    double rounded = (x + 6755399441055744.0) - 6755399441055744.0;
+    return rounded > x ? rounded - 1 : rounded;
+}
+
+static inline int sp_is_finite(double x) { return x - x == 0; }
+
+/* Implicit: the length of the surface between two points with unit normals, c (1 + theta^2/24); infinite unless they lie on one sheet:
+ * normals at most 72 degrees apart, the chord at most 37 degrees out of the tangent planes. */
+double sp_graph_sheet_length(const double a[3], const double normal_a[3], const double b[3], const double normal_b[3]);
+
+/* Parametric: does S_u x S_v vanish, and turn over, between two places whose normals look away from each other? */
+int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]);
+
+/* Parametric: the point at a place. */
+void sp_graph_position(const struct sp_surface *surface, const double place[2], double position[3]);
+
+/* Parametric: S_u x S_v at a place. */
+void sp_graph_normal(const struct sp_surface *surface, const double place[2], double normal[3]);
+
+#endif

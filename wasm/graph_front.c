@@ -1,0 +1,68 @@
+/* Dijkstra's algorithm with a binary heap that knows where each vertex is. */
+#include "graph_search.h"
+
+int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
+    size_t vertices = (size_t)graph->vertex_count;
+    *front = (struct sp_front){.graph = graph};
+    front->distance = sp_graph_take(arena, vertices, sizeof(double));
+    front->before = sp_graph_take(arena, vertices, sizeof(int32_t));
+    front->heap = sp_graph_take(arena, vertices, sizeof(int32_t));
+    front->slot = sp_graph_take(arena, vertices, sizeof(int32_t));
+    if (!front->distance || !front->before || !front->heap || !front->slot) return 0;
+    for (size_t i = 0; i < vertices; i++)
+        front->distance[i] = __builtin_inf(), front->before[i] = -1, front->slot[i] = -1;
+    return 1;
+}
+
+static void put(struct sp_front *front, int32_t slot, int32_t vertex) {
+    front->heap[slot] = vertex;
+    front->slot[vertex] = slot;
+}
+
+static void rise(struct sp_front *front, int32_t slot) {
+    int32_t vertex = front->heap[slot];
+    double distance = front->distance[vertex];
+    while (slot > 0) {
+        int32_t parent = (slot - 1) / 2, above = front->heap[parent];
+        if (front->distance[above] <= distance) break;
+        put(front, slot, above);
+        slot = parent;
+    }
+    put(front, slot, vertex);
+}
+
+static void sink(struct sp_front *front, int32_t slot) {
+    int32_t vertex = front->heap[slot];
+    double distance = front->distance[vertex];
+    for (;;) {
+        int32_t child = 2 * slot + 1;
+        if (child >= front->count) break;
+        if (child + 1 < front->count && front->distance[front->heap[child + 1]] < front->distance[front->heap[child]]) child++;
+        if (distance <= front->distance[front->heap[child]]) break;
+        put(front, slot, front->heap[child]);
+        slot = child;
+    }
+    put(front, slot, vertex);
+}
+
+void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance) {
+    if (!(distance < front->distance[vertex])) return;
+    front->distance[vertex] = distance;
+    front->before[vertex] = before;
+    if (front->slot[vertex] < 0) put(front, front->count++, vertex);
+    rise(front, front->slot[vertex]);
+}
+
+void sp_front_advance(struct sp_front *front, double limit) {
+    const struct sp_graph *graph = front->graph;
+    while (front->count > 0 && front->distance[front->heap[0]] < limit) {
+        int32_t vertex = front->heap[0], last = front->heap[--front->count];
+        front->slot[vertex] = -1;
+        if (front->count > 0) {
+            put(front, 0, last);
+            sink(front, 0);
+        }
+        for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++)
+            sp_front_offer(front, graph->edges[e].to, vertex, front->distance[vertex] + (double)graph->edges[e].length);
+    }
+}

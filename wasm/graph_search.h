@@ -1,0 +1,51 @@
+/* Dijkstra's algorithm on a graph, resumable, and the ways it finds. */
+#ifndef SURFPATH_GRAPH_SEARCH_H
+#define SURFPATH_GRAPH_SEARCH_H
+
+#include "graph_build.h"
+
+enum { SP_MAX_ATTACHED = 128 };
+
+/* The vertices around a point that is not one, and how far they are. */
+struct sp_attachment {
+    int32_t vertex[SP_MAX_ATTACHED];
+    double length[SP_MAX_ATTACHED];
+    int32_t count;
+};
+
+/* Distances from some seeds, settled as far as the search has gone. */
+struct sp_front {
+    const struct sp_graph *graph;
+    double *distance; /* infinite: not reached */
+    int32_t *before;  /* the vertex before this one; -1: a seed */
+    int32_t *heap;    /* vertices still to be visited, nearest first */
+    int32_t *slot;    /* where a vertex is in the heap; -1: not in it */
+    int32_t count;
+};
+
+/* Takes the arrays, nothing reached. Returns 0 if the arena is full. */
+int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena);
+
+/* Offers a way to a vertex; it counts if it is shorter than the known one. */
+void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance);
+
+/* Visits all vertices nearer than `limit`. */
+void sp_front_advance(struct sp_front *front, double limit);
+
+/* A way from one point over vertices to another. */
+struct sp_way {
+    const struct sp_surface *surface;
+    const struct sp_graph *graph;
+    const double *from, *to;
+    const int32_t *vertices;
+    int32_t count;
+};
+
+/* Polylines of point_count places that a way starts: appended to the answer, more than one if the way passes a collapsed edge. Returns a
+ * status; SP_OUT_OF_MEMORY if the arena is full. */
+enum sp_status sp_way_write(const struct sp_way *way, double length, struct sp_arena *arena, struct sp_graph_answer *answer);
+
+/* Bytes that sp_way_write needs for a way of all vertices. */
+double sp_way_bytes(const struct sp_graph *graph);
+
+#endif

@@ -1,0 +1,197 @@
+/**
+ * The globally shortest path: starts from a graph search and straight lines, each solved roughly, the best ones finely. Knows the order of the
+ * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
+ */
+
+import { liftNear } from './domain.js';
+import { emptyPath } from './runtime/heap.js';
+
+/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/heap.js').Graph} Graph */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
+
+/**
+ * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
+ * @property {number[]} from
+ * @property {number[]} to
+ * @property {import('./domain.js').Domain | null} domain
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
+ *   an edge of the rectangle collapses, 1 + 2 · coordinate + side
+ * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
+ * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
+ * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
+ */
+
+const STATUS = {
+  converged: 0,
+  stalled: 2,
+  illConditioned: 4,
+  disconnected: -1,
+  singular: -2,
+  sheetJump: -3,
+  offSurface: -4,
+  notFinite: -5,
+};
+const ELEMENTS = 0;
+/** Why a straight start comes to nothing that has to do with an end alone. */
+const BAD_ENDS = [STATUS.singular, STATUS.offSurface, STATUS.notFinite];
+/** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
+const FLOOD_CELLS = 40_000;
+/** Inner points of the rough solves, until one holds. */
+const ROUGH = [31, 63, 127, 255];
+const CANDIDATE_POINTS = 65;
+/** Rough lengths this much longer than the best may still turn out to be the shortest. */
+const MARGIN = 1e-3;
+/** Two paths are the same where they are nowhere farther apart, in parts of their length. */
+const APART = 0.01;
+
+/** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
+const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
+
+/** @param {RawPath} path @returns {boolean} more points may help */
+const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
+
+/** The length of the geodesic under a rough polyline, to fourth order. @param {RawPath} path */
+const estimate = (path) => path.length + path.lengthError;
+
+/**
+ * All locally shortest paths that are found between two points, shortest first; without any, the one path of a status that says why.
+ * @param {Problem} problem @param {SolveOptions} options of the final solves
+ * @param {number} most paths wanted; with 1 only those that may be the shortest are solved finely
+ * @returns {RawPath[]}
+ */
+export function findPaths(problem, options, most) {
+  if (problem.graph(0)?.unique) {
+    const path = problem.solve(problem.to, null, options);
+    if (path.status === STATUS.converged) return [path];
+  }
+  const { starts, status } = findStarts(problem);
+  const tried = starts.map((start) => solveRoughly(problem, start));
+  const rough = distinct(tried.filter(({ path }) => holds(path)));
+  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
+  if (rough.length === 0) {
+    const [over] = overPoles(problem, options, []);
+    if (over) return [over.path];
+    return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
+  }
+  const limit = most === 1 ? estimate(rough[0].path) * (1 + MARGIN) : Infinity;
+  const wanted = rough.filter(({ path }) => estimate(path) <= limit).slice(0, Math.max(most, 4));
+  const solved = wanted.map(({ to, path }) => ({ to, path: problem.solve(to, path.parameters ?? path.points, options) }));
+  const usable = solved.filter(({ path }) => holds(path));
+  usable.push(...overPoles(problem, options, usable));
+  if (usable.length === 0) return [solved[0].path];
+  return distinct(usable)
+    .slice(0, most)
+    .map(({ path }) => path);
+}
+
+/**
+ * Starts: the straight lines to the nearest lifts of the end, then the ways through the first graph that joins the ends. The last status says why
+ * there are none of these.
+ * @param {Problem} problem
+ */
+function findStarts(problem) {
+  /** @type {Start[]} */
+  const starts = straightEnds(problem).map((to) => ({ to, start: null }));
+  const search = (/** @type {Graph} */ graph) => {
+    const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
+    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
+    return status;
+  };
+  let status = STATUS.offSurface;
+  for (let level = 0, graph = problem.graph(0); graph; graph = problem.graph(++level)) {
+    status = search(graph);
+    if (status === STATUS.disconnected && graph.singular) status = STATUS.singular;
+    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+  }
+  if (status !== STATUS.offSurface) return { starts, status };
+  for (let level = 0, graph = problem.flood(0); graph; graph = problem.flood(++level)) {
+    status = search(graph);
+    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+    if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
+    status = STATUS.disconnected;
+  }
+  return { starts, status };
+}
+
+/** The second end on its nearest lift and on the neighbouring ones. @param {Problem} problem @returns {number[][]} */
+function straightEnds({ from, to, domain }) {
+  if (!domain) return [to];
+  let ends = [liftNear(domain, to, from)];
+  for (const j of [0, 1]) {
+    if (!domain.periodic[j]) continue;
+    const period = domain.upper[j] - domain.lower[j];
+    ends = ends.flatMap((end) => [0, -1, 1].map((turn) => end.map((x, i) => (i === j ? x + turn * period : x))));
+  }
+  return ends;
+}
+
+/**
+ * Paths over a pole, which no chart shows as stationary: taken only where they are shorter than all others.
+ * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath }[]} others
+ */
+function overPoles({ to, domain, solve }, options, others) {
+  if (!domain || options.algorithm !== ELEMENTS) return [];
+  const shortest = Math.min(...others.map(({ path }) => path.length));
+  return domain.poles
+    .map((pole) => ({ to, path: solve(to, null, options, pole) }))
+    .filter(({ path }) => holds(path) && path.length < shortest - path.lengthError)
+    .sort((a, b) => a.path.length - b.path.length)
+    .slice(0, 1);
+}
+
+/** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
+function solveRoughly(problem, { to, start }) {
+  const options = { tolerance: 1e-9, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
+  let path = problem.solve(to, start, { ...options, points: ROUGH[0] });
+  for (const points of ROUGH.slice(1)) if (start && isTooCoarse(path)) path = problem.solve(to, start, { ...options, points });
+  return { to, path };
+}
+
+/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options */
+function solveWeakly(problem, tried, options) {
+  const [best] = tried.filter(({ path }) => path.index === 0 && path.points.length > 0).sort((a, b) => estimate(a.path) - estimate(b.path));
+  return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
+}
+
+/** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */
+function distinct(found) {
+  const sorted = [...found].sort((a, b) => estimate(a.path) - estimate(b.path));
+  return sorted.filter(({ path }, i) => !sorted.slice(0, i).some((other) => isSame(other.path, path)));
+}
+
+/** @param {RawPath} a @param {RawPath} b */
+function isSame(a, b) {
+  if (Math.abs(estimate(a) - estimate(b)) > APART * estimate(a)) return false;
+  const samples = 16;
+  let away = 0;
+  for (let i = 1; i < samples; i++) {
+    const [p, q] = [a, b].map((path) => pointAt(path.points, i / samples));
+    away = Math.max(away, (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2);
+  }
+  return away <= (APART * estimate(a)) ** 2;
+}
+
+/** The point at a fraction of a polyline of equal chords. @param {Float64Array} points @param {number} fraction */
+function pointAt(points, fraction) {
+  const at = fraction * (points.length / 3 - 1);
+  const i = 3 * Math.floor(at);
+  const t = at - Math.floor(at);
+  return [0, 1, 2].map((k) => points[i + k] + (t ? t * (points[i + 3 + k] - points[i + k]) : 0));
+}
+
+/** Turns a path round. @param {RawPath} path @returns {RawPath} */
+export function reverse(path) {
+  const turned = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
+    const result = new Float64Array(numbers.length);
+    for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+    return result;
+  };
+  return {
+    ...path,
+    points: turned(path.points, 3),
+    parameters: path.parameters && turned(path.parameters, 2),
+    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
+  };
+}

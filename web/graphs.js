@@ -1,0 +1,59 @@
+/** The graphs of one surface: built when they are first needed, finer ones where a coarser one separates two ends, freed together. */
+
+/** @typedef {import('./runtime/heap.js').Heap} Heap */
+/** @typedef {import('./runtime/heap.js').Graph} Graph */
+
+/** Cells a direction, by level of refinement. */
+const RESOLUTION = [
+  [64, 128],
+  [40, 64, 96],
+];
+/** Without a box: cells between the ends. */
+const FLOOD_RESOLUTION = [14, 22, 34];
+const IMPLICIT = 1;
+const CONVERGED = 0;
+
+export class Graphs {
+  #kind;
+  /** @type {Graph[]} by level */ #graphs = [];
+  /** @type {Graph | null} around the last point that was asked for */ #flood = null;
+
+  /** @param {number} kind 0: parametric, 1: implicit */
+  constructor(kind) {
+    this.#kind = kind;
+  }
+
+  /**
+   * The graph of all of the surface; null: there is none so fine.
+   * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
+   * @param {number} level how often it is refined
+   */
+  find(heap, record, box, level) {
+    const resolution = RESOLUTION[this.#kind][level];
+    if (!box || !resolution) return null;
+    this.#graphs[level] ??= heap.buildGraph(record, this.#kind, { box, cell: 0, resolution });
+    return usable(this.#graphs[level]);
+  }
+
+  /**
+   * The graph of an implicit surface around a point, whatever its bounds, with cells a part of the distance to another wide. Valid until the next one.
+   * @param {Heap} heap @param {number} record @param {number[]} from @param {number[]} to @param {number} level
+   */
+  flood(heap, record, from, to, level) {
+    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
+    if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
+    if (this.#flood) heap.releaseGraph(this.#flood);
+    this.#flood = heap.buildGraph(record, this.#kind, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
+    return usable(this.#flood);
+  }
+
+  /** Frees all. @param {Heap | null} heap null: the memory is gone already */
+  drop(heap) {
+    if (heap) for (const graph of [...this.#graphs, this.#flood]) if (graph) heap.releaseGraph(graph);
+    this.#graphs = [];
+    this.#flood = null;
+  }
+}
+
+/** @param {Graph} graph */
+const usable = (graph) => (graph.status === CONVERGED ? graph : null);

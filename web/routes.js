@@ -1,0 +1,93 @@
+/** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
+
+import { liftEnds } from './domain.js';
+import { findPaths, reverse } from './global.js';
+import { makePath } from './path.js';
+import { joinPaths, shareOut } from './via.js';
+
+/** @typedef {import('./path.js').Path} Path */
+/** @typedef {import('./runtime/heap.js').Heap} Heap */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+
+/**
+ * @typedef {object} Field a surface, as far as finding paths on it needs to know
+ * @property {number} kind 0: parametric, 1: implicit
+ * @property {import('./domain.js').Domain | null} domain
+ * @property {number[] | null} box of an implicit surface
+ * @property {import('./graphs.js').Graphs} graphs
+ * @property {<T>(call: (heap: Heap, record: number) => T) => T} run
+ */
+
+/** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
+function shift(parameters, by) {
+  if (by[0] === 0 && by[1] === 0) return;
+  for (let i = 0; i < parameters.length; i++) parameters[i] += by[i & 1];
+}
+
+/**
+ * The locally shortest path near a start.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight
+ * @returns {Path}
+ */
+export function solveNear({ kind, domain, run }, ends, options, start) {
+  const lifted = domain ? liftEnds(domain, ends[0], ends[1], start) : ends;
+  const request = { kind, from: lifted[0], to: lifted[1], start };
+  const path = makePath(run((heap, record) => heap.solve(record, request, options)));
+  if (path.parameters) shift(path.parameters, [ends[0][0] - lifted[0][0], ends[0][1] - lifted[0][1]]);
+  return path;
+}
+
+/**
+ * The shortest paths that a graph search finds, or one without a path that says why. Solved from the lexicographically smaller end.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
+ * @returns {Path[]}
+ */
+export function findGlobal({ kind, domain, box, graphs, run }, [from, to], options, most) {
+  const first = from.findIndex((x, j) => x !== to[j]);
+  const swap = first >= 0 && from[first] > to[first];
+  const [a, b] = swap ? [to, from] : [from, to];
+  const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
+  const raw = run((heap, record) =>
+    findPaths(
+      {
+        from: a,
+        to: b,
+        domain,
+        solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
+        graph: (level) => graphs.find(heap, record, place, level),
+        flood: (level) => graphs.flood(heap, record, a, b, level),
+        search: (graph, points) => heap.searchGraph(record, graph, a, b, points),
+      },
+      options,
+      most,
+    ),
+  );
+  return raw.map((found) => {
+    const path = makePath(swap ? reverse(found) : found);
+    if (path.parameters) shift(path.parameters, [from[0] - path.parameters[0], from[1] - path.parameters[1]]);
+    return path;
+  });
+}
+
+/**
+ * The shortest pieces from place to place: first roughly, to share out the points, then as asked.
+ * @param {Field} field @param {string} caller @param {number[][]} places @param {SolveOptions} options @param {unknown} start
+ * @returns {Path}
+ */
+export function passThrough(field, caller, places, options, start) {
+  if (start !== 'global' && start !== 'straight')
+    throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
+  const count = places.length - 1;
+  const least = 2 * count - 1;
+  if (options.points < least)
+    throw new RangeError(
+      `${caller}: options.points must be at least ${least} for ${count - 1} points of options.via, not ${options.points}`,
+    );
+  const solve = (/** @type {number[]} */ points) =>
+    points.map((own, i) => {
+      const [ends, asked] = [places.slice(i, i + 2), { ...options, points: own }];
+      return start === 'global' ? findGlobal(field, ends, asked, 1)[0] : solveNear(field, ends, asked, null);
+    });
+  const lengths = solve(Array(count).fill(Math.max(31, Math.ceil(options.points / count)))).map(({ length }) => length || 0);
+  return joinPaths(solve(shareOut(lengths, options.points)));
+}

@@ -1,0 +1,72 @@
+/** Paths through given points: shortest pieces, one after the other, joined into one. Knows paths as plain data only. */
+
+/** @typedef {import('./path.js').Path} Path */
+
+/**
+ * Shares inner points out among pieces in proportion to their lengths, the points where they meet left out: at least one each.
+ * @param {number[]} lengths @param {number} points inner points of the whole, at least 2 lengths.length − 1
+ * @returns {number[]}
+ */
+export function shareOut(lengths, points) {
+  const total = lengths.reduce((sum, length) => sum + length, 0);
+  const free = points - (lengths.length - 1) - lengths.length;
+  const wanted = lengths.map((length) => (total > 0 ? (free * length) / total : 0));
+  const shares = wanted.map((want) => 1 + Math.floor(want));
+  const left = free - shares.reduce((sum, share) => sum + share - 1, 0);
+  const order = wanted.map((_, i) => i).sort((i, j) => (wanted[j] % 1) - (wanted[i] % 1) || lengths[j] - lengths[i]);
+  for (let k = 0; k < left; k++) shares[order[k % order.length]]++;
+  return shares;
+}
+
+/** A sum that does not depend on the order. @param {number[]} numbers */
+const sum = (numbers) => [...numbers].sort((a, b) => a - b).reduce((total, x) => total + x, 0);
+
+/** One array after the other, the number `width` of each but the first, which repeat the end of the one before, left out. @param {Float64Array[]} arrays @param {number} width */
+function concatenate(arrays, width) {
+  const numbers = arrays.flatMap((array, i) => Array.from(i ? array.subarray(width) : array));
+  return Float64Array.from(numbers);
+}
+
+/** u v of the pieces, each moved to go on where the one before ended. @param {Path[]} pieces @returns {Float64Array | null} */
+function joinParameters(pieces) {
+  if (!pieces[0].parameters) return null;
+  /** @type {Float64Array[]} */
+  const moved = [];
+  for (const { parameters } of pieces) {
+    const own = /** @type {Float64Array} */ (parameters);
+    const last = moved.at(-1)?.subarray(-2) ?? own;
+    moved.push(own.map((x, i) => x + (last[i & 1] - own[i & 1])));
+  }
+  return concatenate(moved, 2);
+}
+
+/**
+ * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
+ * @param {Path[]} pieces @returns {Path}
+ */
+export function joinPaths(pieces) {
+  const missing = pieces.find(({ points }) => points.length === 0);
+  if (missing) return missing;
+  const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
+  const points = concatenate(
+    pieces.map((piece) => piece.points),
+    3,
+  );
+  const segments = points.length / 3 - 1;
+  return {
+    status,
+    converged: status === 'converged',
+    length: sum(pieces.map(({ length }) => length)),
+    lengthError: sum(pieces.map(({ lengthError }) => lengthError)),
+    points,
+    parameters: joinParameters(pieces),
+    iterations: sum(pieces.map(({ iterations }) => iterations)),
+    energy: segments * sum(pieces.map(({ energy, points: own }) => energy / (own.length / 3 - 1))),
+    gradientNorm: Math.sqrt(sum(pieces.map(({ gradientNorm }) => gradientNorm ** 2))),
+    index: pieces.some(({ index }) => index < 0) ? -1 : sum(pieces.map(({ index }) => index)),
+    touchesBoundary: pieces.some(({ touchesBoundary }) => touchesBoundary),
+    crossesSingularity: pieces.some(({ crossesSingularity }) => crossesSingularity),
+    conjugate: null,
+    history: pieces.flatMap(({ history }) => history),
+  };
+}
