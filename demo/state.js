@@ -20,6 +20,8 @@ const state = {
   entry: '',
   kind: /** @type {Kind} */ ('parametric'),
   texts: /** @type {Texts} */ ({}),
+  /** Those of the gallery's entry, or what a formula of one's own starts from. */
+  given: /** @type {Texts} */ ({}),
   /** Those of the last good surface. */
   shown: /** @type {Texts} */ ({}),
   parameters: /** @type {Record<string, number>} */ ({}),
@@ -65,12 +67,8 @@ function renderMoment() {
   showMoment(state.moment, last);
 }
 
-/** Whether the surface is no longer the gallery's entry, so that the formula and source of that say nothing about it. */
-function isChanged() {
-  const entry = entries[state.entry];
-  const texts = entry && textsOf(entry);
-  return texts !== undefined && Object.keys(texts).some((name) => texts[name] !== state.shown[name]);
-}
+/** Whether the surface is still the gallery's entry, so that the formula and source of that speak of it. */
+const isGiven = () => Object.keys(state.given).every((name) => state.given[name] === state.shown[name]);
 
 function render() {
   const { solved, problem } = state;
@@ -79,7 +77,7 @@ function render() {
   view?.setEnds(state.ends.map(endPlace));
   showProblem(problem);
   showEndProblem(solved.problem);
-  const entry = isChanged() ? undefined : entries[state.entry];
+  const entry = isGiven() ? entries[state.entry] : undefined;
   say(find('typeset'), entry?.formula ?? null);
   say(find('source'), entry?.source ?? null);
   for (const [name, value] of Object.entries(state.parameters)) find(`value-${name}`).textContent = String(Number(value.toPrecision(4)));
@@ -139,6 +137,7 @@ export function choose(name) {
   state.kind = entry?.kind ?? own;
   state.parameters = { ...entry?.parameters };
   state.texts = entry ? textsOf(entry) : { ...OWN[own].texts };
+  state.given = state.texts;
   state.ends = entry ? [[...entry.from], [...entry.to]] : OWN[own].ends;
   /** @type {HTMLSelectElement} */ (find('entry')).value = name;
   buildSliders(state.parameters);

@@ -21,9 +21,7 @@ const ALTERNATIVES = new Map([
 /** What to write instead of names that other programs know. */
 const TRANSLATIONS = new Map([
   ['Math', 'the name alone, as in sin(…)'],
-  ['log10', 'log(…)/log(10)'],
-  ['log2', 'log(…)/log(2)'],
-  ['lg', 'log(…)/log(10)'],
+  ['lg', 'log10(…)'],
   ['tg', 'tan(…)'],
   ['cot', '1/tan(…)'],
   ['ctg', '1/tan(…)'],
@@ -32,7 +30,6 @@ const TRANSLATIONS = new Map([
   ['mod', 'a - b*floor(a/b)'],
   ['ceil', '-floor(-(…))'],
   ['round', 'floor(… + 0.5)'],
-  ['hypot', 'sqrt(a^2 + b^2)'],
 ]);
 
 /** Longer names are not repeated in full, nor compared with others. */

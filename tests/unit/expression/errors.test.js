@@ -73,7 +73,7 @@ const MISTAKES = [
   ['2pie', 1, /unknown name pie; did you mean pi\?/],
   ['sine(u)', 0, /unknown function sine; did you mean sin\?/],
   ['u – v', 2, /a dash is no minus sign; write -$/],
-  ['1+log10(u)', 2, /unknown function log10; write log\(…\)\/log\(10\)$/],
+  ['1+sec(u)', 2, /unknown function sec; write 1\/cos\(…\)$/],
   ['Math.sin(u)', 0, /unknown name Math; write the name alone, as in sin\(…\)$/],
   ['arctan(u)', 0, /unknown function arctan; did you mean atan\?/],
   ['Sin(u)', 0, /unknown function Sin; did you mean sin\?/],
