@@ -1,5 +1,6 @@
 /** What the page asks of the library: build a surface from the form, find a path on it, choose end points. Touches neither the page nor the scene. */
 
+import { isNear } from './curves.js';
 import { coordinates, sentence } from './definition.js';
 import { drawable } from './surface-mesh.js';
 
@@ -7,29 +8,46 @@ import { drawable } from './surface-mesh.js';
 /** @typedef {import('surfpath').Path} Path */
 /** @typedef {import('surfpath').Surfpath} Surfpath */
 /** @typedef {import('./surface-mesh.js').SurfaceMesh} SurfaceMesh */
+/** @typedef {import('./kinds.js').Kind} Kind */
+/** @typedef {{ kind: Kind, surface: Surface, mesh: SurfaceMesh }} Built */
 /** @typedef {{ end: number, coordinate: number, message: string }} EndProblem end −1: neither of the two alone is at fault */
+/** @typedef {{ points: number, algorithm: 'elements' | 'polyline' | 'paper', tolerance: number, start: 'global' | 'straight' }} Options */
+
+/**
+ * @typedef {object} Solved
+ * @property {Path | null} path
+ * @property {Float64Array[]} frames what is played: how the straight line becomes the path, or the path alone
+ * @property {Float64Array | null} straight the straight line from A to B
+ * @property {number} milliseconds that one such solve takes
+ * @property {EndProblem | null} problem
+ */
 
 /** Milliseconds. */
 const MEASURE_FOR = 9;
 const BATCH = 1.5;
+/** Cells a direction: what is carried along a curve is much longer than wide. */
+const CELLS_ALONG = 160;
+
+/** @type {Solved} */
+export const UNSOLVED = { path: null, frames: [], straight: null, milliseconds: NaN, problem: null };
 
 /**
  * @param {Surfpath} surfpath @param {Parameters<Surfpath['surface']>[0]} definition
- * @returns {{ surface: Surface, mesh: SurfaceMesh }}
+ * @returns {Built}
  */
 export function buildSurface(surfpath, definition) {
   const surface = surfpath.surface(definition);
   try {
-    return { surface, mesh: meshOf(surface) };
+    return { kind: definition.kind, surface, mesh: meshOf(surface, definition.kind) };
   } catch (error) {
     surface.dispose();
     throw error;
   }
 }
 
-/** @param {Surface} surface */
-export function meshOf(surface) {
-  const mesh = drawable(surface.mesh());
+/** @param {Surface} surface @param {Kind} kind */
+export function meshOf(surface, kind) {
+  const mesh = drawable(surface.mesh(kind === 'tube' || kind === 'sweep' ? { resolution: CELLS_ALONG } : {}));
   if (mesh.indices.length > 0) return mesh;
   throw new RangeError(
     surface.kind === 'implicit'
@@ -38,15 +56,15 @@ export function meshOf(surface) {
   );
 }
 
-/** @param {Surface} surface @param {number[][]} ends @returns {EndProblem | null} */
-export function findBadEnd(surface, ends) {
-  const names = coordinates(surface.kind);
+/** @param {Built} built @param {number[][]} ends @returns {EndProblem | null} */
+export function findBadEnd({ kind, surface: { domain } }, ends) {
   for (const [end, point] of ends.entries())
-    for (const [coordinate, name] of names.entries()) {
+    for (const [coordinate, name] of coordinates(kind).entries()) {
+      const axis = coordinate === 0 ? 'u' : 'v';
       const value = point[coordinate];
       if (!Number.isFinite(value)) return { end, coordinate, message: `${'AB'[end]} needs a number for ${name}.` };
-      const range = surface.domain?.[/** @type {'u' | 'v'} */ (name)];
-      if (!range || surface.domain?.periodic[/** @type {'u' | 'v'} */ (name)]) continue;
+      if (!domain || domain.periodic[axis]) continue;
+      const range = domain[axis];
       const slack = 1e-9 * (range[1] - range[0]);
       if (value < range[0] - slack || value > range[1] + slack)
         return { end, coordinate, message: `${name} of ${'AB'[end]} must lie between ${shorten(range[0])} and ${shorten(range[1])}.` };
@@ -58,23 +76,33 @@ export function findBadEnd(surface, ends) {
 const shorten = (x) => String(Number(x.toPrecision(5)));
 
 /**
- * The path, all its iterates, and the time that one such solve takes.
- * @param {Surface} surface @param {number[][]} ends @param {{ points: number, algorithm: 'polyline' | 'paper' }} options
- * @returns {{ path: Path | null, milliseconds: number, problem: EndProblem | null }}
+ * The path, what is played of it, and the time that one such solve takes.
+ * @param {Built} built @param {number[][]} ends @param {Options} options
+ * @returns {Solved}
  */
-export function solve(surface, ends, options) {
-  const problem = findBadEnd(surface, ends);
-  if (problem) return { path: null, milliseconds: NaN, problem };
+export function solve(built, ends, { points, algorithm, tolerance, start }) {
+  const problem = findBadEnd(built, ends);
+  if (problem) return { ...UNSOLVED, problem };
+  const { surface } = built;
+  const wanted = algorithm === 'elements' ? { algorithm, tolerance, points, start } : { algorithm, points, start };
+  const find = () => surface.shortestPath(ends[0], ends[1], wanted);
   try {
-    const path = surface.shortestPath(ends[0], ends[1], { ...options, start: 'straight', record: true });
-    return { path, milliseconds: measure(() => surface.shortestPath(ends[0], ends[1], { ...options, start: 'straight' })), problem: null };
+    const path = find();
+    const played = { points, algorithm: wanted.algorithm === 'paper' ? wanted.algorithm : 'polyline', start: 'straight', record: true };
+    const { history } = surface.shortestPath(ends[0], ends[1], /** @type {import('surfpath').PathOptions} */ (played));
+    const iterates = history.flatMap((iterate) => (iterate.points && iterate.points.length > 0 ? [iterate.points] : []));
+    return { path, frames: framesOf(path, iterates), straight: iterates[0] ?? null, milliseconds: measure(find), problem: null };
   } catch (error) {
-    return {
-      path: null,
-      milliseconds: NaN,
-      problem: { end: -1, coordinate: 0, message: sentence(error instanceof Error ? error.message : String(error)) },
-    };
+    const message = sentence(error instanceof Error ? error.message : String(error));
+    return { ...UNSOLVED, problem: { end: -1, coordinate: 0, message } };
   }
+}
+
+/** The iterates where they lead to the path, which takes the last one's place; else the path alone. @param {Path} path @param {Float64Array[]} iterates */
+function framesOf(path, iterates) {
+  if (path.points.length === 0) return [];
+  const last = iterates.at(-1);
+  return last && isNear(last, path.points) ? [...iterates.slice(0, -1), path.points] : [path.points];
 }
 
 /** The least mean time of a run in several batches, in milliseconds: a batch outlasts the grain of the browser's clock. @param {() => void} run */
@@ -102,14 +130,22 @@ export function placeOf(surface, point) {
 
 /**
  * Two points of the surface at random, not too near to each other, that a path was found between, unless twenty pairs have none.
- * @param {Surface} surface @param {SurfaceMesh} mesh
+ * @param {Built} built
  * @returns {number[][]}
  */
-export function chooseEnds(surface, mesh) {
+export function chooseEnds({ surface, mesh }) {
   let ends = randomPair(surface, mesh);
-  for (let i = 0; i < 20 && !solve(surface, ends, { points: 16, algorithm: 'polyline' }).path?.converged; i++)
-    ends = randomPair(surface, mesh);
+  for (let i = 0; i < 20 && !isJoined(surface, ends); i++) ends = randomPair(surface, mesh);
   return ends;
+}
+
+/** @param {Surface} surface @param {number[][]} ends */
+function isJoined(surface, ends) {
+  try {
+    return surface.shortestPath(ends[0], ends[1], { points: 16, algorithm: 'polyline', start: 'straight' }).converged;
+  } catch {
+    return false;
+  }
 }
 
 /** The farthest but one of six random pairs. @param {Surface} surface @param {SurfaceMesh} mesh */
@@ -118,8 +154,7 @@ function randomPair(surface, mesh) {
   const gap = (/** @type {number[]} */ [a, b]) =>
     Math.hypot(...[0, 1, 2].map((k) => mesh.positions[3 * a + k] - mesh.positions[3 * b + k]));
   const pairs = Array.from({ length: 6 }, () => [pick(), pick()]).sort((one, other) => gap(one) - gap(other));
-  const dimension = coordinates(surface.kind).length;
-  const places = dimension === 2 && mesh.parameters ? mesh.parameters : mesh.positions;
+  const [dimension, places] = surface.domain && mesh.parameters ? [2, mesh.parameters] : [3, mesh.positions];
   return pairs[4].map((vertex) =>
     Array.from(places.subarray(dimension * vertex, dimension * vertex + dimension), (x) => Math.trunc(1000 * x) / 1000),
   );

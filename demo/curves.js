@@ -1,6 +1,8 @@
 /** Polylines as flat arrays x y z …: their length, a smooth curve through them for drawing, and what lies between two of them. */
 
 const DRAWN = 400;
+/** Distance at which two curves are no longer the same, in parts of their length. */
+const APART = 0.02;
 
 /** @param {ArrayLike<number>} points */
 export function lengthOf(points) {
@@ -56,3 +58,11 @@ function hermite(b, c, leaving, arriving, t) {
 
 /** @param {Float64Array} a @param {Float64Array} b as long @param {number} t */
 export const blend = (a, b, t) => a.map((x, i) => x + t * (b[i] - x));
+
+/** Whether two polylines with as many points are the same curve, but for how exact they are. @param {Float64Array} a @param {Float64Array} b */
+export function isNear(a, b) {
+  if (a.length !== b.length) return false;
+  const limit = APART * lengthOf(b);
+  for (let i = 0; i < a.length; i += 3) if (Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]) > limit) return false;
+  return true;
+}

@@ -1,50 +1,38 @@
-/** Between the texts of the form and the definitions of surfaces: which fields a kind of surface has, both translations, whose fault an error is. */
+/** Between the texts of the form and the definitions of surfaces: both translations, and whose fault an error is. */
 
 import { ExpressionError } from 'surfpath';
+import { KINDS } from './kinds.js';
 
-/** @typedef {'parametric' | 'implicit'} Kind */
+/** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {Record<string, string>} Texts what the fields hold, by name */
 /** @typedef {{ field: string | null, source: string, index: number, message: string }} Problem field null: no single field is at fault */
-/** @typedef {import('surfpath').ParametricDefinition & { kind: 'parametric' }} Parametric */
-/** @typedef {import('surfpath').ImplicitDefinition & { kind: 'implicit' }} Implicit */
-
-/** Formulas of a kind, and the variables that have a range. */
-export const FIELDS = {
-  parametric: { formulas: ['x', 'y', 'z'], ranges: ['u', 'v'] },
-  implicit: { formulas: ['f'], ranges: ['x', 'y', 'z'] },
-};
-
-/** What a formula of one's own starts from. @type {Record<Kind, { texts: Texts, ends: number[][] }>} */
-export const OWN = {
-  parametric: {
-    texts: { x: 'u', y: 'v', z: 'sin(u)*cos(v)', 'u-from': '-pi', 'u-to': 'pi', 'v-from': '-pi', 'v-to': 'pi' },
-    ends: [
-      [-2.2, -1.5],
-      [2.4, 1.2],
-    ],
-  },
-  implicit: {
-    texts: { f: 'x^4+y^4+z^4-1', 'x-from': '-1.2', 'x-to': '1.2', 'y-from': '-1.2', 'y-to': '1.2', 'z-from': '-1.2', 'z-to': '1.2' },
-    ends: [
-      [0.2, -0.9, 0.6],
-      [0.9, 0.3, 0.6],
-    ],
-  },
-};
+/** @typedef {Parameters<import('surfpath').Surfpath['surface']>[0]} Definition */
 
 /** Coordinates of an end point. @param {Kind} kind */
-export const coordinates = (kind) => FIELDS[kind].ranges;
+export const coordinates = (kind) => KINDS[kind].coordinates;
 
 /** @param {Kind} kind @returns {string[]} names of its fields in the order of the form */
-export const fieldNames = (kind) => [...FIELDS[kind].formulas, ...FIELDS[kind].ranges.flatMap((name) => [`${name}-from`, `${name}-to`])];
+export const fieldNames = (kind) => [
+  ...Object.keys(KINDS[kind].formulas),
+  ...KINDS[kind].ranges.flatMap((name) => [`${name}-from`, `${name}-to`]),
+];
 
-/** @param {Parametric | Implicit} definition @returns {Texts} */
+/** The part of a definition that a field holds, and which element of it, if it is a list. @param {string} field @returns {[string, number | null]} */
+function placeInDefinition(field) {
+  const [name, index] = field.split(/[[\]]/);
+  return [name, index === undefined ? null : Number(index)];
+}
+
+/** @param {Definition} definition @returns {Texts} */
 export function textsOf(definition) {
   /** @type {Texts} */
   const texts = {};
-  const { formulas, ranges } = FIELDS[definition.kind];
+  const { formulas, ranges } = KINDS[definition.kind];
   const given = /** @type {Record<string, any>} */ (definition);
-  for (const name of formulas) texts[name] = String(given[name]);
+  for (const field of Object.keys(formulas)) {
+    const [name, index] = placeInDefinition(field);
+    texts[field] = String(index === null ? given[name] : given[name][index]);
+  }
   for (const [i, name] of ranges.entries()) {
     const range = definition.kind === 'implicit' ? definition.bounds?.[i] : given[name];
     [texts[`${name}-from`], texts[`${name}-to`]] = (range ?? [-1, 1]).map(String);
@@ -54,19 +42,27 @@ export function textsOf(definition) {
 
 /**
  * @param {Kind} kind @param {Texts} texts @param {Readonly<Record<string, number>>} parameters
- * @returns {Parametric | Implicit}
+ * @returns {Definition}
  */
 export function definitionOf(kind, texts, parameters) {
-  const range = (/** @type {string} */ name) => /** @type {[string, string]} */ ([texts[`${name}-from`], texts[`${name}-to`]]);
-  if (kind === 'parametric') return { kind, x: texts.x, y: texts.y, z: texts.z, u: range('u'), v: range('v'), parameters };
-  const bounds = /** @type {any} */ (FIELDS.implicit.ranges.map((name) => range(name).map(Number)));
-  return { kind, f: texts.f, bounds, parameters };
+  /** @type {Record<string, any>} */
+  const definition = { kind, parameters };
+  const { formulas, ranges } = KINDS[kind];
+  for (const field of Object.keys(formulas)) {
+    const [name, index] = placeInDefinition(field);
+    if (index === null) definition[name] = texts[field];
+    else definition[name] = [...(definition[name] ?? []), texts[field]];
+  }
+  const pairs = ranges.map((name) => [texts[`${name}-from`], texts[`${name}-to`]]);
+  if (kind === 'implicit') definition.bounds = pairs.map((pair) => pair.map(Number));
+  else for (const [i, name] of ranges.entries()) definition[name] = pairs[i];
+  return /** @type {Definition} */ (definition);
 }
 
 /** The fields of an implicit surface's box hold numbers, not formulas. @param {Kind} kind @param {Texts} texts @returns {Problem | null} */
 export function findBadBound(kind, texts) {
   if (kind !== 'implicit') return null;
-  for (const name of FIELDS.implicit.ranges) {
+  for (const name of KINDS.implicit.ranges) {
     const [from, to] = [`${name}-from`, `${name}-to`];
     for (const field of [from, to])
       if (!texts[field].trim() || !Number.isFinite(Number(texts[field])))
@@ -79,7 +75,7 @@ export function findBadBound(kind, texts) {
 
 /** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
 export function sentence(message) {
-  const text = message.replace(/^(?:[a-z]+: )+/i, '');
+  const text = message.replace(/^(?:[a-z]+(?:\[\d\])?: )+/i, '');
   return `${text[0].toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 

@@ -3,7 +3,7 @@
 import { load } from 'surfpath';
 import { fieldNames } from './definition.js';
 import { find, say, themeColor } from './dom.js';
-import { fillGallery, readEnds, readFields } from './panel.js';
+import { fillGallery, fillKinds, readEnds, readFields } from './panel.js';
 import { View } from './scene.js';
 import {
   changeEnds,
@@ -33,7 +33,8 @@ function changed(input) {
   else if (name.startsWith('parameter-')) changeParameter(name.slice('parameter-'.length), input.valueAsNumber);
   else if (name.startsWith('end-')) changeEnds(readEnds(kind()));
   else if (name === 'points') changePoints(input);
-  else if (name === 'algorithm') changeOptions({ algorithm: value === 'paper' ? 'paper' : 'polyline' });
+  else if (name === 'tolerance') changeOptions({ tolerance: Number(value) });
+  else if (name === 'algorithm' || name === 'start') changeOptions({ [name]: value });
   else if (name === 'kind') choose(`own-${value}`);
   else if (name === 'entry') choose(value);
 }
@@ -81,6 +82,7 @@ function makeView() {
 
 async function start() {
   fillGallery(find('entry'));
+  fillKinds(find('kinds'));
   const view = makeView();
   try {
     connect(await load(), view);

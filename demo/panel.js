@@ -1,29 +1,37 @@
 /** The form: builds its changing parts, reads it, and shows what is wrong at the place where it is wrong. Knows no mathematics. */
 
 import { gallery } from 'surfpath/gallery';
-import { coordinates, FIELDS } from './definition.js';
+import { coordinates } from './definition.js';
 import { create, find, say } from './dom.js';
+import { KINDS } from './kinds.js';
 
-/** @typedef {import('./definition.js').Kind} Kind */
+/** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {import('./definition.js').Problem} Problem */
 /** @typedef {import('./compute.js').EndProblem} EndProblem */
 
-const OWN = { parametric: 'Your own, parametric', implicit: 'Your own, implicit' };
 /** Characters of a formula that are shown around a mistake. */
 const EXCERPT = 40;
 
 /** Fills the list of surfaces. @param {HTMLSelectElement} select */
 export function fillGallery(select) {
-  for (const [kind, label] of [
-    ['parametric', 'Parametric'],
-    ['implicit', 'Implicit'],
-  ]) {
+  for (const [kind, { title }] of Object.entries(KINDS)) {
     const entries = Object.entries(gallery).filter(([, entry]) => entry.kind === kind);
     const options = entries.map(([name, entry]) => create('option', { value: name }, entry.title));
-    select.append(create('optgroup', { label }, ...options));
+    if (options.length > 0) select.append(create('optgroup', { label: title }, ...options));
   }
-  const own = Object.entries(OWN).map(([kind, title]) => create('option', { value: `own-${kind}` }, title));
+  const own = Object.entries(KINDS).map(([kind, { title }]) =>
+    create('option', { value: `own-${kind}` }, `Your own, ${title.toLowerCase()}`),
+  );
   select.append(create('optgroup', { label: 'Formula' }, ...own));
+}
+
+/** Fills the choice of kinds. @param {HTMLElement} element */
+export function fillKinds(element) {
+  const labels = Object.entries(KINDS).map(([kind, { title, hint }]) => {
+    const input = create('input', { type: 'radio', name: 'kind', value: kind });
+    return create('label', { title: hint }, input, create('span', {}, title));
+  });
+  element.replaceChildren(...labels);
 }
 
 /** @param {string} name @param {string} label @param {string} value */
@@ -70,10 +78,9 @@ function rangeFields(name, texts) {
 
 /** Builds the fields of a kind of surface. @param {Kind} kind @param {import('./definition.js').Texts} texts */
 export function buildFields(kind, texts) {
-  const label = (/** @type {string} */ name) => (kind === 'implicit' ? 'f(x, y, z) = 0' : `${name}(u, v)`);
   find('fields').replaceChildren(
-    ...FIELDS[kind].formulas.map((name) => formulaField(name, label(name), texts[name])),
-    ...FIELDS[kind].ranges.map((name) => rangeFields(name, texts)),
+    ...Object.entries(KINDS[kind].formulas).map(([name, label]) => formulaField(name, label, texts[name])),
+    ...KINDS[kind].ranges.map((name) => rangeFields(name, texts)),
   );
   for (const radio of document.querySelectorAll('input[name=kind]')) {
     const input = /** @type {HTMLInputElement} */ (radio);

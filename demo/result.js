@@ -1,5 +1,6 @@
 /** The strip of results and the player: numbers and words of a solved path. */
 
+import { lengthOf } from './curves.js';
 import { find, say } from './dom.js';
 import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
 
@@ -18,17 +19,17 @@ function describeStart(length, start) {
 }
 
 /**
- * @param {{ path: Path | null, milliseconds: number, startLength: number,
+ * @param {{ path: Path | null, milliseconds: number, straight: Float64Array | null, start: 'global' | 'straight',
  *   problem: import('./definition.js').Problem | null }} shown
  */
-export function showResult({ path, milliseconds, startLength, problem }) {
+export function showResult({ path, milliseconds, straight, start, problem }) {
   const exists = path !== null && Number.isFinite(path.length);
   write(find('length'), exists ? formatTo(path.length, path.lengthError) : '–');
   write(find('length-error'), exists ? formatEstimate(path.lengthError) : '');
-  write(find('start-length'), Number.isFinite(startLength) ? describeStart(path?.length ?? NaN, startLength) : '–');
+  write(find('start-length'), straight ? describeStart(path?.length ?? NaN, lengthOf(straight)) : '–');
   write(find('iterations'), path ? String(path.iterations) : '–');
   write(find('time'), Number.isFinite(milliseconds) ? formatTime(milliseconds) : '–');
-  const [words, advice] = path ? describeStatus(path.status) : ['No path', 'See the message at the end points.'];
+  const [words, advice] = path ? describeStatus(path.status, start) : ['No path', 'See the message at the end points.'];
   write(find('status'), words);
   write(find('advice'), problem ? `${advice} (The last good surface is shown.)` : advice);
   find('status').dataset.status = path?.status ?? 'none';
@@ -42,7 +43,7 @@ export function showMoment(moment, last) {
   slider.valueAsNumber = some ? moment : 1;
   slider.disabled = !some;
   /** @type {HTMLButtonElement} */ (find('play')).disabled = !some;
-  const words = some ? `Iteration ${Math.round(moment)} of ${last}` : 'No iterations';
+  const words = some ? `Iteration ${Math.round(moment)} of ${last}` : 'Path alone';
   slider.setAttribute('aria-valuetext', words);
   say(find('moment-words'), words);
 }

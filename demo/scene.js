@@ -22,6 +22,8 @@ const MOST_PIXELS = 2;
 const COVERED = 64;
 /** Share of the view that stays free around the surface, both sides together. */
 const MARGIN = 0.11;
+/** In CSS pixels, at least: the legend stands there on small screens. */
+const LEAST_MARGIN = 60;
 
 export class View {
   #renderer;
@@ -136,7 +138,7 @@ export class View {
     if (!this.#surface) return;
     const { width, height } = this.#size;
     const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
-    const margin = MARGIN * Math.min(width, height);
+    const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
     const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
     const { center } = this.#bounds;
     const { target, distance } = fitView(this.#surface.geometry.getAttribute('position'), center, towards, this.#camera.up, slopes);

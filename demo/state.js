@@ -1,20 +1,21 @@
 /** The page's one state, what can be done to it, and the one function that shows it. */
 
 import { gallery } from 'surfpath/gallery';
-import { buildSurface, chooseEnds, findBadEnd, meshOf, placeOf, solve } from './compute.js';
-import { blend, lengthOf, smooth } from './curves.js';
-import { definitionOf, findBadBound, OWN, problemOf, textsOf } from './definition.js';
+import { buildSurface, chooseEnds, findBadEnd, meshOf, placeOf, solve, UNSOLVED } from './compute.js';
+import { blend, smooth } from './curves.js';
+import { definitionOf, findBadBound, problemOf, textsOf } from './definition.js';
 import { find, say } from './dom.js';
+import { OWN } from './kinds.js';
 import { buildEnds, buildFields, buildSliders, showEndProblem, showProblem } from './panel.js';
 import { Player } from './player.js';
 import { showMoment, showResult } from './result.js';
 
-/** @typedef {import('./definition.js').Kind} Kind */
+/** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {import('./definition.js').Texts} Texts */
 /** @typedef {import('surfpath/gallery').GalleryEntry} GalleryEntry */
 
 /** @type {Readonly<Record<string, GalleryEntry>>} */
-const entries = gallery;
+const entries = { ...gallery, ...Object.fromEntries(Object.values(OWN).map((own) => [`own-${own.kind}`, own])) };
 
 const state = {
   entry: '',
@@ -26,12 +27,11 @@ const state = {
   shown: /** @type {Texts} */ ({}),
   parameters: /** @type {Record<string, number>} */ ({}),
   ends: /** @type {number[][]} */ ([]),
-  points: 64,
-  algorithm: /** @type {'polyline' | 'paper'} */ ('polyline'),
+  options: /** @type {import('./compute.js').Options} */ ({ points: 64, algorithm: 'elements', tolerance: 1e-9, start: 'global' }),
   /** The last good surface. */
-  built: /** @type {ReturnType<typeof buildSurface> | null} */ (null),
+  built: /** @type {import('./compute.js').Built | null} */ (null),
   problem: /** @type {import('./definition.js').Problem | null} */ (null),
-  solved: /** @type {ReturnType<typeof solve>} */ ({ path: null, milliseconds: NaN, problem: null }),
+  solved: UNSOLVED,
   /** The iterate shown: 0 the start, between whole numbers what lies between two. */
   moment: 0,
 };
@@ -49,8 +49,6 @@ export function connect(solver, scene) {
 
 export const kind = () => state.kind;
 
-const iterates = () => state.solved.path?.history.flatMap(({ points }) => (points && points.length > 0 ? [points] : [])) ?? [];
-
 /** Shows an iterate, or what lies between two of them. @param {number} moment */
 function showAt(moment) {
   state.moment = moment;
@@ -58,7 +56,7 @@ function showAt(moment) {
 }
 
 function renderMoment() {
-  const frames = iterates();
+  const { frames } = state.solved;
   const last = frames.length - 1;
   const before = Math.min(Math.floor(state.moment), Math.max(last - 1, 0));
   const warmth = last > 0 ? state.moment / last : 1;
@@ -71,9 +69,8 @@ function renderMoment() {
 const isGiven = () => Object.keys(state.given).every((name) => state.given[name] === state.shown[name]);
 
 function render() {
-  const { solved, problem } = state;
-  const [start] = iterates();
-  view?.setStart(start ? smooth(start) : null);
+  const { solved, options, problem } = state;
+  view?.setStart(solved.straight && smooth(solved.straight));
   view?.setEnds(state.ends.map(endPlace));
   showProblem(problem);
   showEndProblem(solved.problem);
@@ -81,7 +78,8 @@ function render() {
   say(find('typeset'), entry?.formula ?? null);
   say(find('source'), entry?.source ?? null);
   for (const [name, value] of Object.entries(state.parameters)) find(`value-${name}`).textContent = String(Number(value.toPrecision(4)));
-  showResult({ ...solved, startLength: start ? lengthOf(start) : NaN, problem });
+  find('tolerance-row').hidden = options.algorithm !== 'elements';
+  showResult({ ...solved, start: options.start, problem });
   renderMoment();
 }
 
@@ -94,9 +92,9 @@ function endPlace(point, end) {
 
 /** Finds the path anew. @param {boolean} animated */
 function updatePath(animated) {
-  if (state.built) state.solved = solve(state.built.surface, state.ends, { points: state.points, algorithm: state.algorithm });
+  if (state.built) state.solved = solve(state.built, state.ends, state.options);
   player.stop();
-  state.moment = Math.max(iterates().length - 1, 0);
+  state.moment = Math.max(state.solved.frames.length - 1, 0);
   render();
   if (animated) play();
 }
@@ -114,9 +112,8 @@ function updateSurface({ frame, direction }) {
     state.problem = problemOf(error, state.kind, state.texts);
     return render();
   }
-  const { surface, mesh } = state.built;
-  const outgrown = view?.setSurface(mesh);
-  if (findBadEnd(surface, state.ends)) chooseRandomEnds();
+  const outgrown = view?.setSurface(state.built.mesh);
+  if (findBadEnd(state.built, state.ends)) chooseRandomEnds();
   else updatePath(true);
   if (state.solved.path?.status === 'off-surface') chooseRandomEnds();
   if (frame || outgrown) view?.frame(middle(), direction);
@@ -128,27 +125,24 @@ function middle() {
   return points && points.length > 0 ? points.subarray(3 * Math.floor(points.length / 6)) : null;
 }
 
-/** Takes a surface from the gallery, or a first formula to change. @param {string} name of the gallery, or own-parametric, own-implicit */
+/** Takes a surface from the gallery, or a first formula to change. @param {string} name of the gallery, or own- and a kind */
 export function choose(name) {
-  const found = entries[name];
-  const entry = found?.kind === 'parametric' || found?.kind === 'implicit' ? found : undefined;
-  const own = /** @type {Kind} */ (name.replace('own-', ''));
+  const entry = entries[name];
   state.entry = name;
-  state.kind = entry?.kind ?? own;
-  state.parameters = { ...entry?.parameters };
-  state.texts = entry ? textsOf(entry) : { ...OWN[own].texts };
-  state.given = state.texts;
-  state.ends = entry ? [[...entry.from], [...entry.to]] : OWN[own].ends;
+  state.kind = entry.kind;
+  state.parameters = { ...entry.parameters };
+  state.texts = state.given = textsOf(entry);
+  state.ends = [[...entry.from], [...entry.to]];
   /** @type {HTMLSelectElement} */ (find('entry')).value = name;
   buildSliders(state.parameters);
   buildFields(state.kind, state.texts);
   buildEnds(state.kind, state.ends);
-  updateSurface({ frame: true, direction: entry?.camera });
+  updateSurface({ frame: true, direction: entry.camera });
 }
 
 export function chooseRandomEnds() {
   if (!state.built) return;
-  state.ends = chooseEnds(state.built.surface, state.built.mesh);
+  state.ends = chooseEnds(state.built);
   buildEnds(state.kind, state.ends);
   updatePath(true);
 }
@@ -165,7 +159,7 @@ export function changeParameter(name, value) {
   if (!state.built || state.problem) return updateSurface({ frame: false });
   try {
     state.built.surface.set({ [name]: value });
-    state.built.mesh = meshOf(state.built.surface);
+    state.built.mesh = meshOf(state.built.surface, state.built.kind);
     view?.setSurface(state.built.mesh);
   } catch (error) {
     state.problem = problemOf(error, state.kind, state.texts);
@@ -179,14 +173,14 @@ export function changeEnds(ends) {
   updatePath(false);
 }
 
-/** @param {{ points?: number, algorithm?: 'polyline' | 'paper' }} options */
+/** @param {Partial<import('./compute.js').Options>} options */
 export function changeOptions(options) {
-  Object.assign(state, options);
-  updatePath(options.algorithm !== undefined);
+  Object.assign(state.options, options);
+  updatePath(options.points === undefined);
 }
 
 export function play() {
-  player.play(iterates().length - 1);
+  player.play(state.solved.frames.length - 1);
 }
 
 /** @param {number} moment */

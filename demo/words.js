@@ -1,30 +1,34 @@
 /** Numbers and outcomes as a reader wants them: short, in plain words, with what to do. */
 
 const MINUS = '\u2212';
+const MOST_DIGITS = 9;
 const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 /** @type {Record<string, [string, string]>} what happened, what to do, by Path.status */
 const OUTCOMES = {
   converged: ['Converged', 'No path nearby is shorter.'],
   'iteration-limit': ['Stopped early', 'The iterations ran out: choose fewer points or move the ends a little.'],
-  stalled: ['Stuck', 'No step made the path shorter: try the other algorithm or fewer points.'],
-  'tolerance-not-met': ['Not exact enough', 'Choose more points.'],
+  stalled: ['Stuck', 'No step made the path shorter: try another algorithm or fewer points.'],
+  'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
   'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
-  saddle: ['Balanced, not shortest', 'A path beside it is shorter: use the algorithm “Polyline”, or move an end a little.'],
+  saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
   'singular-metric': ['No path', 'The surface has a crease or a tip on the way: narrow its ranges or move the ends.'],
   'sheet-jump': [
     'No path',
-    'The straight start jumps to another part of the surface: move the ends nearer to each other, or choose more points.',
+    'The straight start jumps to another part of the surface: start from “Globally shortest”, or move the ends nearer to each other.',
   ],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': ['No path', 'The formula has no value somewhere on the way: narrow its ranges or move the ends.'],
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
-/** @param {string} status of a Path @returns {[string, string]} what happened, what to do */
-export const describeStatus = (status) => OUTCOMES[status] ?? [status, ''];
+/** @param {string} status of a Path @param {'global' | 'straight'} start @returns {[string, string]} what happened, what to do */
+export function describeStatus(status, start) {
+  const [words, advice] = OUTCOMES[status] ?? [status, ''];
+  return [words, status === 'converged' && start === 'global' ? 'No shorter path was found.' : advice];
+}
 
 /** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
@@ -36,17 +40,18 @@ export function formatNumber(x, digits = 6) {
   return `${text} × 10${power}`;
 }
 
-/** Decimals down to the first digit or two of what is uncertain. @param {number} x @param {number} uncertainty */
+/** Decimals down to the first digit or two of what is uncertain, as far as a reader follows. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
   if (!Number.isFinite(x)) return '–';
   const decimals = uncertainty > 0 ? Math.ceil(-Math.log10(uncertainty)) + 1 : 6;
-  return x.toFixed(Math.min(Math.max(decimals, 0), 9)).replace('-', MINUS);
+  const most = MOST_DIGITS - 1 - Math.floor(Math.log10(Math.max(Math.abs(x), 1)));
+  return x.toFixed(Math.max(Math.min(decimals, most), 0)).replace('-', MINUS);
 }
 
 /** @param {number} x a small positive estimate */
 export function formatEstimate(x) {
   if (!Number.isFinite(x) || x === 0) return '';
-  return `± ${x >= 1e-4 ? x.toFixed(Math.ceil(-Math.log10(x)) + 1 > 1 ? Math.ceil(-Math.log10(x)) + 1 : 1) : formatNumber(x, 2)}`;
+  return `± ${x >= 1e-4 ? x.toFixed(Math.ceil(-Math.log10(x)) + 1 > 1 ? Math.ceil(-Math.log10(x)) + 1 : 1) : formatNumber(x, 1)}`;
 }
 
 /** @param {number} milliseconds */

@@ -66,3 +66,12 @@ void sp_front_advance(struct sp_front *front, double limit) {
             sp_front_offer(front, graph->edges[e].to, vertex, front->distance[vertex] + (double)graph->edges[e].length);
     }
 }
+
+double sp_front_reach(const struct sp_front *front, const struct sp_attachment *attached) {
+    double best = __builtin_inf();
+    for (int32_t i = 0; i < attached->count; i++) {
+        double length = front->distance[attached->vertex[i]] + attached->length[i];
+        best = length < best ? length : best;
+    }
+    return best;
+}

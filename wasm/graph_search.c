@@ -3,9 +3,9 @@
 #include "graph_search.h"
 
 /* Ways up to a quarter longer than the shortest are looked at; one that keeps within a tenth of it is the same. */
-static const double LONGEST = 1.25, APART = 0.1, GROWTH = 1.25, NEAR = 1.5;
+static const double LONGEST = 1.25, APART = 0.1, GROWTH = 1.25;
 
-enum { MOST_WAYS = 8, PATCH = 4 };
+enum { MOST_WAYS = 8 };
 
 struct search {
     const struct sp_surface *surface;
@@ -17,97 +17,11 @@ struct search {
     double best;
 };
 
-/* The place in its period that lies in the rectangle. */
-static double reduce(const struct sp_graph *graph, int direction, double x) {
-    if (!graph->wraps[direction]) return x;
-    double turns = (x - graph->lower[direction]) / (graph->step[direction] * graph->count[direction]);
-    return x - sp_round_down(turns) * (graph->step[direction] * graph->count[direction]);
-}
-
-/* The length over the middle of a parameter segment; infinite if a curve where the normal vanishes lies between. */
-static double middle_length(const struct search *search, const double place[2], const double vertex[2], const double position[3]) {
-    double middle[2] = {0.5 * (place[0] + vertex[0]), 0.5 * (place[1] + vertex[1])}, from[3], over[3];
-    if (search->graph->singular && sp_graph_crosses(search->surface, place, vertex)) return __builtin_inf();
-    sp_graph_position(search->surface, place, from);
-    sp_graph_position(search->surface, middle, over);
-    return sp_distance3(from, over) + sp_distance3(over, position);
-}
-
-/* The cell of the grid that holds a place of the rectangle. */
-static int32_t cell_of(const struct sp_graph *graph, int direction, double x) {
-    double cell = (x - graph->lower[direction]) / graph->step[direction];
-    return !(cell > 0) ? 0 : cell < graph->count[direction] ? (int32_t)cell : graph->count[direction] - 1;
-}
-
-/* The 4 x 4 vertices around a place of the rectangle. */
-static void attach_parametric(const struct search *search, const double *end, struct sp_attachment *attached) {
-    const struct sp_graph *graph = search->graph;
-    double place[2] = {reduce(graph, 0, end[0]), reduce(graph, 1, end[1])};
-    int32_t corner[2];
-    for (int j = 0; j < 2; j++)
-        corner[j] = cell_of(graph, j, place[j]) - (PATCH / 2 - 1);
-    for (int32_t k = 0; k < PATCH * PATCH; k++) {
-        int32_t at[2] = {corner[0] + k / PATCH, corner[1] + k % PATCH}, index[2];
-        double vertex[2] = {graph->lower[0] + graph->step[0] * at[0], graph->lower[1] + graph->step[1] * at[1]};
-        int inside = 1;
-        for (int j = 0; j < 2; j++) {
-            index[j] = graph->wraps[j] ? (at[j] + graph->count[j]) % graph->count[j] : at[j];
-            inside &= index[j] >= 0 && index[j] < graph->count[j];
-        }
-        if (!inside) continue;
-        int32_t number = index[0] * graph->count[1] + index[1];
-        double length = middle_length(search, place, vertex, graph->positions + 3 * (size_t)number);
-        if (!sp_is_finite(length)) continue;
-        attached->vertex[attached->count] = number, attached->length[attached->count++] = length;
-    }
-}
-
-/* The vertices within one and a half cell diagonals, on the same sheet. */
-static void attach_implicit(const struct search *search, const double *end, struct sp_attachment *attached) {
-    const struct sp_graph *graph = search->graph;
-    struct sp_block block;
-    sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
-    double normal[3], other[3];
-    sp_block_put(&block, end);
-    sp_block_evaluate(&block, search->surface->value);
-    for (int32_t c = 0; c < 3; c++)
-        normal[c] = sp_block_get(&block, 0, 1 + c);
-    double size = sp_root(sp_dot3(normal, normal));
-    for (int c = 0; c < 3; c++)
-        normal[c] /= size;
-    for (int32_t i = 0; i < graph->vertex_count && attached->count < SP_MAX_ATTACHED; i++) {
-        const double *position = graph->positions + 3 * (size_t)i;
-        if (!(sp_distance3(position, end) <= NEAR * graph->spacing)) continue;
-        for (int c = 0; c < 3; c++)
-            other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
-        double length = sp_graph_sheet_length(end, normal, position, other);
-        if (!sp_is_finite(length)) continue;
-        attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
-    }
-}
-
 static enum sp_status attach(struct search *search) {
-    for (int end = 0; end < 2; end++) {
-        const double *place = search->ends[end];
-        for (int j = 0; j < (search->graph->kind == SP_IMPLICIT ? 3 : 2); j++)
-            if (!sp_is_finite(place[j])) return SP_NOT_FINITE;
-        if (search->graph->kind == SP_IMPLICIT)
-            attach_implicit(search, place, search->attached + end);
-        else
-            attach_parametric(search, place, search->attached + end);
-        if (search->attached[end].count == 0) return SP_OFF_SURFACE;
-    }
-    return SP_CONVERGED;
-}
-
-/* The shortest known way to an end. */
-static double reach(const struct sp_front *front, const struct sp_attachment *attached) {
-    double best = __builtin_inf();
-    for (int32_t i = 0; i < attached->count; i++) {
-        double length = front->distance[attached->vertex[i]] + attached->length[i];
-        best = length < best ? length : best;
-    }
-    return best;
+    enum sp_status status = SP_CONVERGED;
+    for (int end = 0; end < 2 && status == SP_CONVERGED; end++)
+        status = sp_graph_attach(search->surface, search->graph, search->ends[end], NULL, search->attached + end);
+    return status;
 }
 
 /* Distances from both ends as far as ways of interest go. */
@@ -118,7 +32,7 @@ static enum sp_status measure(struct search *search) {
     struct sp_front *front = search->front;
     double limit = 0;
     for (;;) {
-        search->best = reach(front, search->attached + 1);
+        search->best = sp_front_reach(front, search->attached + 1);
         if (search->best <= limit) break;
         if (front->count == 0) return SP_DISCONNECTED;
         double nearest = front->distance[front->heap[0]];

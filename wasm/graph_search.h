@@ -13,6 +13,23 @@ struct sp_attachment {
     int32_t count;
 };
 
+/* Some vertices of an implicit graph: those among which the ones around a point are looked for. */
+struct sp_candidates {
+    const int32_t *vertices;
+    int32_t count;
+};
+
+/* Finds the vertices around a place: parametric, the 4 x 4 around it in the grid; implicit, those of `among` (NULL: of all) within one and
+ * a half cell diagonals on its sheet. Returns SP_CONVERGED, SP_NOT_FINITE, or SP_OFF_SURFACE: there are none. */
+enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place,
+                               const struct sp_candidates *among, struct sp_attachment *attached);
+
+/* How far, in cell diagonals, attached vertices are from their place at most. Implicit. */
+static const double SP_ATTACHED_NEAR = 1.5;
+
+/* The length of the surface between two places that are so near that one could be attached to the other; else infinite. */
+double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to);
+
 /* Distances from some seeds, settled as far as the search has gone. */
 struct sp_front {
     const struct sp_graph *graph;
@@ -31,6 +48,9 @@ void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, doub
 
 /* Visits all vertices nearer than `limit`. */
 void sp_front_advance(struct sp_front *front, double limit);
+
+/* The length of the shortest known way to a place; infinite: there is none. */
+double sp_front_reach(const struct sp_front *front, const struct sp_attachment *attached);
 
 /* A way from one point over vertices to another. */
 struct sp_way {

@@ -9,6 +9,7 @@
 
 #include "arena.h"
 #include "graph.h"
+#include "graph_field.h"
 #include "mesh.h"
 #include "status.h"
 #include "surface.h"
@@ -217,6 +218,10 @@ SP_AT(sp_graph_answer, places, 8);
 SP_AT(sp_graph_answer, lengths, 12);
 SP_AT(sp_graph_answer, candidate_count, 16);
 SP_AT(sp_graph_answer, point_count, 20);
+SP_SIZE(sp_field_request, 40);
+SP_AT(sp_field_request, places, 24);
+SP_AT(sp_field_request, lengths, 28);
+SP_AT(sp_field_request, count, 32);
 #undef SP_SIZE
 #undef SP_AT
 #endif

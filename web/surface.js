@@ -1,13 +1,15 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
+import { NOT_FINITE, OFF_SURFACE, readPairs, readPairOptions } from './batch.js';
 import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
 import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
+import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
-import { LAYOUT } from './runtime/heap.js';
+import { emptyPath, LAYOUT } from './runtime/heap.js';
 import { findGlobal, passThrough, solveNear } from './routes.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
@@ -16,6 +18,8 @@ import { readTrace, readTraceOptions } from './trace.js';
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
+/** @typedef {import('./field.js').FieldOptions} FieldOptions */
+/** @typedef {import('./field.js').DistanceField} DistanceField */
 
 const KIND = { parametric: 0, implicit: 1 };
 const STATUS_CONVERGED = 0;
@@ -124,6 +128,42 @@ export class Surface {
   }
 
   /**
+   * The lengths of the shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
+   * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
+   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
+   */
+  lengths(pairs, options) {
+    return Float64Array.from(this.#solvePairs('lengths', pairs, options), ({ length }) => length);
+  }
+
+  /**
+   * The shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
+   * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
+   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @returns {Path[]} a path a pair; status `not-finite` where a number is not, `off-surface` where a point lies outside the rectangle
+   */
+  shortestPaths(pairs, options) {
+    return Array.from(this.#solvePairs('shortestPaths', pairs, options));
+  }
+
+  /**
+   * How far all of the surface is from a point: geodesic distance at the vertices of its mesh.
+   * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
+   * @param {FieldOptions} [options]
+   * @returns {DistanceField}
+   */
+  distanceField(from, options) {
+    const caller = 'distanceField';
+    this.#checkAlive(caller);
+    const { exact, resolution } = readFieldOptions(caller, options);
+    const point = this.#readPoint(caller, 'from', from);
+    const mesh = this.#mesh(caller, resolution);
+    const place = this.#domain ? point : this.#projectOnto(`${caller}: from`, point, point);
+    return { mesh, distances: measureField(this.#field(), caller, place, mesh, exact) };
+  }
+
+  /**
    * The geodesic from a point in a direction: the exponential map. It ends early, with status `edge-reached`, on an edge of the rectangle.
    * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
    * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts; its length does not matter. Zero or normal to the surface throws
@@ -171,11 +211,7 @@ export class Surface {
         : this.kind === 'parametric'
           ? this.#readPoint(caller, 'near', near)
           : readNumbers(caller, 'near', near, 3);
-    const found = this.#run((heap) => heap.project(this.#record, target, place));
-    if (found.status >= STATUS_CONVERGED) return found.place;
-    throw new RangeError(
-      `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it as near`,
-    );
+    return this.#projectOnto(caller, target, place);
   }
 
   /**
@@ -190,20 +226,25 @@ export class Surface {
     if (typeof options !== 'object' || options === null)
       throw new TypeError(`${caller}: options must be an object, not ${describe(options)}`);
     checkNames(caller, options, ['resolution']);
-    const resolution = options.resolution ?? RESOLUTION[this.kind];
+    return this.#mesh(caller, options.resolution);
+  }
+
+  /** @param {string} caller @param {number} [wanted] resolution @returns {Mesh} */
+  #mesh(caller, wanted) {
+    const resolution = wanted ?? RESOLUTION[this.kind];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
     const box = this.#box;
     if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
-    const mesh = this.#meshImplicit(box, resolution);
-    return options.resolution === undefined && bridgesSheets(mesh) ? this.#meshImplicit(box, FINER) : mesh;
+    const mesh = this.#meshImplicit(caller, box, resolution);
+    return wanted === undefined && bridgesSheets(mesh) ? this.#meshImplicit(caller, box, FINER) : mesh;
   }
 
-  /** @param {number[]} box @param {number} resolution @returns {Mesh} */
-  #meshImplicit(box, resolution) {
+  /** @param {string} caller @param {number[]} box @param {number} resolution @returns {Mesh} */
+  #meshImplicit(caller, box, resolution) {
     const mesh = this.#run((heap) => heap.meshImplicit(/** @type {any} */ (this.#installed).value, box, resolution));
-    if (mesh.status < 0) throw new RangeError(`mesh: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
+    if (mesh.status < 0) throw new RangeError(`${caller}: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
     return { positions: mesh.positions, normals: mesh.normals, indices: mesh.indices };
   }
 
@@ -368,6 +409,25 @@ export class Surface {
   /** Frees the graphs: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
     this.#graphs.drop(this.#generation === this.#solver.generation ? this.#solver.heap : null);
+  }
+
+  /** @param {string} caller @param {number[]} target @param {number[]} place where to start */
+  #projectOnto(caller, target, place) {
+    const found = this.#run((heap) => heap.project(this.#record, target, place));
+    if (found.status >= STATUS_CONVERGED) return found.place;
+    throw new RangeError(
+      `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`,
+    );
+  }
+
+  /** The path of each pair, one by one. @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @returns {Iterable<Path>} */
+  *#solvePairs(caller, pairs, options) {
+    this.#checkAlive(caller);
+    const { solve, start } = readPairOptions(caller, options);
+    for (const ends of readPairs(caller, pairs, SHAPE[this.kind].variables, this.#domain)) {
+      if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
+      else yield start === 'global' ? findGlobal(this.#field(), ends, solve, 1)[0] : solveNear(this.#field(), ends, solve, null);
+    }
   }
 
   /** Where a projection starts. @param {number[]} target */

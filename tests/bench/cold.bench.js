@@ -27,5 +27,5 @@ report(
     ...Object.keys(cold).map((name) => row(`${name}: text to surface, cold`, (sample) => sample.cold[name])),
     ...Object.keys(cold).map((name) => row(`${name}: text to surface, warm`, (sample) => sample.warm[name])),
   ],
-  ['wanted: the first path at most 50 ms after import', `the path: saddle, K = 64, length ${length}`],
+  ['wanted: the first path at most 50 ms after import', `the path: saddle, default options, length ${length}`],
 );

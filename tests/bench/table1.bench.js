@@ -5,6 +5,7 @@
  */
 import { load } from 'surfpath';
 import { gallery } from 'surfpath/gallery';
+import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 import { quick, report, SEED } from './bench.js';
 import { randomPairs } from './pairs.js';
@@ -32,8 +33,8 @@ const names = /** @type {const} */ (['saddle', 'paraboloid', 'helicoid', 'cylind
 
 /** The length of the geodesic that a path approximates; NaN if its continuations do not converge. @param {Surface} surface @param {Pair} pair @param {Path} path */
 function trueLength(surface, [from, to], path) {
-  const coarse = surface.shortestPath(from, to, { points: FINE, start: path });
-  const fine = surface.shortestPath(from, to, { points: 2 * FINE + 1, start: coarse });
+  const coarse = surface.shortestPath(from, to, { ...POLYLINE, points: FINE, start: path });
+  const fine = surface.shortestPath(from, to, { ...POLYLINE, points: 2 * FINE + 1, start: coarse });
   return coarse.converged && fine.converged ? (4 * fine.length - coarse.length) / 3 : Number.NaN;
 }
 
@@ -44,7 +45,7 @@ const mean = (/** @type {number[]} */ numbers) => numbers.reduce((sum, x) => sum
  * @param {Surface} surface @param {Pair[]} pairs @param {'polyline' | 'paper'} algorithm
  */
 function measure(surface, pairs, algorithm) {
-  const options = { algorithm, points: POINTS, gradientTolerance: 1e-6 };
+  const options = { ...STRAIGHT, algorithm, points: POINTS, gradientTolerance: 1e-6 };
   const solved = pairs.map((pair) => ({ pair, path: surface.shortestPath(...pair, options) }));
   const free = solved.filter(({ path }) => path.converged && !path.touchesBoundary);
   const errors = free.map(({ pair, path }) => Math.abs(path.length / trueLength(surface, pair, path) - 1));

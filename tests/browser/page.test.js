@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { KINDS } from '../../demo/kinds.js';
+import { describeStatus } from '../../demo/words.js';
 import { gallery } from '../../web/gallery.js';
+import { STATUS } from '../../web/path.js';
 import { measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
 
 const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
@@ -40,6 +43,23 @@ test('the first scene is the torus, its path shorter than the straight start', a
   assert.ok(Number.parseFloat(await text('#length')) < Number.parseFloat(await text('#start-length')));
   assert.match(await text('#time'), /^[\d.]+ ms$/);
   assert.match(await text('#moment-words'), /^Iteration (\d+) of \1$/);
+  assert.deepEqual(await Promise.all(['#algorithm', '#tolerance', '#start', '#points'].map((id) => page.inputValue(id))), [
+    'elements',
+    '1e-9',
+    'global',
+    '64',
+  ]);
+});
+
+test('the length has the digits that it is known to, and its error estimate', async () => {
+  await page.selectOption('#tolerance', '1e-12');
+  assert.match(await text('#length'), /^\d\.\d{8}$/);
+  assert.match(await text('#length-error'), /^± \d × 10⁻\S+$/);
+  await page.selectOption('#algorithm', 'polyline');
+  assert.match(await text('#length'), /^\d\.\d{4,6}$/);
+  assert.match(await text('#length-error'), /^± 0\.000\d+$/);
+  await page.selectOption('#algorithm', 'elements');
+  await page.selectOption('#tolerance', '1e-9');
 });
 
 describe('each surface of the gallery is drawn and converges', () => {
@@ -54,6 +74,46 @@ describe('each surface of the gallery is drawn and converges', () => {
       assert.ok(darkest > 12, `pure black: ${darkest}`);
     });
   }
+});
+
+describe('each kind of surface has its own fields', () => {
+  for (const [kind, { title, formulas, ranges, coordinates }] of Object.entries(KINDS)) {
+    test(title, async () => {
+      await page.check(`input[name=kind][value=${kind}]`);
+      assert.equal(await page.inputValue('#entry'), `own-${kind}`);
+      assert.equal(await status(), 'converged', await text('#advice'));
+      const names = await page.$$eval('#fields textarea', (fields) => fields.map(({ id }) => id));
+      assert.deepEqual(
+        names,
+        Object.keys(formulas).map((name) => `field-${name}`),
+      );
+      assert.equal(await page.locator('#fields .range').count(), ranges.length);
+      assert.equal(await page.locator('#ends input').count(), 2 * coordinates.length);
+      const { warm } = await measurePicture(page, await pictureOfView());
+      assert.ok(warm > 60, `only ${warm} pixels of the path are seen`);
+      const [before, last] = [await text('#length'), page.locator('#fields textarea').last()];
+      const formula = await last.inputValue();
+      await last.fill(`${formula}+oops`);
+      await page.waitForSelector(`[id="problem-${Object.keys(formulas).at(-1)}"] pre`);
+      assert.equal(await text('#length'), before);
+      const [, variable] = /\((\w)/.exec(Object.values(formulas).at(-1) ?? '') ?? [];
+      await last.fill(`${formula}+0.01*${variable}^2`);
+      await page.waitForFunction((old) => document.getElementById('length')?.textContent !== old, before);
+      assert.equal(await status(), 'converged', await text('#advice'));
+    });
+  }
+});
+
+test('an element of a list of formulas is marked in its own field', async () => {
+  await page.selectOption('#entry', 'trefoil');
+  await page.locator('[id="field-centreline[1]"]').fill('cos(t)-2*kos(2*t)');
+  await page.waitForSelector('[id="problem-centreline[1]"] pre');
+  const [formula, caret] = (await text('[id="problem-centreline[1]"] pre')).split('\n');
+  assert.equal(caret.indexOf('^'), formula.indexOf('kos'));
+  assert.match(await text('[id="problem-centreline[1]"] p'), /^[^[]*kos/);
+  await page.selectOption('#entry', 'vase');
+  await page.fill('#field-t-to', '4*');
+  await page.waitForSelector('#problem-t-to pre');
 });
 
 test('a mistake in a formula is marked at its character, and the last good surface stays', async () => {
@@ -110,21 +170,48 @@ test('end points are numbers: a wrong one is said in words, a right one moves th
   assert.match(await text('#status'), /\w/);
 });
 
-test('points, algorithm and parameters change what is solved', async () => {
+test('algorithm, points, tolerance and parameters change what is solved', async () => {
   await page.selectOption('#entry', 'parametricTorus');
+  const exact = Number.parseFloat(await text('#length'));
+  await page.selectOption('#algorithm', 'polyline');
+  assert.equal(await page.isVisible('#tolerance'), false);
   const length = await text('#length');
+  assert.ok(Number.parseFloat(length) < exact, 'chords are shorter than the arc');
   await page.fill('#points', '9');
-  assert.notEqual(await text('#length'), length);
+  assert.ok(Number.parseFloat(await text('#length')) < Number.parseFloat(length));
   await page.fill('#points', '0');
   assert.match(await text('#points-problem'), /whole number/);
   await page.fill('#points', '64');
   assert.equal(await text('#length'), length);
-  await page.fill('#parameter-a', '1');
-  assert.notEqual(await text('#length'), length);
-  assert.equal(await text('#value-a'), '1');
-  await page.check('input[name=algorithm][value=paper]');
+  await page.selectOption('#algorithm', 'paper');
   assert.match(await text('#status'), /\w/);
-  await page.check('input[name=algorithm][value=polyline]');
+  await page.selectOption('#algorithm', 'elements');
+  assert.equal(await page.isVisible('#tolerance'), true);
+  assert.equal(Number.parseFloat(await text('#length')), exact);
+  await page.fill('#parameter-a', '1');
+  assert.notEqual(Number.parseFloat(await text('#length')), exact);
+  assert.equal(await text('#value-a'), '1');
+});
+
+test('the globally shortest path is shorter than the one near the straight line, and only the latter has iterates to play', async () => {
+  await page.selectOption('#entry', 'hills');
+  const [length, start] = [Number.parseFloat(await text('#length')), await text('#start-length')];
+  assert.equal(await text('#moment-words'), 'Path alone');
+  assert.equal(await page.isDisabled('#play'), true);
+  await page.selectOption('#start', 'straight');
+  assert.equal(await status(), 'converged');
+  assert.ok(Number.parseFloat(await text('#length')) > 1.005 * length);
+  assert.match(await text('#moment-words'), /^Iteration (\d+) of \1$/);
+  assert.equal(Number.parseFloat(await text('#start-length')), Number.parseFloat(start));
+  await page.selectOption('#start', 'global');
+});
+
+test('each status is said in words', () => {
+  for (const name of STATUS.values()) {
+    const [words, advice] = describeStatus(name, 'straight');
+    assert.notEqual(words, name);
+    assert.match(advice, /^[A-Z].*\.$/, name);
+  }
 });
 
 test('the iterates play in about a second, and can be scrubbed', async () => {

@@ -74,26 +74,24 @@ export async function nextFrame(page) {
  *   brightness of these, 0 … 255; warm: number of pixels in the path's colour; darkest: brightness
  */
 export async function measurePicture(page, picture) {
-  return page.evaluate(
-    async (bytes) => {
-      const image = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
-      const drawing = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(image.width, image.height).getContext('2d'));
-      drawing.drawImage(image, 0, 0);
-      const { data } = drawing.getImageData(0, 0, image.width, image.height);
-      const corner = data[0] + data[1] + data[2];
-      let [lit, sum, squares, warm, darkest] = [0, 0, 0, 0, 255];
-      for (let i = 0; i < data.length; i += 4) {
-        const brightness = (data[i] + data[i + 1] + data[i + 2]) / 3;
-        darkest = Math.min(darkest, brightness);
-        if (data[i] > 200 && data[i + 1] < 130 && data[i + 2] < 80) warm++;
-        if (Math.abs(3 * brightness - corner) < 60) continue;
-        lit++;
-        sum += brightness;
-        squares += brightness * brightness;
-      }
-      const deviation = Math.sqrt(Math.max(squares / lit - (sum / lit) ** 2, 0));
-      return { lit: (4 * lit) / data.length, deviation, warm, darkest };
-    },
-    [...picture],
-  );
+  return page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const drawing = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(image.width, image.height).getContext('2d'));
+    drawing.drawImage(image, 0, 0);
+    const { data } = drawing.getImageData(0, 0, image.width, image.height);
+    const corner = data[0] + data[1] + data[2];
+    let [lit, sum, squares, warm, darkest] = [0, 0, 0, 0, 255];
+    for (let i = 0; i < data.length; i += 4) {
+      const brightness = (data[i] + data[i + 1] + data[i + 2]) / 3;
+      darkest = Math.min(darkest, brightness);
+      if (data[i] > 200 && data[i + 1] < 130 && data[i + 2] < 80) warm++;
+      if (Math.abs(3 * brightness - corner) < 60) continue;
+      lit++;
+      sum += brightness;
+      squares += brightness * brightness;
+    }
+    const deviation = Math.sqrt(Math.max(squares / lit - (sum / lit) ** 2, 0));
+    return { lit: (4 * lit) / data.length, deviation, warm, darkest };
+  }, picture.toString('base64'));
 }

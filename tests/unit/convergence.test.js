@@ -4,6 +4,7 @@ import { before, describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
+import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 
 /** @typedef {import('../../web/path.js').Path} Path */
@@ -12,7 +13,7 @@ import { createRandom } from '../helpers/random.js';
 const SEED = 20260101;
 const PAIRS = 1000;
 /** The paper's test for convergence. @type {PathOptions} */
-const OPTIONS = { points: 50, gradientTolerance: 1e-6 };
+const OPTIONS = { ...STRAIGHT, points: 50, gradientTolerance: 1e-6 };
 
 /** Largest mean number of iterations over the pairs whose path touches no edge. @type {[keyof typeof gallery, number][]} */
 const PARAMETRIC = [

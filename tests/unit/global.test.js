@@ -1,9 +1,10 @@
-// `start: 'global'` and `geodesics`: the globally shortest paths of the open data, reversal, seams, floods, disconnected ends, memory, misuse.
+// `start: 'global'` and `geodesics`, of polylines: the globally shortest paths of the open data, reversal, seams, floods, disconnected ends, memory, misuse.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { Heap } from '../../web/runtime/heap.js';
 import { loadCases } from '../helpers/cases.js';
+import { POLYLINE } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
@@ -11,7 +12,7 @@ import { verifyPath } from '../helpers/verify-path.js';
 /** @typedef {import('../../web/index.js').Surface} Surface */
 
 /** Of a polyline with 64 inner points. */
-const POLYLINE = 2e-3;
+const CHORDS = 2e-3;
 /** Cases whose path goes over a pole of its chart: the right length, but a chord across a pole is not certified. */
 const OVER_A_POLE = /12p$/;
 
@@ -41,11 +42,11 @@ describe('open data', () => {
       const own = cases.filter(({ expected, definition }) => `${expected.surface} ${definition.kind}` === name);
       const surface = make(own[0].definition);
       for (const { id, definition, from, to, expected } of own) {
-        const path = surface.shortestPath(from, to, { points: 64 });
+        const path = surface.shortestPath(from, to, { ...POLYLINE, points: 64 });
         const excess = path.length / expected.length - 1;
         assert.ok(path.converged || OVER_A_POLE.test(id), `${id}: ${path.status}`);
-        assert.ok(Math.abs(excess) < POLYLINE, `${id}: length ${path.length}, expected ${expected.length}`);
-        const gap = expected.unique && expected.second_length ? expected.second_length / expected.length - 1 : POLYLINE;
+        assert.ok(Math.abs(excess) < CHORDS, `${id}: length ${path.length}, expected ${expected.length}`);
+        const gap = expected.unique && expected.second_length ? expected.second_length / expected.length - 1 : CHORDS;
         assert.ok(estimate(path) / expected.length - 1 < gap / 2, `${id}: longer than the shortest by ${excess}`);
         if (path.converged) assert.deepEqual(verifyPath(definition, path, { from, to }), [], id);
       }
@@ -58,7 +59,10 @@ test('A to B is B to A, to the bit', () => {
   const chosen = cases.filter(({ id, definition }) => /-0[0-5]/.test(id) && !OVER_A_POLE.test(id) && definition.kind !== 'metric');
   for (const { id, definition, from, to } of chosen) {
     const surface = make(definition);
-    const [there, back] = [surface.shortestPath(from, to, { points: 21 }), surface.shortestPath(to, from, { points: 21 })];
+    const [there, back] = [
+      surface.shortestPath(from, to, { ...POLYLINE, points: 21 }),
+      surface.shortestPath(to, from, { ...POLYLINE, points: 21 }),
+    ];
     assert.equal(there.length, back.length, id);
     for (let i = 0; i < there.points.length; i++) {
       const mirrored = back.points.length - 3 - i + 2 * (i % 3);
@@ -70,8 +74,8 @@ test('A to B is B to A, to the bit', () => {
 
 test('lifts: any number in a periodic direction, and parameters that start where asked', () => {
   const surface = make(torus);
-  const near = surface.shortestPath([0.1, 0.2], [6.1, 6.2]);
-  const far = surface.shortestPath([0.1 + 4 * Math.PI, 0.2], [6.1, 6.2 - 6 * Math.PI]);
+  const near = surface.shortestPath([0.1, 0.2], [6.1, 6.2], POLYLINE);
+  const far = surface.shortestPath([0.1 + 4 * Math.PI, 0.2], [6.1, 6.2 - 6 * Math.PI], POLYLINE);
   assert.ok(Math.abs(near.length / far.length - 1) < 1e-12, `${near.length} ${far.length}`);
   const parameters = /** @type {Float64Array} */ (far.parameters);
   assert.equal(parameters[0], 0.1 + 4 * Math.PI);
@@ -81,15 +85,15 @@ test('lifts: any number in a periodic direction, and parameters that start where
 
 test('geodesics: distinct, sorted, the shortest path first', () => {
   const surface = make(torus);
-  const found = surface.geodesics([0.3, 0.4], [2.9, 3.3]);
+  const found = surface.geodesics([0.3, 0.4], [2.9, 3.3], POLYLINE);
   assert.ok(found.length >= 3, `${found.length} found`);
-  assert.equal(found[0].length, surface.shortestPath([0.3, 0.4], [2.9, 3.3]).length);
+  assert.equal(found[0].length, surface.shortestPath([0.3, 0.4], [2.9, 3.3], POLYLINE).length);
   for (const [i, path] of found.entries()) {
     assert.equal(path.index, 0);
     assert.ok(i === 0 || path.length >= found[i - 1].length);
     assert.deepEqual(verifyPath({ kind: 'parametric', ...torus, periodic: 'auto' }, path), []);
   }
-  assert.equal(surface.geodesics([0.3, 0.4], [2.9, 3.3], { max: 2 }).length, 2);
+  assert.equal(surface.geodesics([0.3, 0.4], [2.9, 3.3], { ...POLYLINE, max: 2 }).length, 2);
   surface.dispose();
 });
 
@@ -98,7 +102,7 @@ test('geodesics: both paths of an exact tie', () => {
     ({ expected }) => !expected.unique && expected.surface === 'bumpy_tie',
   )) {
     const surface = make(definition);
-    const [first, second] = surface.geodesics(from, to);
+    const [first, second] = surface.geodesics(from, to, POLYLINE);
     assert.ok(Math.abs(first.length / second.length - 1) < 1e-9, id);
     assert.ok(Math.abs(estimate(first) / expected.length - 1) < 1e-4, id);
     surface.dispose();
@@ -107,20 +111,20 @@ test('geodesics: both paths of an exact tie', () => {
 
 test('geodesics: one, where there is only one', () => {
   const surface = make({ x: 'u', y: 'v', z: 'u^2-v^2', u: [-1, 1], v: [-1, 1] });
-  assert.equal(surface.geodesics([-0.9, 0.1], [0.8, -0.7]).length, 1);
+  assert.equal(surface.geodesics([-0.9, 0.1], [0.8, -0.7], POLYLINE).length, 1);
   surface.dispose();
 });
 
 test('ends on different pieces are disconnected; on one piece they are not', () => {
   for (const bounds of [cube(3), undefined]) {
     const surface = make({ f: twoSpheres, bounds });
-    const apart = surface.shortestPath([0.5, 0, 0], [-2.5, 0, 0]);
+    const apart = surface.shortestPath([0.5, 0, 0], [-2.5, 0, 0], POLYLINE);
     assert.equal(apart.status, 'disconnected');
     assert.equal(apart.converged, false);
     assert.ok(Number.isNaN(apart.length) && apart.points.length === 0);
-    const same = surface.shortestPath([0.5, 0, 0], [1.5, 0.6, 0.8]);
+    const same = surface.shortestPath([0.5, 0, 0], [1.5, 0.6, 0.8], POLYLINE);
     assert.ok(same.converged && Math.abs(estimate(same) - Math.PI / 2) < 1e-5, `${same.status} ${same.length}`);
-    assert.deepEqual(surface.geodesics([0.5, 0, 0], [-2.5, 0, 0]), []);
+    assert.deepEqual(surface.geodesics([0.5, 0, 0], [-2.5, 0, 0], POLYLINE), []);
     surface.dispose();
   }
 });
@@ -133,8 +137,8 @@ test('what is wrong with an end, or with the surface, is said rather than discon
   ]))
     for (const bounds of [cube(2), undefined]) {
       const surface = make({ f, bounds });
-      assert.equal(surface.shortestPath([1, 0, 0], [0, 1, 0]).status, status, f);
-      assert.deepEqual(surface.geodesics([1, 0, 0], [0, 1, 0]), []);
+      assert.equal(surface.shortestPath([1, 0, 0], [0, 1, 0], POLYLINE).status, status, f);
+      assert.deepEqual(surface.geodesics([1, 0, 0], [0, 1, 0], POLYLINE), []);
       surface.dispose();
     }
 });
@@ -150,7 +154,7 @@ test('bounds are no wall, and not needed', () => {
     ],
   ]) {
     const surface = make({ f, bounds });
-    const path = surface.shortestPath([0.8, 0.6, 0], [0.6, -0.48, 0.64]);
+    const path = surface.shortestPath([0.8, 0.6, 0], [0.6, -0.48, 0.64], POLYLINE);
     const angle = Math.acos(0.48 - 0.288);
     assert.ok(path.converged && Math.abs(estimate(path) - angle) < 1e-5, `${path.status} ${path.length} ${angle}`);
     surface.dispose();
@@ -160,9 +164,9 @@ test('bounds are no wall, and not needed', () => {
 test('changed parameters give another graph', () => {
   const surface = make({ x: 'cos(u)', y: 'sin(u)', z: 'h*v', u: [0, '2*pi'], v: [0, 1], parameters: { h: 1 } });
   const length = (/** @type {number} */ h) => Math.hypot(2 * Math.PI - 6, 0.8 * h);
-  assert.ok(Math.abs(surface.shortestPath([0.1, 0.1], [6.1, 0.9]).length / length(1) - 1) < POLYLINE);
+  assert.ok(Math.abs(surface.shortestPath([0.1, 0.1], [6.1, 0.9], POLYLINE).length / length(1) - 1) < CHORDS);
   surface.set({ h: 5 });
-  assert.ok(Math.abs(surface.shortestPath([0.1, 0.1], [6.1, 0.9]).length / length(5) - 1) < POLYLINE);
+  assert.ok(Math.abs(surface.shortestPath([0.1, 0.1], [6.1, 0.9], POLYLINE).length / length(5) - 1) < CHORDS);
   surface.dispose();
 });
 
@@ -173,7 +177,7 @@ test('ends that coincide', () => {
     [{ f: 'x^2+y^2+z^2-1' }, [1, 0, 0]],
   ])) {
     const surface = make(definition);
-    const path = surface.shortestPath([...point], [...point]);
+    const path = surface.shortestPath([...point], [...point], POLYLINE);
     assert.ok(path.converged && path.length === 0, `${path.status} ${path.length}`);
     surface.dispose();
   }
@@ -189,7 +193,7 @@ test('random pairs on the sphere in both forms: the great circle, seed 7', () =>
     const places = [0, 1].map(() => [random.between(-Math.PI, Math.PI), Math.asin(random.between(-0.99, 0.99))]);
     const points = places.map(([u, v]) => [Math.cos(v) * Math.cos(u), Math.cos(v) * Math.sin(u), Math.sin(v)]);
     const angle = Math.acos(points[0].reduce((sum, x, k) => sum + x * points[1][k], 0));
-    for (const path of [chart.shortestPath(places[0], places[1]), level.shortestPath(points[0], points[1])])
+    for (const path of [chart.shortestPath(places[0], places[1], POLYLINE), level.shortestPath(points[0], points[1], POLYLINE)])
       assert.ok(Math.abs(estimate(path) / angle - 1) < 1e-4, `seed 7, pair ${i}: ${path.status} ${path.length}, ${angle}`);
   }
   chart.dispose();
@@ -228,11 +232,11 @@ test('graphs are freed with their surface and by set', (context) => {
             [1, 0, 0],
             [0, 0, -1],
           ];
-    surface.shortestPath(ends[0], ends[1], { points: 9 });
+    surface.shortestPath(ends[0], ends[1], { ...POLYLINE, points: 9 });
     const held = blocks;
     for (let i = 0; i < 5; i++) {
       surface.set({ R: 2 - i / 4 });
-      surface.shortestPath(ends[0], ends[1], { points: 9 });
+      surface.shortestPath(ends[0], ends[1], { ...POLYLINE, points: 9 });
     }
     assert.ok(held > before && blocks === held, `${blocks} blocks, not ${held}`);
     surface.dispose();
@@ -248,8 +252,8 @@ describe('via', () => {
       [5.9, 1.5],
       [9, 6],
     ];
-    const path = surface.shortestPath(places[0], places[2], { via: [places[1]], points: 99 });
-    const pieces = [0, 1].map((i) => surface.shortestPath(places[i], places[i + 1], { points: 99 }));
+    const path = surface.shortestPath(places[0], places[2], { via: [places[1]], points: 99, ...POLYLINE });
+    const pieces = [0, 1].map((i) => surface.shortestPath(places[i], places[i + 1], { points: 99, ...POLYLINE }));
     assert.ok(path.converged && path.points.length === 3 * 101, `${path.status}, ${path.points.length}`);
     assert.ok(Math.abs(estimate(path) / (estimate(pieces[0]) + estimate(pieces[1])) - 1) < 1e-5);
     const [x, y, z] = surface.evaluate(places[1]);
@@ -259,7 +263,7 @@ describe('via', () => {
     assert.ok(Math.min(...distances) < 1e-12);
     const parameters = /** @type {Float64Array} */ (path.parameters);
     for (let i = 2; i < parameters.length; i++) assert.ok(Math.abs(parameters[i] - parameters[i - 2]) < 0.3, `jump at ${i}`);
-    assert.equal(surface.shortestPath(places[2], places[0], { via: [places[1]], points: 99 }).length, path.length);
+    assert.equal(surface.shortestPath(places[2], places[0], { via: [places[1]], points: 99, ...POLYLINE }).length, path.length);
     surface.dispose();
   });
 
@@ -272,6 +276,7 @@ describe('via', () => {
           [0, 0, 1],
         ],
         start,
+        ...POLYLINE,
       });
       assert.ok(path.converged && Math.abs(estimate(path) / (1.5 * Math.PI) - 1) < 1e-5, `${path.status} ${path.length}`);
     }

@@ -4,7 +4,9 @@ import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
+import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
+import { MOTION, mapPoint, transform } from '../helpers/space-map.js';
 
 /** @typedef {import('../../web/path.js').Path} Path */
 /** @typedef {import('../../web/surface.js').Surface} Surface */
@@ -41,7 +43,7 @@ function assertMost(compared) {
   assert.ok(compared.length > 0.7 * PAIRS, `only ${compared.length} of ${PAIRS} pairs were compared`);
 }
 
-describe(`invariants over ${PAIRS} random pairs, seed ${SEED}`, () => {
+describe(`invariants of straight polylines over ${PAIRS} random pairs, seed ${SEED}`, () => {
   /** @type {Name[]} */
   const reversed = [
     'saddle',
@@ -61,7 +63,10 @@ describe(`invariants over ${PAIRS} random pairs, seed ${SEED}`, () => {
       const { surface, pairs } = prepare(name);
       for (const [i, [from, to]] of pairs.entries()) {
         const points = 1 + ((7 * i) % 80);
-        const [there, back] = [surface.shortestPath(from, to, { points }), surface.shortestPath(to, from, { points })];
+        const [there, back] = [
+          surface.shortestPath(from, to, { ...STRAIGHT, points }),
+          surface.shortestPath(to, from, { ...STRAIGHT, points }),
+        ];
         assert.deepEqual({ ...back, points: backwards(back.points, 3), parameters: null }, { ...there, parameters: null });
         assertShifted(surface, there, back);
       }
@@ -100,12 +105,12 @@ describe(`invariants over ${PAIRS} random pairs, seed ${SEED}`, () => {
     test(`${chart} and ${equation}: the parametric and the implicit form agree`, () => {
       const { surface, pairs } = prepare(chart);
       const implicit = surfpath.surface(gallery[equation]);
-      const solved = pairs.map(([from, to]) => surface.shortestPath(from, to));
+      const solved = pairs.map(([from, to]) => surface.shortestPath(from, to, STRAIGHT));
       const free = solved.filter((path) => path.converged && !path.touchesBoundary);
       assertMost(free);
       for (const path of free) {
         const [first, last] = [path.points.slice(0, 3), path.points.slice(-3)];
-        const twin = implicit.shortestPath(first, last, { start: path });
+        const twin = implicit.shortestPath(first, last, { ...POLYLINE, start: path });
         assert.equal(twin.status, 'converged');
         assert.ok(Math.abs(twin.length - path.length) <= Math.min(twin.lengthError, path.lengthError));
         assertClose(twin.length, path.length, ROUNDING, 'two polylines of least energy');
@@ -120,10 +125,12 @@ describe(`invariants over ${PAIRS} random pairs, seed ${SEED}`, () => {
   for (const name of warm) {
     test(`${name}: a path that is its own start takes one step at most, and stays`, () => {
       const { surface, pairs } = prepare(name);
-      const solved = pairs.map(([from, to]) => ({ from, to, path: surface.shortestPath(from, to) })).filter(({ path }) => path.converged);
+      const solved = pairs
+        .map(([from, to]) => ({ from, to, path: surface.shortestPath(from, to, STRAIGHT) }))
+        .filter(({ path }) => path.converged);
       assertMost(solved);
       for (const { from, to, path } of solved) {
-        const again = surface.shortestPath(from, to, { start: path });
+        const again = surface.shortestPath(from, to, { ...POLYLINE, start: path });
         assert.equal(again.status, 'converged');
         assert.ok(again.iterations <= 1, `${again.iterations} iterations`);
         assertClose(again.length, path.length, ROUNDING, 'length');
@@ -149,45 +156,11 @@ function assertShifted({ domain }, there, back) {
   }
 }
 
-/** What is done to space: every point is turned, moved, then scaled. @typedef {{ factor?: number, rotation?: number[][], shift?: number[] }} Map */
-
-/** A turn about the axis (1, 2, 2)/3 by an angle whose cosine is 0.6, and a shift. @type {Map} */
-const MOTION = { rotation: rotationAbout([1 / 3, 2 / 3, 2 / 3], 0.6, 0.8), shift: [0.3, -1.1, 0.7] };
-
-/** Rodrigues' formula. @param {number[]} axis @param {number} cosine @param {number} sine */
-function rotationAbout([x, y, z], cosine, sine) {
-  const [axis, skew] = [
-    [x, y, z],
-    [0, -z, y, z, 0, -x, -y, x, 0],
-  ];
-  return axis.map((a, i) => axis.map((b, j) => (i === j ? cosine : 0) + (1 - cosine) * a * b + sine * skew[3 * i + j]));
-}
-
-const IDENTITY = rotationAbout([1, 0, 0], 1, 0);
-
-/** @param {number[]} point @param {Map} map */
-function mapPoint(point, { factor = 1, rotation = IDENTITY, shift = [0, 0, 0] }) {
-  return rotation.map((row, i) => factor * (row.reduce((sum, r, j) => sum + r * point[j], 0) + shift[i]));
-}
-
-/** The same surface after a map of space. @param {any} definition @param {Map} map */
-function transform(definition, { factor = 1, rotation = IDENTITY, shift = [0, 0, 0] }) {
-  const { x, y, z, f, bounds, ...rest } = definition;
-  if (definition.kind === 'parametric') {
-    const mapped = rotation.map((row, i) => `${factor}*((${row[0]})*(${x})+(${row[1]})*(${y})+(${row[2]})*(${z})+(${shift[i]}))`);
-    return { ...rest, x: mapped[0], y: mapped[1], z: mapped[2] };
-  }
-  const back = [0, 1, 2].map((j) => `(${rotation.map((row, i) => `(${row[j]})*(${'xyz'[i]}/${factor}-(${shift[i]}))`).join('+')})`);
-  const inner = f.replace(/\b[xyz]\b/g, (/** @type {string} */ name) => back['xyz'.indexOf(name)]);
-  const reach = factor * (Math.hypot(...shift) + Math.max(...bounds.map((/** @type {number[]} */ [, high]) => high)));
-  return { ...rest, f: inner, bounds: [0, 1, 2].map(() => [-reach, reach]) };
-}
-
-/** Two paths, one on the image of the other's surface; whether they converged. @param {Surface} surface @param {Surface} image @param {number[]} from @param {number[]} to @param {Map} map */
+/** Two paths, one on the image of the other's surface; whether they converged. @param {Surface} surface @param {Surface} image @param {number[]} from @param {number[]} to @param {import('../helpers/space-map.js').SpaceMap} map */
 function compareMapped(surface, image, from, to, map) {
-  const path = surface.shortestPath(from, to);
+  const path = surface.shortestPath(from, to, STRAIGHT);
   const ends = surface.kind === 'parametric' ? [from, to] : [mapPoint(from, map), mapPoint(to, map)];
-  const mapped = image.shortestPath(ends[0], ends[1]);
+  const mapped = image.shortestPath(ends[0], ends[1], STRAIGHT);
   assert.equal(mapped.status, path.status);
   if (!path.converged) return false;
   assertClose(mapped.length, (map.factor ?? 1) * path.length, ROUNDING, `length from ${from} to ${to}`);

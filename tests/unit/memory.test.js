@@ -6,6 +6,7 @@ import { runInNewContext } from 'node:vm';
 import { gallery } from '../../web/gallery.js';
 import { ExpressionError, load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
+import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 
 /** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
@@ -54,7 +55,8 @@ function assertSame(after, before) {
 function solveMany(surface, solves, points) {
   const pairs = randomPairs(surface, createRandom(SEED), 500);
   let length = 0;
-  for (let i = 0; i < solves; i++) length += surface.shortestPath(pairs[i % 500][0], pairs[i % 500][1], { points }).length || 0;
+  for (let i = 0; i < solves; i++)
+    length += surface.shortestPath(pairs[i % 500][0], pairs[i % 500][1], { ...STRAIGHT, points }).length || 0;
   return length;
 }
 
@@ -78,6 +80,18 @@ describe('memory', () => {
         assert.ok(solveMany(surfpath.surface(entry), solves, 16) > 0);
     };
     assertSame(await footprintAfter(work(25_000)), await footprintAfter(work(500)));
+  });
+
+  test(`1,500 solves with the default options too, once the graphs are built, seed ${SEED}`, async () => {
+    const work = (/** @type {number} */ solves) => (/** @type {Surfpath} */ surfpath) => {
+      for (const entry of [gallery.saddle, gallery.parametricTorus, gallery.torus]) {
+        const surface = surfpath.surface(entry);
+        const [first, ...pairs] = randomPairs(surface, createRandom(SEED), 500);
+        for (const [from, to] of [first, ...pairs.slice(0, solves - 1)])
+          assert.ok(surface.shortestPath(from, to, { points: 16 }).length > 0);
+      }
+    };
+    assertSame(await footprintAfter(work(500)), await footprintAfter(work(20)));
   });
 
   test('3,000 surfaces made and disposed of leave it as it was, and their table slots are used again', async () => {
@@ -133,11 +147,13 @@ describe('memory', () => {
   test('a path is a copy: later solves do not change it', async () => {
     const { surfpath } = await loadWatched();
     const surface = surfpath.surface(gallery.saddle);
-    const path = surface.shortestPath([-0.9, 0.1], [0.5, 0.9], { record: true });
-    const kept = structuredClone(path);
+    const solve = (/** @type {import('../../web/path.js').PathOptions} */ options) =>
+      surface.shortestPath([-0.9, 0.1], [0.5, 0.9], { ...options, record: true });
+    const paths = [STRAIGHT, {}].map(solve);
+    const kept = structuredClone(paths);
     solveMany(surface, 10, 300);
     surface.dispose();
-    assert.deepEqual(path, kept);
+    assert.deepEqual(paths, kept);
   });
 });
 
@@ -149,7 +165,7 @@ describe('instances', () => {
       if (i % 2) surface.set({ R: 5 });
     });
     instances[0].dispose();
-    const paths = surfaces.slice(1).map((surface) => surface.shortestPath([0.5, 0.6], [2.6, 1.2]));
+    const paths = surfaces.slice(1).map((surface) => surface.shortestPath([0.5, 0.6], [2.6, 1.2], STRAIGHT));
     for (const [i, path] of paths.entries()) assert.deepEqual(path, paths[i % 2], `instance ${i + 1}`);
     assert.ok(paths[0].length > paths[1].length);
   });

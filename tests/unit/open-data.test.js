@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { loadCases } from '../helpers/cases.js';
+import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 /** @typedef {import('../helpers/cases.js').Case} Case */
@@ -21,8 +22,8 @@ const surfpath = await load();
 /** @param {Case} one @returns {Outcome} */
 function solve(one) {
   const surface = surfpath.surface(/** @type {any} */ (one.definition));
-  const path = surface.shortestPath(one.from, one.to, one.options);
-  const fine = path.converged ? surface.shortestPath(one.from, one.to, { points: FINE, start: path }) : path;
+  const path = surface.shortestPath(one.from, one.to, { ...STRAIGHT, ...one.options });
+  const fine = path.converged ? surface.shortestPath(one.from, one.to, { ...POLYLINE, points: FINE, start: path }) : path;
   surface.dispose();
   return { ...one, path, fine };
 }
@@ -44,7 +45,7 @@ const violations = ({ definition, from, to }, path) => verifyPath(definition, pa
 /** What rounding the coordinates of its ends may change a path's length by. @param {Path} path */
 const roundingOf = ({ points }) => 2.3e-16 * Math.max(...points.map(Math.abs));
 
-describe('the open data, K = 64, straight start', () => {
+describe('the open data, polyline, K = 64, straight start', () => {
   test('nine in ten converge; the others say why not', (t) => {
     const keys = outcomes.map(({ family, definition, path }) => `${family} ${definition.kind}: ${path.status}`);
     const table = [...new Set(keys)].map((key) => `${key} ${keys.filter((other) => other === key).length}`);

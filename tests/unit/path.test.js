@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
+import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { anything, close, refuses } from '../helpers/refuses.js';
 
 const surfpath = await load();
@@ -28,12 +29,17 @@ describe('options', () => {
     [{ pionts: 3 }, TypeError, /there is no option 'pionts'; the options are algorithm, points/],
     [{ algorithm: 'elements', gradientTolerance: 1e-6 }, RangeError, /'elements' takes tolerance/],
     [{ algorithm: 'fast' }, RangeError, /algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
-    [{ start: 'global' }, RangeError, /'global' is not built yet/],
-    [{ start: 'curved' }, TypeError, /start must be 'straight', a polyline .* not 'curved'/],
-    [{ tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'/],
+    [{ start: 'curved' }, TypeError, /start must be 'global', 'straight', a polyline .* not 'curved'/],
+    [{ algorithm: 'polyline', tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'; 'polyline' takes points/],
+    [{ gradientTolerance: 1e-6, tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'/],
+    [{ tolerance: 0 }, RangeError, /between 1e-15 and 0.1, not 0/],
+    [{ tolerance: 0.2 }, RangeError, /between 1e-15 and 0.1, not 0.2/],
+    [{ tolerance: NaN }, RangeError, /between 1e-15 and 0.1, not NaN/],
     [{ algorithm: 'elements', tolerance: 0 }, RangeError, /between 1e-15 and 0.1/],
     [{ algorithm: 'elements', tolerance: '1e-9' }, TypeError, /tolerance must be a number/],
-    [{ via: [[0, 0]] }, RangeError, /via is not built yet/],
+    [{ via: 3 }, TypeError, /via must be an array of points, not 3/],
+    [{ via: [[0, 9]] }, RangeError, /via\[0\]\[1\] = 9 lies outside the range of v/],
+    [{ via: [[0, 0]], start: [0, 0, 1, 1] }, RangeError, /start must be 'global' or 'straight' where options.via is given/],
     [{ points: 0 }, RangeError, /points must be a whole number from 1 to 100000, not 0/],
     [{ points: 100_001 }, RangeError, /points must be/],
     [{ points: 2.5 }, RangeError, /points must be a whole number/],
@@ -68,35 +74,51 @@ describe('options', () => {
     assert.deepEqual(path, saddle.shortestPath([0, 0], [0.5, 0.5]));
   });
 
+  test('gradientTolerance without an algorithm asks for the polyline', () => {
+    const options = { gradientTolerance: 1e-6 };
+    assert.deepEqual(
+      saddle.shortestPath([0, 0], [0.5, 0.3], options),
+      saddle.shortestPath([0, 0], [0.5, 0.3], { ...options, algorithm: 'polyline', start: 'global' }),
+    );
+  });
+
+  test('the defaults: elements, from everywhere, to 1e-9, 64 points', () => {
+    assert.deepEqual(
+      ring.shortestPath([0.5, 0.6], [2.6, 1.2]),
+      ring.shortestPath([0.5, 0.6], [2.6, 1.2], { algorithm: 'elements', start: 'global', tolerance: 1e-9, points: 64 }),
+    );
+  });
+
   test('points: as many as asked, from 1 to 100,000', () => {
-    for (const points of [1, 2, 3, 50, 100_000]) {
-      const path = saddle.shortestPath([-0.9, 0.1], [0.5, 0.9], { points });
-      assert.deepEqual([path.status, path.points.length, path.parameters?.length], ['converged', 3 * (points + 2), 2 * (points + 2)]);
-    }
+    for (const points of [1, 2, 3, 50, 100_000])
+      for (const options of [STRAIGHT, {}]) {
+        const path = saddle.shortestPath([-0.9, 0.1], [0.5, 0.9], { ...options, points });
+        assert.deepEqual([path.status, path.points.length, path.parameters?.length], ['converged', 3 * (points + 2), 2 * (points + 2)]);
+      }
   });
 
   test('points: too few to see the surface between them is stalled, not converged', () => {
-    assert.equal(ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points: 1 }).status, 'stalled');
+    assert.equal(ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, points: 1 }).status, 'stalled');
   });
 
   test('more points: closer to the geodesic, and lengthError says how close', () => {
-    const fine = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points: 2000 });
+    const fine = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, points: 2000 });
     for (const points of [16, 64, 256]) {
-      const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { points });
+      const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, points });
       close(path.lengthError / (fine.length + fine.lengthError - path.length), 1, 0.05);
     }
   });
 
   test('gradientTolerance is the paper’s stopping rule', () => {
-    const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { gradientTolerance: 0.5 });
+    const path = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, gradientTolerance: 0.5 });
     assert.ok(path.converged && path.gradientNorm <= 0.5 && path.gradientNorm > 1e-6);
     assert.ok(path.history.slice(0, -1).every((entry) => entry.gradientNorm > 0.5));
   });
 
   test('history: one entry a step and one for the end; record keeps the polylines', () => {
     const [from, to, points] = [[0.5, 0.6], [2.6, 1.2], 7];
-    const plain = ring.shortestPath(from, to, { points });
-    const path = ring.shortestPath(from, to, { points, record: true });
+    const plain = ring.shortestPath(from, to, { ...STRAIGHT, points });
+    const path = ring.shortestPath(from, to, { ...STRAIGHT, points, record: true });
     assert.equal(path.history.length, path.iterations + 1);
     assert.ok(plain.history.every((entry) => !('points' in entry)));
     for (const entry of path.history) {
@@ -118,22 +140,23 @@ describe('options', () => {
       [0.5, 0.6],
       [2.6, 1.2],
     ];
-    const path = ring.shortestPath(from, to);
-    const bent = ring.shortestPath(from, to, { start: [0.5, 0.6, 1.5, 1.6, 2.6, 1.2] });
+    const path = ring.shortestPath(from, to, STRAIGHT);
+    const bent = ring.shortestPath(from, to, { ...POLYLINE, start: [0.5, 0.6, 1.5, 1.6, 2.6, 1.2] });
     assert.equal(bent.status, 'converged');
     close(bent.length, path.length, 1e-10);
-    for (const start of [path, ring.shortestPath(from, to, { points: 500 }), path.parameters ?? []]) {
-      const warm = ring.shortestPath(from, to, { start });
+    for (const start of [path, ring.shortestPath(from, to, { ...STRAIGHT, points: 500 }), path.parameters ?? []]) {
+      const warm = ring.shortestPath(from, to, { ...POLYLINE, start });
       assert.ok(warm.converged && warm.iterations <= 3, `${warm.status} after ${warm.iterations}`);
       close(warm.length, path.length, 1e-10);
     }
-    const onSphere = sphere.shortestPath([1, 0, 0], [0, 1, 0], { start: sphere.shortestPath([1, 0, 0], [0, 1, 0]) });
+    const cold = sphere.shortestPath([1, 0, 0], [0, 1, 0], STRAIGHT);
+    const onSphere = sphere.shortestPath([1, 0, 0], [0, 1, 0], { ...POLYLINE, start: cold });
     assert.ok(onSphere.converged && onSphere.iterations <= 3);
   });
 
   test('start: a path around the other side stays there', () => {
-    const other = ring.shortestPath([0.2, 0.1], [6.1, 0.1], { start: [0.2, 0.1, 3, 0.1, 6.1, 0.1] });
-    const near = ring.shortestPath([0.2, 0.1], [6.1, 0.1]);
+    const other = ring.shortestPath([0.2, 0.1], [6.1, 0.1], { ...POLYLINE, start: [0.2, 0.1, 3, 0.1, 6.1, 0.1] });
+    const near = ring.shortestPath([0.2, 0.1], [6.1, 0.1], STRAIGHT);
     close(near.length, 2.1045, 1e-4);
     assert.ok(other.length > 10);
   });
@@ -154,23 +177,31 @@ describe('statuses', () => {
   test('singular-metric: a constant surface, a curve, grad f = 0 at an end, a cuspidal edge between the ends', () => {
     const constant = surfpath.parametric({ x: 1, y: 2, z: 3, u: [0, 1], v: [0, 1] });
     const curve = surfpath.parametric({ x: 'u', y: 'u^2', z: 0, u: [0, 1], v: [0, 1] });
-    for (const surface of [constant, curve]) assertNoPath(surface.shortestPath([0, 0], [1, 1]), 'singular-metric');
-    assertNoPath(surfpath.implicit({ f: 'x*y' }).shortestPath([0, 0, 0], [1, 0, 1]), 'singular-metric');
-    assertNoPath(surfpath.implicit({ f: 1 }).shortestPath([0, 0, 0], [1, 1, 1]), 'singular-metric');
-    assertNoPath(sphere.shortestPath([0, 0, 0], [1, 0, 0]), 'singular-metric');
+    for (const options of [STRAIGHT, { start: STRAIGHT.start }, {}]) {
+      for (const surface of [constant, curve]) assertNoPath(surface.shortestPath([0, 0], [1, 1], options), 'singular-metric');
+      assertNoPath(surfpath.implicit({ f: 'x*y' }).shortestPath([0, 0, 0], [1, 0, 1], options), 'singular-metric');
+      assertNoPath(surfpath.implicit({ f: 1 }).shortestPath([0, 0, 0], [1, 1, 1], options), 'singular-metric');
+      assertNoPath(sphere.shortestPath([0, 0, 0], [1, 0, 0], options), 'singular-metric');
+    }
     const dini = surfpath.parametric({ ...gallery.dini, v: [0.1, 2] });
-    assertNoPath(dini.shortestPath([0, 1.2], [1, 1.9]), 'singular-metric');
+    assertNoPath(dini.shortestPath([0, 1.2], [1, 1.9], STRAIGHT), 'singular-metric');
+    const across = dini.shortestPath([0, 1.2], [1, 1.9]);
+    assert.deepEqual([across.status, across.crossesSingularity], ['converged', true]);
   });
 
   test('not-finite: a formula outside its domain', () => {
     const half = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(u-0.5)', u: [0, 1], v: [0, 1] });
-    assertNoPath(half.shortestPath([0, 0], [1, 1]), 'not-finite');
-    assertNoPath(surfpath.implicit({ f: 'sqrt(-1-x^2)' }).shortestPath([0, 0, 0], [1, 1, 1]), 'not-finite');
+    for (const options of [STRAIGHT, { start: STRAIGHT.start }, {}]) {
+      assertNoPath(half.shortestPath([0, 0], [1, 1], options), 'not-finite');
+      assertNoPath(surfpath.implicit({ f: 'sqrt(-1-x^2)' }).shortestPath([0, 0, 0], [1, 1, 1], options), 'not-finite');
+    }
   });
 
-  test('sheet-jump: two components', () => {
+  test('sheet-jump: two components, from a straight start; searched from everywhere, they are disconnected', () => {
     const two = surfpath.implicit({ f: '((x-2)^2+y^2+z^2-1)*((x+2)^2+y^2+z^2-1)' });
-    assertNoPath(two.shortestPath([-3, 0, 0], [3, 0, 0]), 'sheet-jump');
+    for (const options of [STRAIGHT, { start: STRAIGHT.start }])
+      assertNoPath(two.shortestPath([-3, 0, 0], [3, 0, 0], options), 'sheet-jump');
+    assertNoPath(two.shortestPath([-3, 0, 0], [3, 0, 0]), 'disconnected');
   });
 
   test('saddle: what the paper’s sign test accepts; the certified method leaves it', () => {
@@ -179,26 +210,29 @@ describe('statuses', () => {
       [-1, 0.5236],
       [2.5, 0.5236],
     ];
-    const paper = bumpy.shortestPath(from, to, { algorithm: 'paper' });
+    const paper = bumpy.shortestPath(from, to, { ...STRAIGHT, algorithm: 'paper' });
     assert.deepEqual([paper.status, paper.converged], ['saddle', false]);
     assert.ok(paper.index > 0 && paper.points.length > 0);
-    const path = bumpy.shortestPath(from, to);
+    const path = bumpy.shortestPath(from, to, STRAIGHT);
     assert.deepEqual([path.status, path.index], ['converged', 0]);
     assert.ok(path.length < paper.length);
   });
 
   test('iteration-limit: a usable path that is no worse than its start', () => {
-    const straight = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { maxIterations: 0 });
-    const short = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { maxIterations: 2 });
+    const straight = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, maxIterations: 0 });
+    const short = ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, maxIterations: 2 });
     assert.deepEqual([straight.status, straight.iterations], ['iteration-limit', 0]);
     assert.deepEqual([short.status, short.iterations], ['iteration-limit', 2]);
     assert.ok(short.energy < straight.energy && short.points.length === straight.points.length);
   });
 
   test('antipodal points of a sphere, joined by infinitely many shortest paths, are not called converged', () => {
-    const path = sphere.shortestPath([1, 0, 0], [-1, 0, 0]);
+    const path = sphere.shortestPath([1, 0, 0], [-1, 0, 0], STRAIGHT);
     assert.equal(path.converged, false);
     close(path.length + path.lengthError, Math.PI, 1e-5); // the estimate is good to fourth order
+    const found = sphere.shortestPath([1, 0, 0], [-1, 0, 0]);
+    assert.equal(found.converged, false);
+    close(found.length + found.lengthError, Math.PI, 1e-5);
   });
 });
 
@@ -233,10 +267,12 @@ describe('results', () => {
       [ring, [0.5, 0.6], [2.6, 1.2]],
       [sphere, [1, 0, 0], [0, 0.6, 0.8]],
     ])) {
-      const [there, back] = [surface.shortestPath(a, b), surface.shortestPath(b, a)];
-      assert.equal(back.length, there.length);
-      const turned = Array.from({ length: 66 }, (_, i) => Array.from(back.points.subarray(3 * (65 - i), 3 * (66 - i)))).flat();
-      assert.deepEqual(turned, Array.from(there.points));
+      for (const options of [STRAIGHT, {}]) {
+        const [there, back] = [surface.shortestPath(a, b, options), surface.shortestPath(b, a, options)];
+        assert.equal(back.length, there.length);
+        const turned = Array.from({ length: 66 }, (_, i) => Array.from(back.points.subarray(3 * (65 - i), 3 * (66 - i)))).flat();
+        assert.deepEqual(turned, Array.from(there.points));
+      }
     }
   });
 });

@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
 import { STATUS } from '../../web/path.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -53,6 +54,44 @@ describe('the JavaScript of README.md', () => {
       const [actual, expected] = [tokens(printed[i]), tokens(text)];
       assert.ok(actual.length === expected.length && actual.every((word, k) => agrees(word, expected[k])), `printed ${printed[i]}`);
     });
+});
+
+describe('every public name', async () => {
+  const surfpath = await load();
+  const surface = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1] });
+  const source = blocks('js').join('\n');
+  const names = (/** @type {object} */ instance) => {
+    const all = Object.getOwnPropertyNames(Object.getPrototypeOf(instance)).filter((name) => name !== 'constructor');
+    assert.ok(all.length > 5);
+    return all;
+  };
+
+  for (const name of new Set([...names(surfpath), ...names(surface)]))
+    test(`${name} has a heading or is in one, and an example`, () => {
+      assert.match(readme, new RegExp(`^#+ .*\\b${name}\\b`, 'm'));
+      assert.match(source, new RegExp(`\\.${name}\\b`));
+    });
+
+  test('every option of shortestPath is in its table, and in an example', () => {
+    const nonsense = /** @type {any} */ ({ nonsense: 1 });
+    /** @type {string[]} */ let options = [];
+    assert.throws(
+      () => surface.shortestPath([0, 0], [1, 1], nonsense),
+      ({ message }) => {
+        options = message.split('the options are ')[1].split(', ');
+        return options.length > 5;
+      },
+    );
+    for (const option of options) {
+      assert.ok(readme.includes(`| \`${option}\` |`), option);
+      assert.match(source, new RegExp(`{[^}]*\\b${option}\\b[^}]*}\\)`), option);
+    }
+  });
+
+  test('every field of a path is in the table', () => {
+    for (const field of Object.keys(surface.shortestPath([0, 0], [1, 1])))
+      assert.match(readme, new RegExp(`^\\| [^|]*\`${field}\``, 'm'), field);
+  });
 });
 
 describe('the web page of README.md', () => {

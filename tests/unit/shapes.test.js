@@ -5,6 +5,7 @@ import { compile } from '../../web/expression/compile.js';
 import { gallery } from '../../web/gallery.js';
 import { ExpressionError, load } from '../../web/index.js';
 import { readShape } from '../../web/shapes.js';
+import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 import { dot, norm, scale, subtract, unit } from '../helpers/reference.js';
 import { allClose, anything, close, refuses } from '../helpers/refuses.js';
@@ -80,7 +81,7 @@ describe('closed forms', () => {
       [2, 0.7],
     ];
     const [a, b] = [from, to].map((place) => positionAt(sphere, place));
-    close(sphere.shortestPath(from, to, { algorithm: 'polyline', points: 400 }).length, 3 * Math.acos(dot(a, b) / 9), 1e-5);
+    close(sphere.shortestPath(from, to, { ...STRAIGHT, points: 400 }).length, 3 * Math.acos(dot(a, b) / 9), 1e-5);
 
     const cone = surfpath.revolution({ r: 't', z: '2t', t: [0.1, 2] });
     for (const place of placesOn(cone, 20)) {
@@ -174,7 +175,7 @@ describe('frames', () => {
     for (const [name, definition] of Object.entries(SHAPES)) {
       const surface = surfpath.surface(definition);
       const [from, to] = placesOn(surface, 2);
-      const path = surface.shortestPath(from, to, { points: 200 });
+      const path = surface.shortestPath(from, to, { ...STRAIGHT, points: 200 });
       assert.equal(path.status, 'converged', name);
       assert.deepEqual(verifyPath(anything(definition), path, { from, to }), [], name);
     }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../web/index.js';
 import { loadCases } from '../helpers/cases.js';
+import { STRAIGHT } from '../helpers/options.js';
 import { dot, norm, referenceSurface, subtract } from '../helpers/reference.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
@@ -59,7 +60,7 @@ test('the start of a shortest path, traced, lands on its end, the nearer the fin
     [1.8, 2.9],
   ];
   const misses = [64, 128, 256, 512].map((points) => {
-    const path = surface.shortestPath(from, to, { points });
+    const path = surface.shortestPath(from, to, { ...STRAIGHT, points });
     const q = /** @type {Float64Array} */ (path.parameters);
     const direction = [0, 1].map((j) => -25 * q[j] + 48 * q[2 + j] - 36 * q[4 + j] + 16 * q[6 + j] - 3 * q[8 + j]);
     return subtract(pointOf(path, -1), pointOf(surface.trace(from, direction, path.length + path.lengthError), -1));

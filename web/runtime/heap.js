@@ -45,6 +45,7 @@ export const LAYOUT = {
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
   sp_graph: { bytes: 112, spacing: 0, vertex_count: 60, edge_count: 64, unique: 68, singular: 72 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
+  sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
 
 const OUT_OF_MEMORY = -6;
@@ -108,6 +109,7 @@ export class Heap {
       numbers: this.allocate(64),
       graphOptions: this.allocate(LAYOUT.sp_graph_options.bytes),
       answer: this.allocate(LAYOUT.sp_graph_answer.bytes),
+      fieldRequest: this.allocate(LAYOUT.sp_field_request.bytes),
     };
   }
 
@@ -338,6 +340,26 @@ export class Heap {
       this.#doubles(places + 8 * dimension * written * i, dimension * written).slice(),
     );
     return { status, distance: this.#doubles(answer, 1)[0], candidates };
+  }
+
+  /**
+   * Runs sp_graph_field.
+   * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {ArrayLike<number>} places u v or x y z of each
+   * @returns {{ status: number, lengths: Float64Array }} of the shortest way to each; infinite where there is none
+   */
+  measureField(surface, graph, from, places) {
+    const { fieldRequest, arena } = this.#structs;
+    const count = places.length / from.length;
+    const own = (8 * (places.length + count) + 15) & ~15;
+    if (!this.#reserve(own + this.#exports.sp_graph_field_bytes(graph.at))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
+    const base = this.#arenaBase;
+    const lengths = base + 8 * places.length;
+    this.writeDoubles(base, places);
+    this.writeDoubles(fieldRequest, [...from, 0].slice(0, 3));
+    this.#words(fieldRequest + LAYOUT.sp_field_request.places, 3).set([base, lengths, count]);
+    this.#words(arena, 3).set([base + own, this.#arenaSize - own, 0]);
+    const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, arena);
+    return { status, lengths: this.#doubles(lengths, count).slice() };
   }
 
   /** @param {SolveOptions} options */

@@ -1,0 +1,181 @@
+// `distanceField`: closed forms on sphere, cylinder and plane, the torus against single paths, poles, seams, pieces out of reach, misuse.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+
+/** Of exact distances; shortestPath's own tolerance. */
+const EXACT = 1e-9;
+/** Of the graph, whose ways have 32 directions. */
+const GRAPH = 0.04;
+/** Within some cells of the start a way has few steps to make up a direction from. */
+const GRAPH_NEAR = 0.09;
+const NEAR = 0.6;
+/** In the mean. Measured: 0.3 to 0.8 %. */
+const GRAPH_MEAN = 0.012;
+/** The graph's chords are shorter than the surface. */
+const CHORDS = 1e-3;
+
+/** @type {import('../../web/instance.js').Surfpath} */
+let surfpath;
+before(async () => {
+  surfpath = await load();
+});
+after(() => surfpath.dispose());
+
+const make = (/** @type {keyof typeof gallery} */ name) => surfpath.surface(/** @type {any} */ (gallery[name]));
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b on the unit sphere */
+function greatCircle(a, b) {
+  const chord = Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+  return 2 * Math.asin(Math.min(1, chord / 2));
+}
+
+/** Measures the graph's and, on a coarser mesh, the exact field against closed forms. @param {any} surface @param {number[]} from @param {(position: Float64Array) => number} known @param {number} coarse */
+function compare(surface, from, known, coarse) {
+  for (const exact of [false, true]) {
+    const { mesh, distances } = surface.distanceField(from, exact ? { resolution: coarse, exact } : { resolution: 32 });
+    assert.equal(distances.length, mesh.positions.length / 3);
+    let total = 0;
+    for (const [i, distance] of distances.entries()) {
+      const right = known(mesh.positions.subarray(3 * i, 3 * i + 3));
+      const excess = distance - right;
+      total += Math.abs(excess) / right || 0;
+      if (exact) assert.ok(Math.abs(excess) <= EXACT * right + 1e-12, `exact, vertex ${i}: ${distance}, not ${right}`);
+      else
+        assert.ok(
+          excess <= (right < NEAR ? GRAPH_NEAR : GRAPH) * right + 1e-12 && excess >= -CHORDS * right - 1e-12,
+          `vertex ${i}: ${distance}, not ${right}`,
+        );
+    }
+    assert.ok(total / distances.length <= GRAPH_MEAN, `mean error ${total / distances.length}`);
+  }
+}
+
+describe('closed forms', () => {
+  test('sphere, implicit', () => {
+    const surface = make('sphere');
+    compare(surface, [0.6, 0, 0.8], (position) => greatCircle(position, [0.6, 0, 0.8]), 6);
+    surface.dispose();
+  });
+
+  test('sphere, parametric: poles and a seam; from a point, from a pole', () => {
+    const surface = make('globe');
+    for (const [u, v] of [
+      [0.76, -0.24],
+      [0.3, Math.PI / 2],
+    ]) {
+      const start = [Math.cos(v) * Math.cos(u), Math.cos(v) * Math.sin(u), Math.sin(v)];
+      compare(surface, [u, v], (position) => greatCircle(position, start), 8);
+    }
+    surface.dispose();
+  });
+
+  test('cylinder: both ways round, from any lift', () => {
+    const surface = make('cylinder');
+    const known = (/** @type {Float64Array} */ [x, y, z]) => {
+      const turn = Math.atan2(y, x) - 0.6;
+      return Math.hypot(turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)), z + 0.8);
+    };
+    compare(surface, [0.6 - 8 * Math.PI, -0.8], known, 8);
+    surface.dispose();
+  });
+
+  test('plane', () => {
+    const surface = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [0, 3], v: [0, 1] });
+    compare(surface, [0.31, 0.77], ([x, y]) => Math.hypot(x - 0.31, y - 0.77), 8);
+    surface.dispose();
+  });
+});
+
+for (const name of /** @type {const} */ (['parametricTorus', 'torus', 'bumpy']))
+  test(`${name}: the lengths of shortest paths`, () => {
+    const surface = make(name);
+    const { from } = gallery[name];
+    const resolution = surface.domain ? 9 : 6;
+    const [exact, graph] = [true, false].map((choice) => surface.distanceField(from, { resolution, exact: choice }));
+    const places = exact.mesh.parameters ?? exact.mesh.positions;
+    const width = from.length;
+    for (let i = 0; i < exact.distances.length; i += 7) {
+      const { length } = surface.shortestPath(from, places.subarray(width * i, width * (i + 1)));
+      assert.ok(Math.abs(exact.distances[i] - length) <= EXACT * length, `vertex ${i}: ${exact.distances[i]}, not ${length}`);
+      assert.ok(
+        Math.abs(graph.distances[i] - length) <= (length < NEAR ? GRAPH_NEAR : GRAPH) * length,
+        `graph, vertex ${i}: ${graph.distances[i]}, not ${length}`,
+      );
+    }
+    surface.dispose();
+  });
+
+test('a piece out of reach is infinitely far', () => {
+  const surface = surfpath.implicit({
+    f: '((x-1.5)^2+y^2+z^2-1)*((x+1.5)^2+y^2+z^2-1)',
+    bounds: [
+      [-3, 3],
+      [-1.5, 1.5],
+      [-1.5, 1.5],
+    ],
+  });
+  for (const exact of [false, true]) {
+    const { mesh, distances } = surface.distanceField([1.5, 1, 0], { resolution: 8, exact });
+    for (const [i, distance] of distances.entries())
+      assert.equal(distance === Infinity, mesh.positions[3 * i] < 0, `vertex ${i}: ${distance}`);
+  }
+  surface.dispose();
+});
+
+test('the start is projected, and 0 from itself', () => {
+  const sphere = make('sphere');
+  const [on, off] = [0.8, 0.84].map((z) => sphere.distanceField([0.6 * (z / 0.8), 0, z], { resolution: 8 }).distances);
+  for (const [i, distance] of on.entries()) assert.ok(Math.abs(distance - off[i]) < 1e-9);
+  sphere.dispose();
+  const saddle = make('saddle');
+  const { mesh, distances } = saddle.distanceField([0, 0], { resolution: 2 });
+  assert.deepEqual([distances.length, mesh.indices.length, distances[4]], [9, 24, 0]);
+  saddle.dispose();
+});
+
+test('96 cells a direction in less than half a second', (t) => {
+  const surface = make('bumpy');
+  const { from } = gallery.bumpy;
+  surface.distanceField(from, { resolution: 4 });
+  const begin = performance.now();
+  const { distances } = surface.distanceField(from, { resolution: 96 });
+  const milliseconds = performance.now() - begin;
+  t.diagnostic(`${distances.length} vertices, ${milliseconds.toFixed(0)} ms`);
+  assert.ok(milliseconds < 500);
+  assert.ok(distances.every((distance) => distance >= 0 && distance < 12));
+  surface.dispose();
+});
+
+test('mistakes throw, and say which', () => {
+  const surface = make('saddle');
+  /** @type {[any[], ErrorConstructor, RegExp][]} */
+  const mistakes = [
+    [[[2, 0]], RangeError, /from\[0\] = 2 lies outside/],
+    [[[0]], RangeError, /from must be \[u, v\]/],
+    [[[0, Number.NaN]], RangeError, /from\[1\] must be a finite number/],
+    [[[0, 0], 5], TypeError, /options must be an object/],
+    [[[0, 0], { exact: 1 }], TypeError, /options.exact must be true or false, not 1/],
+    [[[0, 0], { resolution: 0 }], RangeError, /options.resolution must be a whole number/],
+    [[[0, 0], { points: 4 }], TypeError, /no option 'points'/],
+  ];
+  for (const [given, kind, message] of mistakes)
+    assert.throws(
+      () => surface.distanceField(.../** @type {[any, any]} */ (given)),
+      (error) => error instanceof kind && message.test(error.message) && error.message.startsWith('distanceField: '),
+      String(message),
+    );
+  surface.dispose();
+  const endless = surfpath.implicit({ f: 'z' });
+  assert.throws(() => endless.distanceField([0, 0, 0]), /^RangeError: distanceField: .*bounds/);
+  const outside = surfpath.implicit({
+    f: 'z',
+    bounds: [
+      [-1, 1],
+      [-1, 1],
+      [-1, 1],
+    ],
+  });
+  assert.throws(() => outside.distanceField([9, 0, 0], { resolution: 4 }), /^RangeError: distanceField: .*bounds/);
+});

@@ -1,0 +1,60 @@
+/** Many pairs of points in one flat array, checked: what is wrong with one pair is that pair's status, what is wrong with the array is an exception. */
+
+import { enterDomain } from './domain.js';
+import { describe, readOptions } from './path.js';
+
+/** Of enum sp_status. */
+export const OFF_SURFACE = -4;
+export const NOT_FINITE = -5;
+
+/**
+ * Options of paths that many pairs share.
+ * @param {string} caller @param {import('./path.js').PathOptions | undefined} given
+ * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' }}
+ */
+export function readPairOptions(caller, given) {
+  const { solve, start, via } = readOptions(caller, given);
+  if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
+  if (start !== 'global' && start !== 'straight')
+    throw new RangeError(`${caller}: options.start must be 'global' or 'straight', the same for all pairs`);
+  return { solve, start };
+}
+
+/** @param {string} caller @param {any} pairs @param {string[]} variables @returns {Float64Array} a copy */
+function readNumbers(caller, pairs, variables) {
+  const width = 2 * variables.length;
+  const what = `a flat array of ${[...variables, ...variables].join(' ')}, ${width} numbers a pair`;
+  if (typeof pairs !== 'object' || pairs === null || typeof pairs.length !== 'number')
+    throw new TypeError(`${caller}: pairs must be ${what}, not ${describe(pairs)}`);
+  const bad = ArrayBuffer.isView(pairs) ? undefined : Array.from(pairs).find((x) => typeof x !== 'number');
+  if (bad !== undefined) throw new TypeError(`${caller}: pairs must be ${what}; it holds ${describe(bad)}`);
+  if (pairs.length % width) throw new RangeError(`${caller}: pairs must be ${what}, not ${pairs.length} numbers`);
+  return Float64Array.from(/** @type {ArrayLike<number>} */ (pairs));
+}
+
+/** @param {number[]} point @param {import('./domain.js').Domain | null} domain @returns {number[] | null} null: outside the rectangle */
+function enter(point, domain) {
+  if (!domain) return point;
+  try {
+    return enterDomain(domain, point, '');
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+}
+
+/**
+ * The ends of each pair, or why it has none.
+ * @param {string} caller @param {unknown} pairs @param {string[]} variables of a point @param {import('./domain.js').Domain | null} domain
+ * @returns {(number[][] | typeof NOT_FINITE | typeof OFF_SURFACE)[]}
+ */
+export function readPairs(caller, pairs, variables, domain) {
+  const numbers = readNumbers(caller, pairs, variables);
+  const width = variables.length;
+  return Array.from({ length: numbers.length / (2 * width) }, (_, i) => {
+    const pair = Array.from(numbers.subarray(2 * width * i, 2 * width * (i + 1)));
+    if (!pair.every(Number.isFinite)) return NOT_FINITE;
+    const [from, to] = [enter(pair.slice(0, width), domain), enter(pair.slice(width), domain)];
+    return from && to ? [from, to] : OFF_SURFACE;
+  });
+}
