@@ -18,11 +18,8 @@ NPM := node_modules/.package-lock.json
 
 # One set of flags for every compiler. No contraction into fused operations: the same bits everywhere.
 CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP
-# What runs once a path is made small; what runs once a node, fast: -O2, without what makes code longer but not faster here.
-EMCC := emcc $(CFLAGS) -msimd128 -mbulk-memory -DNDEBUG
-SMALL := -Oz
-FAST := -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20
-HOT := newton blocks energy elements system parametric implicit functions functions_trigonometric functions_exponential functions_inverse
+# -O2, without what makes code longer but not faster here.
+EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20 -msimd128 -mbulk-memory -DNDEBUG
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
@@ -87,17 +84,15 @@ $(NPM): package-lock.json | tools
 
 # WebAssembly
 
-# The graphs are built once: there, bytes count for more than inlining and vector loops.
-build/wasm/graph%.o: EMCC += -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=25
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(EMCC) $(if $(filter $*,$(HOT)),$(FAST),$(SMALL)) -c $< -o $@
+	@$(EMCC) -c $< -o $@
 
 dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) -O2 $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # JavaScript and types
 

@@ -12,7 +12,7 @@ static double smaller(double a, double b) { return a < b ? a : b; }
 static double edge_speed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
     sp_pair place[2], chart[SP_CHART];
     place[arc->across] = sp_splat(arc->value), place[1 - arc->across] = sp_splat(t);
-    sp_parametric_kind.charts(surface, 1, place, chart);
+    sp_parametric_kind.charts(surface, 1, place, chart, NULL);
     struct sp_vector along = sp_load(chart + (arc->across ? SP_CHART_1 : SP_CHART_2));
     return root(sp_dot(along, along)[0]);
 }
@@ -58,6 +58,17 @@ static double walk_edge(const struct sp_surface *surface, const struct sp_arc *a
     return to;
 }
 
+/* The first or last place of an arc, exactly. */
+static void arc_end(const struct sp_arc *arc, int end, double place[3]) {
+    if (arc->on_edge) {
+        place[arc->across] = arc->value, place[1 - arc->across] = arc->ends[end];
+        return;
+    }
+    const struct sp_polyline *line = &arc->system.line;
+    for (int32_t j = 0; j < 2; j++)
+        place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end != arc->reversed ? line->fold.inner + 1 : 0, j);
+}
+
 int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
                    double *parameters, struct sp_arena *arena) {
     struct sp_reference reference;
@@ -79,6 +90,7 @@ int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface,
             double t = smaller((target - behind) / arc->length, 1);
             sp_sample_place(&arc->system, arc->reversed ? 1 - t : t, place);
         }
+        if (i == 0 || i == point_count + 1) arc_end(arcs->arc + (i ? arcs->count - 1 : 0), i > 0, place);
         sp_sample_point(surface, scale, place, points + 3 * i, parameters + 2 * i);
     }
     return 1;

@@ -13,10 +13,11 @@
 enum { SP_CHART_X = 0, SP_CHART_1 = 3, SP_CHART_2 = 6, SP_CHART_11 = 9, SP_CHART_12 = 12, SP_CHART_22 = 15, SP_CHART = 18 };
 
 struct sp_kind {
-    int32_t dimension; /* numbers of a place */
+    int32_t dimension;  /* numbers of a place */
+    int32_t components; /* numbers of a metric tensor (metric.h); 0: length is measured as space does, and there are no metrics */
 
-    /* Writes the charts of `pair_count` pairs of places. */
-    void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts);
+    /* Writes the charts, and the metrics if there are any, of `pair_count` pairs of places. */
+    void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics);
 
     /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
      * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
@@ -25,12 +26,10 @@ struct sp_kind {
                 const sp_mask *straight, double scale, sp_pair *moved);
 };
 
-extern const struct sp_kind sp_parametric_kind;
-extern const struct sp_kind sp_implicit_kind;
+extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
+extern const struct sp_kind sp_implicit_kind, sp_implicit_density_kind, sp_implicit_tensor_kind;
 
-static inline const struct sp_kind *sp_kind_of(const struct sp_surface *surface) {
-    return surface->kind == SP_IMPLICIT ? &sp_implicit_kind : &sp_parametric_kind;
-}
+const struct sp_kind *sp_kind_of(const struct sp_surface *surface);
 
 /* B_1 x B_2, normal to the surface. */
 static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
@@ -40,6 +39,10 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
 /* Implicit: moves points onto f = 0 by Eq. 37, X <- X - f grad f / |grad f|^2, until the step is lost in rounding, at most 12 times.
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
+
+/* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
+int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                       const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 
 /* Parametric: places moved into the closed rectangle. */
 void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);

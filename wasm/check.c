@@ -1,6 +1,7 @@
 /* Chords against the surface: sheets, singular curves, length. Independent of how the path was found. MATH.md, "Checks". */
 #include "check.h"
 #include "energy.h"
+#include "metric_check.h"
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
@@ -46,8 +47,8 @@ static enum sp_status check_implicit(const struct sp_polyline *line, const struc
 
 /* The chart of one point of a parametric surface, and its normal. */
 static void chart_at(const struct sp_polyline *line, double u, double v, sp_pair *chart, double normal[3]) {
-    sp_pair place[2] = {sp_splat(u), sp_splat(v)};
-    line->kind->charts(line->surface, 1, place, chart);
+    sp_pair place[2] = {sp_splat(u), sp_splat(v)}, metric[SP_METRIC_LARGEST];
+    line->kind->charts(line->surface, 1, place, chart, metric);
     struct sp_vector n = sp_chart_normal(chart);
     normal[0] = n.x[0], normal[1] = n.y[0], normal[2] = n.z[0];
 }
@@ -120,10 +121,9 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
         for (int j = 0; j < 3; j++)
             chord.place[0][j] = chord.place[1][j], chord.at[0][j] = chord.at[1][j], chord.normal[0][j] = chord.normal[1][j];
     }
-    return worst;
+    enum sp_status metric = sp_metric_check(line, scale);
+    return metric < 0 ? metric : worst;
 }
-
-double sp_check_length(const struct sp_polyline *line) { return sp_polyline_length(line->fold, line->nodes.charts); }
 
 /* (2 a^2 - a b + 2 b^2)/30 of the chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
  */
@@ -157,8 +157,9 @@ static double halving_error(const struct sp_polyline *line, double length) {
 double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-15 * length + 2.2e-16 * scale : 0; }
 
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
+    if (line->kind->components) return sp_metric_length_error(line);
     struct chord chord;
-    double length = sp_check_length(line), error = 0, least = sp_check_rounding(length, scale);
+    double length = sp_polyline_length(line->fold, line->nodes.charts), error = 0, least = sp_check_rounding(length, scale);
     read_node(line, 0, &chord, 0);
     for (int32_t i = 0; i <= line->fold.inner; i++) {
         read_node(line, i + 1, &chord, 1);

@@ -11,13 +11,11 @@
 enum sp_status sp_check_chords(const struct sp_polyline *line, double scale);
 
 /* Estimate of |length of the chords - length of the geodesic|, from the angles between chords and tangent planes; on a path that touches a
- * wall (`touches`) also from the polyline through every second node. At least what rounding leaves. */
+ * wall (`touches`) also from the polyline through every second node; with a metric (metric.h) from that alone. At least what rounding
+ * leaves. */
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches);
 
 /* What rounding coordinates of size `scale` leaves of a length: no error is said to be smaller. */
 double sp_check_rounding(double length, double scale);
-
-/* Sum of the chords. */
-double sp_check_length(const struct sp_polyline *line);
 
 #endif

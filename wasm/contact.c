@@ -62,11 +62,14 @@ static void contact_sines(const struct sp_newton *newton, struct sp_piece *piece
     }
 }
 
-/* Solves a piece and measures its angles. */
-static int solve_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
-                       int32_t *iterations) {
-    if (!sp_piece_solve(newton, options, piece, arena, iterations)) return 0;
+/* Solves a piece, to the tolerance or on the elements it has, keeps it, and measures its angles. */
+static int solve_piece(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
+                       struct sp_arena *arena, int32_t *iterations) {
+    int solved =
+        checked ? sp_piece_solve(newton, options, piece, arena, iterations) : sp_piece_follow(newton, options, piece, arena, iterations);
+    if (!solved) return 0;
     contact_sines(newton, piece);
+    sp_piece_keep(newton, piece);
     return 1;
 }
 
@@ -91,8 +94,7 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
         if (!piece->joint[end].slides) continue;
         struct sp_piece moved = *piece;
         *slide(&moved, end) += step[end];
-        int solved = solve_piece(newton, options, &moved, arena, iterations);
-        if (!solved) return 0;
+        if (!solve_piece(newton, options, 0, &moved, arena, iterations)) return 0;
         for (int i = 0; i < 2; i++)
             if (piece->joint[i].slides) jacobian[i][end] = (moved.sine[i] - piece->sine[i]) / step[end];
     }
@@ -104,10 +106,12 @@ static int fit_piece(struct sp_newton *newton, const struct sp_options *options,
                      int32_t *iterations) {
     double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
     if (enough < LEAST_SINE) enough = LEAST_SINE;
-    for (int round = 0; round < CONTACT_ROUNDS; round++) {
-        if (!solve_piece(newton, options, piece, arena, iterations)) return 0;
-        sp_piece_keep(newton, piece);
-        if (absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough) return 1;
+    for (int round = 0, checked = 1; round < CONTACT_ROUNDS; round++) {
+        if (!solve_piece(newton, options, checked, piece, arena, iterations)) return 0;
+        int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
+        if (fits && checked) return 1;
+        checked = fits;
+        if (fits) continue;
         double jacobian[2][2], speed[2] = {edge_speed(newton, piece, 0), edge_speed(newton, piece, 1)};
         if (!contact_jacobian(newton, options, piece, arena, iterations, jacobian)) return 0;
         double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
@@ -234,6 +238,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     int fits = fit_pieces(newton, options, pieces, made, arena, &iterations) && assemble(arcs, pieces);
     if (!fits) return arcs->count = 0, fall_back(newton, options, &contact, arena);
     refined.outcome = chords.outcome, refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
+    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
     for (int32_t i = 0; i < made; i++)
         refined.length_error += pieces[i].error;
     refined.length = sp_arcs_measure(arcs, newton->system.line.surface, arena);

@@ -13,7 +13,7 @@ static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a
 
 static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
     sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
-    sp_parametric_kind.charts(surface, 1, at, chart);
+    sp_parametric_kind.charts(surface, 1, at, chart, NULL);
 }
 
 static void normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
@@ -103,7 +103,7 @@ static double end_slope(const struct sp_newton *newton, const struct crossing *c
     struct sp_vector along = sp_add(sp_scale(sp_load(chart + SP_CHART_1), sp_splat(direction[0])),
                                     sp_scale(sp_load(chart + SP_CHART_2), sp_splat(direction[1])));
     double pull = sp_dot(sp_elements_end_pull(&system->elements, system->line.nodes.charts), along)[end];
-    return pull * root(system->elements.count / sp_system_squares(system, system->line.nodes.charts));
+    return pull * root(system->elements.count / sp_system_squares(system, system->line.nodes));
 }
 
 /* Solves both arcs to the crossing. Returns 0 where one fails. */
@@ -239,6 +239,7 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
     }
     arcs->count = 2;
     refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
+    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
     refined.length = best.length;
     return refined;
 }

@@ -1,5 +1,6 @@
 /* High-order elements: gradient and Hessian of their energy, static condensation, two mirrored elements at a time. MATH.md, "Elements". */
 #include "elements.h"
+#include "metric_elements.h"
 
 /* The charts of the p + 1 nodes of element pair e. */
 static const sp_pair *element_charts(const struct sp_elements *elements, const sp_pair *charts, int32_t e) {
@@ -143,16 +144,10 @@ static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair va
     matrix[i < j ? i * order + j : j * order + i] = value;
 }
 
-/* The upper triangle of one element's matrix: K_ij B_i'B_j between its nodes, the diagonal blocks of its inner nodes, in the last column
- * their right-hand sides. */
-static void fill_matrix(const struct sp_elements *elements, int32_t e, const sp_pair *charts, const struct sp_row *rows,
-                        const sp_mask *held, double shift, sp_pair *matrix) {
+/* K_ij B_i'B_j between the nodes of an element. */
+static void fill_couplings(const struct sp_elements *elements, int32_t e, const sp_pair *charts, const sp_mask *held, sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_vector frames[2 * (SP_MAX_DEGREE + 1)];
-    for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
-        matrix[k] = sp_splat(0.0);
-    for (int32_t k = 0; k < 2 * (p - 1); k++)
-        matrix[k * order + order - 1] = sp_splat(0.0);
     for (int32_t i = 0; i <= p; i++) {
         int32_t row = position(p, i);
         load_frame(charts + SP_CHART * i, held + 2 * i, frames + 2 * i);
@@ -163,7 +158,34 @@ static void fill_matrix(const struct sp_elements *elements, int32_t e, const sp_
                 for (int32_t b = 0; b < 2; b++)
                     put(matrix, order, row + a, column + b, stiffness * sp_dot(frames[2 * i + a], frames[2 * j + b]));
         }
-        if (i == 0 || i == p) continue;
+    }
+}
+
+/* The same where length has a metric of its own. */
+static void fill_metric_couplings(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, const sp_mask *held,
+                                  sp_pair *matrix) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    struct sp_metric_element element;
+    sp_metric_open(&elements->reference, line, line->nodes, e, &element);
+    for (int32_t i = 0; i <= p; i++)
+        for (int32_t j = 0; j < i; j++) {
+            sp_pair block[4];
+            sp_metric_couple(&element, i, j, held, block);
+            for (int32_t a = 0; a < 4; a++)
+                put(matrix, order, position(p, i) + a / 2, position(p, j) + a % 2, block[a]);
+        }
+}
+
+/* The upper triangle of one element's matrix but for its couplings: the diagonal blocks of its inner nodes, in the last column their
+ * right-hand sides. */
+static void fill_matrix(const struct sp_elements *elements, const struct sp_row *rows, double shift, sp_pair *matrix) {
+    int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
+        matrix[k] = sp_splat(0.0);
+    for (int32_t k = 0; k < 2 * (p - 1); k++)
+        matrix[k * order + order - 1] = sp_splat(0.0);
+    for (int32_t i = 1; i < p; i++) {
+        int32_t row = position(p, i);
         const struct sp_row *node = rows + i;
         sp_pair by = shift * node->weight;
         put(matrix, order, row, row, node->a + by * node->e);
@@ -236,7 +258,11 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
     start_skeleton(elements, rows, shift);
     for (int32_t e = 0; e < elements->count / 2; e++) {
         sp_pair *matrix = matrix_of(elements, e);
-        fill_matrix(elements, e, element_charts(elements, line->nodes.charts, e), rows + e * p, held + 2 * e * p, shift, matrix);
+        fill_matrix(elements, rows + e * p, shift, matrix);
+        if (line->kind->components)
+            fill_metric_couplings(elements, line, e, held + 2 * e * p, matrix);
+        else
+            fill_couplings(elements, e, element_charts(elements, line->nodes.charts, e), held + 2 * e * p, matrix);
         struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));
         inertia.negative += inner.negative, inertia.usable &= inner.usable;
         add_schur(elements, matrix, e);

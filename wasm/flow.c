@@ -49,7 +49,7 @@ static void slope_from(int implicit, const sp_pair *chart, const double *state, 
 
 static void find_chart(const struct sp_surface *surface, const double *state, sp_pair *chart) {
     sp_pair place[3] = {sp_splat(state[0]), sp_splat(state[1]), sp_splat(state[2])};
-    sp_kind_of(surface)->charts(surface, 1, place, chart);
+    sp_kind_of(surface)->charts(surface, 1, place, chart, 0);
 }
 
 static void find_slope(const void *context, const double *state, double *slope) {

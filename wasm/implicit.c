@@ -1,10 +1,11 @@
-/* Implicit surfaces f(x,y,z) = 0: charts in orthonormal tangent frames, and the retraction of Eq. 37. MATH.md, "Charts".
+/* Implicit surfaces f(x,y,z) = 0: charts in orthonormal tangent frames, the retraction of Eq. 37, and densities and tensors over x, y, z
+ * along the charts. MATH.md, "Charts" and "Metrics".
  *
  * The paper composes the energy with the projection, which makes its Hessian singular along the normals; two tangent coordinates a node do
  * not. */
-#include "chart.h"
+#include "metric.h"
 
-enum { BLOCK = 32, SETTLE_LIMIT = 12 };
+enum { BLOCK = 32, JETS = SP_IMPLICIT_JET * BLOCK, SETTLE_LIMIT = 12 };
 
 /* One tangent vector of a right-handed orthonormal frame with normal n; continuous except across n.z = 0. Duff et al., "Building an
  * orthonormal basis, revisited", JCGT 6 (2017). */
@@ -44,13 +45,46 @@ static void chart_from_jet(const sp_pair *place, const sp_pair *jet, sp_pair *ch
     sp_store(sp_scale(toward, sp_dot(second, hessian_times(jet + 4, second))), chart + SP_CHART_22);
 }
 
-static void implicit_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts) {
-    sp_pair jets[SP_IMPLICIT_JET * BLOCK];
-    for (int32_t k = 0; k < pair_count; k += BLOCK) {
-        int32_t count = pair_count - k < BLOCK ? pair_count - k : BLOCK;
+/* Number j of those that a jet holds side by side, with its derivatives. */
+static void gather(const sp_pair *jet, int32_t outputs, int32_t j, sp_pair *gathered) {
+    for (int32_t i = 0; i < SP_IMPLICIT_JET; i++)
+        gathered[i] = jet[outputs * i + j];
+}
+
+/* One component t(x,y,z) of a metric along the chart: t_a = grad t . B_a, t_ab = B_a' t'' B_b + grad t . S_ab. */
+static void component_along(const sp_pair *chart, const sp_pair *jet, int32_t components, sp_pair *metric) {
+    struct sp_vector gradient = sp_load(jet + 1), frame[2] = {sp_load(chart + SP_CHART_1), sp_load(chart + SP_CHART_2)};
+    metric[SP_METRIC_T * components] = jet[0];
+    for (int a = 0; a < 2; a++) {
+        struct sp_vector turned = hessian_times(jet + 4, frame[a]);
+        metric[(SP_METRIC_T1 + a) * components] = sp_dot(gradient, frame[a]);
+        for (int b = a; b < 2; b++)
+            metric[(SP_METRIC_T11 + a + b) * components] =
+                sp_dot(frame[b], turned) + sp_dot(gradient, sp_load(chart + SP_CHART_11 + 3 * (a + b)));
+    }
+}
+
+/* Chart and metric of one pair from the jet of f and of what the metric is made of. */
+static void read_jet(const sp_pair *place, const sp_pair *jet, int32_t components, sp_pair *chart, sp_pair *metric) {
+    sp_pair one[SP_IMPLICIT_JET];
+    if (components) gather(jet, components + 1, 0, one);
+    chart_from_jet(place, components ? one : jet, chart);
+    for (int32_t c = 0; c < components; c++) {
+        gather(jet, components + 1, 1 + c, one);
+        component_along(chart, one, components, metric + c);
+    }
+}
+
+static void implicit_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts,
+                            sp_pair *metrics) {
+    sp_pair jets[JETS];
+    int32_t components = sp_kind_of(surface)->components, size = SP_IMPLICIT_JET * (components + 1), block = JETS / size;
+    for (int32_t k = 0; k < pair_count; k += block) {
+        int32_t count = pair_count - k < block ? pair_count - k : block;
         surface->jet(count, places + 3 * k, jets);
         for (int32_t i = 0; i < count; i++)
-            chart_from_jet(places + 3 * (k + i), jets + SP_IMPLICIT_JET * i, charts + SP_CHART * (k + i));
+            read_jet(places + 3 * (k + i), jets + size * i, components, charts + SP_CHART * (k + i),
+                     metrics + SP_METRIC_PARTS * components * (k + i));
     }
 }
 
@@ -121,4 +155,6 @@ static int implicit_move(const struct sp_surface *surface, int32_t pair_count, c
     return near;
 }
 
-const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, implicit_charts, implicit_move};
+const struct sp_kind sp_implicit_kind = {SP_IMPLICIT_INPUTS, 0, implicit_charts, implicit_move};
+const struct sp_kind sp_implicit_density_kind = {SP_IMPLICIT_INPUTS, 1, implicit_charts, implicit_move};
+const struct sp_kind sp_implicit_tensor_kind = {SP_IMPLICIT_INPUTS, 6, implicit_charts, implicit_move};

@@ -1,5 +1,6 @@
 /* Newton with shift, Armijo search, escape from saddles and a certificate; and the paper's own variant of it. MATH.md, "Newton". */
 #include "newton.h"
+#include "metric_check.h"
 #include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
@@ -16,13 +17,16 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     struct sp_polyline *line = &system->line;
     line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(inner);
     size_t pairs = (size_t)sp_fold_pairs(line->fold), dimension = (size_t)line->kind->dimension;
+    size_t metric = SP_METRIC_PARTS * (size_t)line->kind->components;
     struct sp_nodes *both[2] = {&line->nodes, &newton->trial};
     for (int i = 0; i < 2; i++) {
         both[i]->places = sp_arena_take(arena, pairs * dimension, sizeof(sp_pair));
         both[i]->charts = sp_arena_take(arena, pairs * SP_CHART, sizeof(sp_pair));
-        if (!both[i]->places || !both[i]->charts) return 0;
+        both[i]->metrics = metric ? sp_arena_take(arena, pairs * metric, sizeof(sp_pair)) : NULL;
+        if (!both[i]->places || !both[i]->charts || (metric && !both[i]->metrics)) return 0;
     }
     system->elements.reference.degree = 1;
+    if (metric && !sp_reference_make(&system->elements.reference, 1, arena)) return 0;
     system->rows = sp_arena_take(arena, pairs, sizeof(struct sp_row));
     system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
@@ -32,16 +36,18 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     newton->record_points = options->point_count;
     newton->history = sp_arena_take(arena, (size_t)newton->history_capacity, sizeof(struct sp_iterate));
     size_t record = (size_t)newton->history_capacity * 3 * ((size_t)options->point_count + 2);
-    newton->record = options->record ? sp_arena_take(arena, record, sizeof(double)) : NULL;
-    return system->rows && system->straight && system->held && newton->step && newton->history && (newton->record || !options->record);
+    int keeps = options->record && surface->value;
+    newton->record = keeps ? sp_arena_take(arena, record, sizeof(double)) : NULL;
+    return system->rows && system->straight && system->held && newton->step && newton->history && (newton->record || !keeps);
 }
 
-double sp_newton_bytes(int32_t kind, const struct sp_options *options, int32_t inner) {
+double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner) {
+    const struct sp_kind *kind = sp_kind_of(surface);
     double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + (double)HISTORY_EXTRA;
-    double dimension = kind == SP_IMPLICIT ? SP_IMPLICIT_INPUTS : SP_PARAMETRIC_INPUTS;
-    double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * (dimension + SP_CHART) + 2) + 3 * sizeof(sp_mask));
-    double record = options->record ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
-    return rows + entries * sizeof(struct sp_iterate) + record + 16 * 16;
+    double node = kind->dimension + SP_CHART + SP_METRIC_PARTS * (double)kind->components;
+    double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * node + 2) + 3 * sizeof(sp_mask));
+    double record = options->record && surface->value ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
+    return rows + entries * sizeof(struct sp_iterate) + record + sp_reference_bytes(1) + 18 * 16;
 }
 
 static int is_singular(const struct sp_newton *newton) {
@@ -65,7 +71,7 @@ static int normals_kept(const struct sp_newton *newton) {
 static double try_step(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
-    sp_pair *places = newton->trial.places, *charts = newton->trial.charts;
+    sp_pair *places = newton->trial.places;
     for (int32_t j = 0; j < dimension; j++)
         places[j] = line->nodes.places[j];
     if (!line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
@@ -74,7 +80,7 @@ static double try_step(struct sp_newton *newton, double scale) {
     sp_fold_mirror(line->fold, places, dimension);
     sp_polyline_charts(line, newton->trial);
     if ((line->surface->kind == SP_IMPLICIT || is_singular(newton)) && !normals_kept(newton)) return not_a_number();
-    return sp_system_squares(&newton->system, charts);
+    return sp_system_squares(&newton->system, newton->trial);
 }
 
 static void accept(struct sp_newton *newton) {
@@ -211,7 +217,7 @@ static void note(struct sp_newton *newton, const struct round *round, double ste
 /* Below this the decrement is rounding: measured noise is 0.6 … 1 times 1e-16 N (1 + size/length). */
 static double decrement_floor(const struct sp_newton *newton, double squares) {
     double nodes = newton->system.line.fold.inner + 1, length = root(squares * sp_system_segments(&newton->system));
-    double floor = 1e-15 * nodes * (1 + newton->scale / length);
+    double floor = 1e-15 * nodes * (1 + newton->size / length);
     return floor > newton->decrement ? floor : newton->decrement;
 }
 
@@ -289,7 +295,11 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
     struct round round = {0};
     sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     assemble(newton, options, &round);
-    if (!is_finite(round.energy.squares)) return outcome;
+    if (!is_finite(round.energy.squares)) {
+        enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);
+        if (metric < 0) outcome.status = metric;
+        return outcome;
+    }
     iterate(newton, options, iterations_left, &round, &outcome);
     int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
     if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && outcome.iterations < iterations_left)

@@ -11,9 +11,10 @@ struct sp_newton {
     struct sp_nodes trial;      /* the path after a step, of the same size */
     sp_pair *step;              /* two numbers a pair */
     struct sp_iterate *history; /* history_capacity entries */
-    double *record;             /* as many polylines of 3 (record_points + 2) numbers, or NULL */
+    double *record;             /* as many polylines of 3 (record_points + 2) numbers; NULL: not wanted, or no positions */
     int32_t history_count, history_capacity, record_points;
     double scale;     /* size of the coordinates, for rounding */
+    double size;      /* the same in the unit of length, which a metric may change */
     double decrement; /* stop at this relative Newton decrement */
 };
 
@@ -28,7 +29,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
                    struct sp_arena *arena);
 
 /* Bytes that sp_newton_take takes. */
-double sp_newton_bytes(int32_t kind, const struct sp_options *options, int32_t inner);
+double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner);
 
 /* Runs until converged or beaten, or out of steps (`iterations_left`); the path is left in newton->system.line and never has more energy
  * than the start. */

@@ -1,7 +1,9 @@
 /* Parametric surfaces S(u,v): the compiled surface writes the chart itself. Knows the closed rectangle, not the path. MATH.md, "Charts". */
 #include "chart.h"
 
-static void parametric_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts) {
+static void parametric_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts,
+                              sp_pair *metrics) {
+    (void)metrics;
     surface->jet(pair_count, places, charts);
 }
 
@@ -33,8 +35,8 @@ static void bend(const sp_pair *chart, sp_pair *u, sp_pair *v) {
     *v += sp_select(sane, limit * bend_v, sp_splat(0.0));
 }
 
-static int parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                           const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
+int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                       const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     for (int32_t k = 0; k < pair_count; k++) {
         sp_pair straight_u = scale * steps[2 * k], straight_v = scale * steps[2 * k + 1], u = straight_u, v = straight_v;
         bend(charts + SP_CHART * k, &u, &v);
@@ -46,4 +48,4 @@ static int parametric_move(const struct sp_surface *surface, int32_t pair_count,
     return 1;
 }
 
-const struct sp_kind sp_parametric_kind = {SP_PARAMETRIC_INPUTS, parametric_charts, parametric_move};
+const struct sp_kind sp_parametric_kind = {SP_PARAMETRIC_INPUTS, 0, parametric_charts, sp_parametric_move};

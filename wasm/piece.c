@@ -63,8 +63,8 @@ static int start_graded(const struct sp_newton *newton, const struct sp_piece *p
     return 1;
 }
 
-/* The piece's graded path with its ends moved to the joints. */
-static void follow_graded(const struct sp_piece *piece, struct sp_system *start) {
+/* The piece's own path with its ends moved to the joints. */
+static void follow(const struct sp_piece *piece, struct sp_system *start) {
     int32_t last = piece->system.line.fold.inner + 1;
     *start = piece->system;
     double by[2][2];
@@ -81,13 +81,26 @@ static void follow_graded(const struct sp_piece *piece, struct sp_system *start)
     middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
+int sp_piece_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
+                    int32_t *iterations) {
+    size_t bottom = arena->used;
+    struct sp_system start;
+    follow(piece, &start);
+    newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
+    struct sp_refined refined = sp_refine_same(newton, options, &start, arena);
+    arena->used = bottom;
+    *iterations += refined.outcome.iterations;
+    piece->length = refined.length;
+    return refined.outcome.status == SP_CONVERGED;
+}
+
 int sp_piece_solve_graded(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int end,
                           struct sp_arena *arena, int32_t *iterations) {
     size_t bottom = arena->used;
     struct sp_system start;
     int is_graded = piece->system.elements.reference.degree > 1 && piece->system.elements.singular[end];
     if (is_graded)
-        follow_graded(piece, &start);
+        follow(piece, &start);
     else if (!start_graded(newton, piece, end, &start, arena))
         return 0;
     newton->system.elements.singular[end] = 1, newton->system.elements.singular[1 - end] = 0;

@@ -25,6 +25,10 @@ struct sp_piece {
 int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
                    int32_t *iterations);
 
+/* Solves a piece that was solved and kept before on the same elements, after its joints have moved a little: fast, and not checked. */
+int sp_piece_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
+                    int32_t *iterations);
+
 /* The same where the end of that number lies on a singular curve. */
 int sp_piece_solve_graded(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int end,
                           struct sp_arena *arena, int32_t *iterations);

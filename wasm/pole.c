@@ -61,6 +61,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     line->surface = surface;
     if (arcs->count < 2) return arcs->count = 0, refined;
     refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
+    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
     refined.length = sp_arcs_measure(arcs, surface, arena);
     return refined;
 }

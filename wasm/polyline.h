@@ -34,10 +34,11 @@ static inline double sp_fold_get(struct sp_fold fold, const sp_pair *data, int32
     return data[(size_t)stride * (size_t)sp_fold_pair(fold, i) + (size_t)j][sp_fold_lane(fold, i)];
 }
 
-/* Nodes of a path: places and charts, folded. */
+/* Nodes of a path: places, charts and metrics, folded. */
 struct sp_nodes {
-    sp_pair *places; /* kind->dimension a pair */
-    sp_pair *charts; /* SP_CHART a pair */
+    sp_pair *places;  /* kind->dimension a pair */
+    sp_pair *charts;  /* SP_CHART a pair */
+    sp_pair *metrics; /* 6 kind->components a pair; NULL without a metric of its own */
 };
 
 struct sp_polyline {
@@ -55,10 +56,11 @@ static inline void sp_fold_mirror(struct sp_fold fold, sp_pair *data, int32_t st
         data[(size_t)stride * (size_t)(fold.both + 1) + (size_t)j] = sp_swap(last[j]);
 }
 
-/* Writes the charts of all nodes from their places. */
+/* Writes the charts and metrics of all nodes from their places. */
 static inline void sp_polyline_charts(const struct sp_polyline *line, struct sp_nodes nodes) {
-    line->kind->charts(line->surface, sp_fold_unknown(line->fold) + 1, nodes.places, nodes.charts);
+    line->kind->charts(line->surface, sp_fold_unknown(line->fold) + 1, nodes.places, nodes.charts, nodes.metrics);
     sp_fold_mirror(line->fold, nodes.charts, SP_CHART);
+    sp_fold_mirror(line->fold, nodes.metrics, 6 * line->kind->components);
 }
 
 #endif

@@ -62,7 +62,7 @@ static int go_down(const struct sp_surface *surface, struct sp_vector target, st
     double scale = 1;
     for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
         if (!kind->move(surface, 1, place, chart, step, NULL, scale, moved)) continue;
-        kind->charts(surface, 1, moved, next);
+        kind->charts(surface, 1, moved, next, NULL);
         if (!is_better(distance_at(next, target), before, root(sp_dot(target, target)[0]))) continue;
         for (int j = 0; j < kind->dimension; j++)
             place[j] = moved[j];
@@ -90,7 +90,7 @@ int32_t sp_project_point(const struct sp_surface *surface, const double point[3]
         sp_parametric_clip(surface, 1, at);
     else if (!sp_implicit_settle(surface, 1, at, surface->extent))
         return SP_OFF_SURFACE;
-    kind->charts(surface, 1, at, chart);
+    kind->charts(surface, 1, at, chart, NULL);
     struct distance here = distance_at(chart, target);
     if (!is_finite(here.squared)) return SP_NOT_FINITE;
     int held[2];

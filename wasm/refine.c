@@ -1,6 +1,7 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
 #include "refine.h"
 #include "check.h"
+#include "metric_elements.h"
 #include "sample.h"
 
 struct rung {
@@ -12,7 +13,7 @@ static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, 
 static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
-static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1;
+static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
@@ -34,13 +35,32 @@ static int note_start(const struct sp_system *system, struct start *start, struc
 /* Largest distance that a node has moved. */
 static double displacement(const struct sp_system *system, const struct start *start) {
     double largest = 0;
+    int32_t components = system->line.kind->components;
+    const sp_pair *metrics = system->line.nodes.metrics;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector moved = sp_subtract(sp_load(system->line.nodes.charts + SP_CHART * k), sp_load(start->positions + 3 * k));
-        sp_pair squared = sp_dot(moved, moved);
+        sp_pair squared = sp_dot(moved, moved), displaced[3];
+        sp_store(moved, displaced);
+        if (components) squared = sp_metric_product(components, metrics + SP_METRIC_PARTS * components * k, displaced, displaced);
         for (int lane = 0; lane < 2; lane++)
             largest = larger(largest, squared[lane]);
     }
     return root(largest);
+}
+
+/* Nodes of `count` elements on the path of `from`, with their charts. */
+static enum sp_status carry_over(struct sp_newton *newton, const struct sp_system *from, int32_t count) {
+    struct sp_polyline *line = &newton->system.line;
+    line->fold = sp_fold_of(newton->system.elements.reference.degree * count - 1);
+    newton->system.elements.count = count;
+    sp_sample_places(from, &newton->system.elements, line->nodes.places);
+    int32_t unknown = sp_fold_unknown(line->fold);
+    if (line->surface->kind == SP_PARAMETRIC)
+        sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
+    else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, newton->scale))
+        return SP_SHEET_JUMP;
+    sp_polyline_charts(line, line->nodes);
+    return SP_CONVERGED;
 }
 
 /* Sets the system up as `rung`, started from the path of `from`. */
@@ -57,14 +77,8 @@ static enum sp_status start_rung(struct sp_newton *newton, const struct sp_syste
     if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
     int graded = elements->singular[0] || elements->singular[1];
     if (graded && !sp_graded_make(&elements->graded, &elements->reference, elements->singular, arena)) return SP_OUT_OF_MEMORY;
-    system->line.fold = sp_fold_of(rung.degree * rung.count - 1);
-    sp_sample_places(from, elements, system->line.nodes.places);
-    int32_t unknown = sp_fold_unknown(system->line.fold);
-    if (system->line.surface->kind == SP_PARAMETRIC)
-        sp_parametric_clip(system->line.surface, unknown, system->line.nodes.places + 2);
-    else if (!sp_implicit_settle(system->line.surface, unknown, system->line.nodes.places + 3, newton->scale))
-        return SP_SHEET_JUMP;
-    sp_polyline_charts(&system->line, system->line.nodes);
+    enum sp_status status = carry_over(newton, from, rung.count);
+    if (status != SP_CONVERGED) return status;
     return note_start(system, start, arena) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }
 
@@ -82,7 +96,7 @@ static struct climbed climb(struct sp_newton *newton, const struct sp_options *o
     if (climbed.outcome.status != SP_CONVERGED) return climbed;
     climbed.outcome = sp_newton_run(newton, options, iterations_left);
     if (climbed.outcome.status < 0) return climbed;
-    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes.charts);
+    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes);
     climbed.moved = displacement(&newton->system, &start);
     return climbed;
 }
@@ -96,11 +110,11 @@ static int strayed(const struct climbed *climbed, double first_length) {
 
 /* The smallest relative error that the coordinates' rounding allows. */
 static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
-    return larger(options->tolerance, 8 * 2.2e-16 * newton->scale / length);
+    return larger(options->tolerance, 8 * 2.2e-16 * newton->size / length);
 }
 
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
-    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, sp_check_rounding(climbed.length, newton->scale))};
+    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, sp_check_rounding(climbed.length, newton->size))};
 }
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
@@ -116,6 +130,14 @@ static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_op
     }
     now.outcome.iterations += iterations;
     return now;
+}
+
+/* A path that took many chords has nothing to learn from a few nodes, and Newton on them wanders. */
+static int first_rung(const struct sp_system *first) {
+    int r = 0;
+    while (LADDER[r].degree * LADDER[r].count < (first->line.fold.inner + 1) / 4)
+        r++;
+    return r;
 }
 
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
@@ -162,23 +184,43 @@ double sp_refine_bytes(void) {
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
+/* The path of chords, and the error of its length. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more
+ * than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
+static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
+                                 double *error) {
+    struct climbed now = {0};
+    for (;;) {
+        int32_t iterations = now.outcome.iterations, count = 2 * (newton->system.line.fold.inner + 1);
+        now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
+        now.outcome.iterations += iterations;
+        if (now.outcome.status < 0) return now;
+        now.length = sp_system_length(&newton->system, newton->system.line.nodes);
+        *error = sp_check_length_error(&newton->system.line, newton->size, now.outcome.active);
+        int enough = newton->system.line.kind->components == 0 || *error <= CHORD_ERROR * now.length || count > SP_REFINE_INNER + 1;
+        if (now.outcome.status != SP_CONVERGED || enough) return now;
+        struct sp_system before = sp_storage_keep(storage, &newton->system);
+        now.outcome.status = carry_over(newton, &before, count);
+        if (now.outcome.status != SP_CONVERGED) return now;
+    }
+}
+
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct climbed first = {0};
     struct sp_storage storage;
+    double error = 0;
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
+        return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
     newton->decrement = FIRST_DECREMENT;
-    first.outcome = sp_newton_run(newton, options, options->max_iterations);
+    first = find_first(newton, options, &storage, &error);
     if (first.outcome.status < 0) return finish(newton, first, 0);
-    first.length = sp_check_length(&newton->system.line);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
-    double error = sp_check_length_error(&newton->system.line, newton->scale, first.outcome.active);
-    if (first.outcome.status != SP_CONVERGED || first.outcome.squares == 0 || first.outcome.active) return finish(newton, first, error);
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) {
-        first.outcome.status = SP_OUT_OF_MEMORY;
-        return finish(newton, first, error);
-    }
+    int touches = first.outcome.active && newton->system.line.kind->components == 0;
+    int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
+    if (!at_rest || first.outcome.squares == 0 || touches) return finish(newton, first, error);
+    int lowest = first_rung(&newton->system);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, LADDER, RUNGS, &kept, first.length, first.outcome.iterations, arena);
+    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, first.outcome.iterations, arena);
 }
 
 struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
@@ -186,9 +228,15 @@ struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_opt
     return climb_all(newton, options, GRADED, GRADED_RUNGS, from, 0, 0, arena);
 }
 
+struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                 struct sp_arena *arena) {
+    struct rung rung = {from->elements.reference.degree, from->elements.count};
+    return finish(newton, climb(newton, options, from, rung, options->max_iterations, arena), 0);
+}
+
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
     struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
-    double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->scale, chords.outcome.active);
+    double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
 }

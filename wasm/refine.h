@@ -22,6 +22,10 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
 struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                    struct sp_arena *arena);
 
+/* Solves on the elements of a path that is nearly right, its ends moved, say: as accurate as they are, not checked against finer ones. */
+struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                 struct sp_arena *arena);
+
 /* A path of `count` chords, even, from another path, which is not in newton's own arrays. */
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena);

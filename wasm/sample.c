@@ -81,12 +81,12 @@ void sp_sample_point(const struct sp_surface *surface, double scale, const doubl
     sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
     if (surface->kind == SP_PARAMETRIC) {
         sp_parametric_clip(surface, 1, at);
-        surface->value(1, at, position);
+        if (point) surface->value(1, at, position);
     } else {
         sp_implicit_settle(surface, 1, at, scale);
         sp_store(sp_load(at), position);
     }
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; point && j < 3; j++)
         point[j] = position[j][0];
     for (int j = 0; parameters && j < 2; j++)
         parameters[j] = at[j][0];
@@ -113,22 +113,34 @@ struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct 
     return kept;
 }
 
+/* A node: its chart knows where it lies, unless it is a chart of u and v themselves. */
+static void write_node(const struct sp_system *system, int32_t i, double *point, double *parameters) {
+    const struct sp_polyline *line = &system->line;
+    int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
+    for (int32_t j = 0; parameters && j < 2; j++)
+        parameters[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
+    for (int32_t j = 0; !flat && j < 3; j++)
+        point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
+    if (!flat || !point) return;
+    sp_pair place[2], position[SP_PARAMETRIC_VALUES];
+    for (int32_t j = 0; j < 2; j++)
+        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
+    line->surface->value(1, place, position);
+    for (int j = 0; j < 3; j++)
+        point[j] = position[j][0];
+}
+
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
     struct sp_fold fold = system->line.fold;
     int32_t last = point_count + 1, end = fold.inner + 1;
     int nodes = system->elements.reference.degree == 1 && fold.inner == point_count;
     for (int32_t i = 0; i <= last; i++) {
-        double *point = points + 3 * i, *place = parameters ? parameters + 2 * i : NULL;
-        if (!nodes && i > 0 && i < last) {
-            double at[3];
-            sp_sample_place(system, (double)i / last, at);
-            sp_sample_point(system->line.surface, scale, at, point, place);
+        double *point = points ? points + 3 * i : NULL, *place = parameters ? parameters + 2 * i : NULL, at[3];
+        if (nodes || i == 0 || i == last) {
+            write_node(system, nodes ? i : i ? end : 0, point, place);
             continue;
         }
-        int32_t node = nodes ? i : i ? end : 0;
-        for (int32_t j = 0; j < 3; j++)
-            point[j] = sp_fold_get(fold, system->line.nodes.charts, SP_CHART, node, j);
-        for (int32_t j = 0; place && j < 2; j++)
-            place[j] = sp_fold_get(fold, system->line.nodes.places, 2, node, j);
+        sp_sample_place(system, (double)i / last, at);
+        sp_sample_point(system->line.surface, scale, at, point, place);
     }
 }

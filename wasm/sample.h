@@ -5,8 +5,8 @@
 
 #include "system.h"
 
-/* Writes K + 2 points (3 numbers) and, unless NULL, places (2 numbers; parametric only) at equal steps of the path's parameter, which at
- * rest is its length; of a polyline with K inner nodes the nodes themselves. */
+/* Writes K + 2 points (3 numbers; unless NULL) and places (2 numbers, parametric only; unless NULL) at equal steps of the path's parameter,
+ * which at rest is its length; of a polyline with K inner nodes the nodes themselves. */
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters);
 
 /* The place (3 numbers; parametric 2 and a zero) at t in [0, 1] of a path, interpolated, not yet put onto the surface. */

@@ -2,6 +2,7 @@
 #include "arcs.h"
 #include "check.h"
 #include "functions.h"
+#include "metric_elements.h"
 #include "refine.h"
 #include "sample.h"
 #include "start.h"
@@ -26,10 +27,10 @@ static int32_t inner_nodes(const struct sp_options *options) {
     return options->algorithm == SP_ELEMENTS ? SP_REFINE_INNER : options->point_count;
 }
 
-double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count) {
+double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() : 0;
-    return sp_newton_bytes(kind, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
+    return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
 
@@ -46,8 +47,10 @@ static void reverse(double *numbers, int32_t count, int32_t size) {
 static int write_points(const struct sp_newton *newton, const struct sp_arcs *arcs, int32_t point_count, int reversed,
                         struct sp_arena *arena, struct sp_result *result) {
     int32_t count = point_count + 2;
-    result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
-    if (!result->points) return 0;
+    if (newton->system.line.surface->value) {
+        result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
+        if (!result->points) return 0;
+    }
     if (newton->system.line.surface->kind == SP_PARAMETRIC) {
         result->parameters = sp_arena_take(arena, 2 * (size_t)count, sizeof(double));
         if (!result->parameters) return 0;
@@ -57,7 +60,7 @@ static int write_points(const struct sp_newton *newton, const struct sp_arcs *ar
     else if (!sp_arcs_sample(arcs, newton->system.line.surface, newton->scale, point_count, result->points, result->parameters, arena))
         return 0;
     if (!reversed) return 1;
-    reverse(result->points, count, 3);
+    if (result->points) reverse(result->points, count, 3);
     if (result->parameters) reverse(result->parameters, count, 2);
     for (int32_t i = 0; newton->record && i < newton->history_count; i++)
         reverse(newton->record + (size_t)i * 3 * (size_t)count, count, 3);
@@ -75,6 +78,14 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
     for (int j = 0; j < dimension; j++)
         from[j] = reversed ? request->to[j] : request->from[j], to[j] = reversed ? request->from[j] : request->to[j];
     return reversed;
+}
+
+/* A length beside which those of the path are rounded: the size of the coordinates, in the metric of its ends. */
+static double size_of(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    if (line->kind->components == 0) return newton->scale;
+    line->kind->charts(line->surface, 1, line->nodes.places, line->nodes.charts, line->nodes.metrics);
+    return sp_metric_size(line);
 }
 
 /* The two end charts must be regular enough to leave from: finite, and the metric not zero in every direction. */
@@ -98,8 +109,8 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
 static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
     if (refined.outcome.status < 0) return refined;
-    refined.length = sp_check_length(&newton->system.line);
-    refined.length_error = sp_check_length_error(&newton->system.line, newton->scale, refined.outcome.active);
+    refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
+    refined.length_error = sp_check_length_error(&newton->system.line, newton->size, refined.outcome.active);
     return refined;
 }
 
@@ -108,13 +119,13 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
                                         struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
-    int parametric = newton->system.line.surface->kind == SP_PARAMETRIC;
-    if (pole > 0 && parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    int plain = newton->system.line.surface->kind == SP_PARAMETRIC && newton->system.line.kind->components == 0;
+    if (pole > 0 && plain) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     refined = sp_refine_run(newton, options, arena);
-    if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
-    if (refined.outcome.status != SP_SINGULAR_METRIC || !parametric) return refined;
+    if (refined.outcome.status == SP_CONVERGED && refined.outcome.active && plain) return sp_contact_run(newton, options, arena, arcs);
+    if (refined.outcome.status != SP_SINGULAR_METRIC || !plain) return refined;
     result->crosses_singularity = 1;
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
@@ -134,6 +145,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
     if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
     if (status != SP_CONVERGED) return status;
+    newton.size = size_of(&newton);
     struct sp_arcs arcs;
     arcs.count = 0;
     struct sp_refined refined =

@@ -3,12 +3,24 @@
 
 static double norm3(const double x[3]) { return sp_square_root(sp_splat(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))[0]; }
 
+/* Where a place lies; u and v themselves on a surface without positions. */
+static void locate_place(const struct sp_surface *surface, const double *point, double at[3]) {
+    int32_t dimension = sp_kind_of(surface)->dimension;
+    sp_pair place[3] = {{0}}, position[3];
+    for (int j = 0; j < dimension; j++)
+        place[j] = sp_splat(point[j]);
+    if (surface->kind == SP_PARAMETRIC && surface->value)
+        surface->value(1, place, position);
+    else
+        sp_store(sp_load(place), position);
+    for (int j = 0; j < 3; j++)
+        at[j] = position[j][0];
+}
+
 /* |X| of a given end. */
 static double size_of(const struct sp_surface *surface, const double point[3]) {
-    if (surface->kind == SP_IMPLICIT) return norm3(point);
-    sp_pair place[2] = {sp_splat(point[0]), sp_splat(point[1])}, position[SP_PARAMETRIC_VALUES];
-    surface->value(1, place, position);
-    double at[3] = {position[0][0], position[1][0], position[2][0]};
+    double at[3];
+    locate_place(surface, point, at);
     return norm3(at);
 }
 
@@ -62,14 +74,8 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
     double before[3] = {0}, total = 0;
     int dimension = line->kind->dimension;
     for (int32_t i = 0; i < request->start_count; i++) {
-        sp_pair place[3] = {{0}}, position[SP_PARAMETRIC_VALUES];
-        for (int j = 0; j < dimension; j++)
-            place[j] = sp_splat(request->start[dimension * i + j]);
-        if (line->surface->kind == SP_PARAMETRIC)
-            line->surface->value(1, place, position);
-        else
-            sp_store(sp_load(place), position);
-        double here[3] = {position[0][0], position[1][0], position[2][0]};
+        double here[3];
+        locate_place(line->surface, request->start + dimension * i, here);
         double chord[3] = {here[0] - before[0], here[1] - before[1], here[2] - before[2]};
         total += i ? norm3(chord) : 0;
         along[i] = total;

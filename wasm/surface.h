@@ -12,7 +12,11 @@
  * expression the numbers are NaN or infinite. */
 typedef void (*sp_evaluate)(int32_t pair_count, const sp_pair *in, sp_pair *out);
 
+/* What the places of a surface are: u v in a rectangle, or x y z on f = 0. */
 enum sp_surface_kind { SP_PARAMETRIC = 0, SP_IMPLICIT = 1 };
+
+/* How length is measured: as space does; times a density; by a tensor over the places instead. */
+enum sp_surface_metric { SP_INDUCED = 0, SP_DENSITY = 1, SP_TENSOR = 2 };
 
 /* Parametric S(u,v): what `jet` and `value` read and write, per pair. */
 enum {
@@ -28,13 +32,22 @@ enum {
     SP_IMPLICIT_JET = 10    /* f, f_x f_y f_z, f_xx f_xy f_xz f_yy f_yz f_zz */
 };
 
+/* What `jet` writes instead where there is a density or a tensor; `value` stays what it is. The length element is sqrt(phi) ds, of a
+ * density phi = rho |rho|; or sqrt(dq' T dq), with a density T = rho |rho| tensor. */
+enum {
+    SP_PARAMETRIC_DENSITY_JET = 24, /* x y z phi, then the same four of the derivatives by u, v, uu, uv, vv */
+    SP_PARAMETRIC_TENSOR_JET = 18,  /* E F G, then the same three of those derivatives */
+    SP_IMPLICIT_DENSITY_JET = 20,   /* f phi, then the same two of the derivatives by x, y, z, xx, xy, xz, yy, yz, zz */
+    SP_IMPLICIT_TENSOR_JET = 70     /* f, T_xx T_xy T_yy T_xz T_yz T_zz, then the same seven of those derivatives */
+};
+
 /* A surface as the solver sees it. */
 struct sp_surface {
     sp_evaluate jet;   /* values, first and second derivatives */
-    sp_evaluate value; /* values (implicit: and the gradient): cheaper */
+    sp_evaluate value; /* values (implicit: and the gradient): cheaper; NULL: parametric, without positions */
     int32_t kind;      /* enum sp_surface_kind */
-    int32_t unused;
-    double lower[2]; /* parametric: closed rectangle of u and v; -inf and +inf in a direction without walls */
+    int32_t metric;    /* enum sp_surface_metric */
+    double lower[2];   /* parametric: closed rectangle of u and v; -inf and +inf in a direction without walls */
     double upper[2];
     double extent; /* implicit: diagonal of the box in which the surface is searched; 0: not known */
 };

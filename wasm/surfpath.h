@@ -55,7 +55,7 @@ struct sp_result {
     double length_error;        /* estimate of |length - length of the geodesic|, never below 4e-15 length */
     double energy;              /* Eq. 19 */
     double gradient_norm;       /* |grad E| over all free unknowns */
-    double *points;             /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path */
+    double *points;             /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path or positions */
     double *parameters;         /* 2 (K + 2): u v; NULL for an implicit surface */
     struct sp_iterate *history; /* history_count entries */
     double *record;             /* history_count polylines of 3 (K + 2), or NULL */
@@ -67,15 +67,16 @@ struct sp_result {
     int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
 };
 
-/* Writes the defaults: SP_POLYLINE, K = 64, 100 iterations, stop by decrement, no record. */
+/* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 100 iterations, no record. */
 void sp_default_options(struct sp_options *options);
 
-/* Bytes of arena that sp_solve_path needs for these options on a surface of this kind (start_count: of the request); monotone in K. */
-double sp_solve_bytes(int32_t kind, const struct sp_options *options, int32_t start_count);
+/* Bytes of arena that sp_solve_path needs for these options on this surface (start_count: of the request); monotone in K. */
+double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count);
 
 /* Computes a locally shortest path between two points.
  *
- * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md). `result` is always filled; its
+ * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md); where length has a
+ * metric of its own (surface.h), E = sum of its chords' squares by the trapezoidal rule. `result` is always filled; its
  * arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED, SP_ITERATION_LIMIT, SP_STALLED, SP_ILL_CONDITIONED,
  * SP_SADDLE with a path; SP_SINGULAR_METRIC, SP_SHEET_JUMP, SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range
  * are the caller's mistake and are clamped. Cost: O(K) a step. */
@@ -138,6 +139,7 @@ SP_SIZE(sp_surface, 56);
 SP_AT(sp_surface, jet, 0);
 SP_AT(sp_surface, value, 4);
 SP_AT(sp_surface, kind, 8);
+SP_AT(sp_surface, metric, 12);
 SP_AT(sp_surface, lower, 16);
 SP_AT(sp_surface, upper, 32);
 SP_AT(sp_surface, extent, 48);

@@ -1,22 +1,32 @@
 /* Chooses between polyline and elements, and measures steps. MATH.md, "Newton". */
 #include "system.h"
+#include "metric_elements.h"
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 
 static int is_polyline(const struct sp_system *system) { return system->elements.reference.degree == 1; }
+static int has_metric(const struct sp_system *system) { return system->line.kind->components > 0; }
 
-double sp_system_squares(const struct sp_system *system, const sp_pair *charts) {
-    return is_polyline(system) ? sp_polyline_squares(system->line.fold, charts) : sp_elements_squares(&system->elements, charts, NULL);
+double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes) {
+    if (has_metric(system)) return sp_metric_squares(&system->elements.reference, &system->line, nodes, NULL);
+    if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes.charts);
+    return sp_elements_squares(&system->elements, nodes.charts, NULL);
 }
 
-double sp_system_length(const struct sp_system *system, const sp_pair *charts) {
+double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
     double length;
-    if (is_polyline(system)) return sp_polyline_length(system->line.fold, charts);
-    sp_elements_squares(&system->elements, charts, &length);
+    if (has_metric(system))
+        sp_metric_squares(&system->elements.reference, &system->line, nodes, &length);
+    else if (is_polyline(system))
+        length = sp_polyline_length(system->line.fold, nodes.charts);
+    else
+        sp_elements_squares(&system->elements, nodes.charts, &length);
     return length;
 }
 
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
+    if (has_metric(system))
+        return sp_metric_assemble(&system->elements.reference, &system->line, hessian, system->rows, system->straight, system->held);
     if (is_polyline(system)) return sp_polyline_assemble(&system->line, hessian, system->rows, system->straight);
     return sp_elements_assemble(&system->elements, &system->line, hessian, system->rows, system->straight, system->held);
 }

@@ -9,7 +9,7 @@ struct sp_system {
     struct sp_row *rows;         /* one a pair */
     sp_mask *straight;           /* one a pair: nodes that move along straight lines of the parameters */
     sp_mask *held;               /* two a pair: coordinates that do not move; elements only */
-    struct sp_elements elements; /* degree 1: a polyline, nothing else in it used */
+    struct sp_elements elements; /* degree 1: a polyline, nothing else in it used but, with a metric, the reference element */
 };
 
 /* Number of elements or chords, m: the energy is m times `squares`. */
@@ -17,11 +17,11 @@ static inline int32_t sp_system_segments(const struct sp_system *system) {
     return system->elements.reference.degree == 1 ? system->line.fold.inner + 1 : system->elements.count;
 }
 
-/* Energy over m of nodes with these charts. */
-double sp_system_squares(const struct sp_system *system, const sp_pair *charts);
+/* Energy over m of these nodes. */
+double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes);
 
-/* Length of the path of the nodes with these charts: sum of chords, or quadrature. */
-double sp_system_length(const struct sp_system *system, const sp_pair *charts);
+/* Length of the path of these nodes: sum of chords, or quadrature. */
+double sp_system_length(const struct sp_system *system, struct sp_nodes nodes);
 
 /* The pieces of a Newton step: energy.h, blocks.h, elements.h. */
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian);

@@ -13,6 +13,20 @@ import { describe } from './path.js';
  * @property {readonly [Expression, Expression]} v range of v
  * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] which directions are closed; default 'auto': where S and its first derivatives agree on both edges
  * @property {Readonly<Record<string, number>>} [parameters] named constants; `set` changes them without recompiling
+ * @property {Expression} [density] ρ > 0 over u, v, x, y, z and the parameters: the length element is ρ ds, so that paths avoid where it is large
+ * @property {{ E: Expression, F: Expression, G: Expression }} [metric] over u, v and the parameters: replaces the metric that space induces;
+ *   positions are then only drawn. With a density: ρ² times this
+ */
+
+/**
+ * @typedef {object} MetricDefinition ds² = E du² + 2F du dv + G dv² over a closed rectangle, without positions in space
+ * @property {Expression} E over u, v and the parameters; so are F and G; EG − F² > 0 and E > 0 wherever paths go
+ * @property {Expression} F
+ * @property {Expression} G
+ * @property {readonly [Expression, Expression]} u range of u, constants and parameters only
+ * @property {readonly [Expression, Expression]} v range of v
+ * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] which directions are closed; default 'auto': none, for a metric does not tell
+ * @property {Readonly<Record<string, number>>} [parameters]
  */
 
 /**
@@ -20,12 +34,13 @@ import { describe } from './path.js';
  * @property {Expression} f over x, y, z and the parameters; smooth, with ∇f ≠ 0 on the surface
  * @property {readonly [readonly [number, number], readonly [number, number], readonly [number, number]]} [bounds] where the surface is searched, no wall; needed by `mesh`
  * @property {Readonly<Record<string, number>>} [parameters]
+ * @property {Expression} [density] ρ > 0 over x, y, z and the parameters: the length element is ρ ds
+ * @property {{ xx: Expression, xy: Expression, xz: Expression, yy: Expression, yz: Expression, zz: Expression }} [metric] a symmetric tensor T over x, y, z
+ *   and the parameters, positive definite on the tangent planes: the length element is √(dxᵀ T dx). With a density: ρ² times this
  */
 
-const UNBUILT = ['density', 'metric'];
-
-/** @param {unknown} value @param {string} caller @param {string} name */
-function checkExpression(caller, name, value) {
+/** @param {string} caller @param {string} name @param {unknown} value */
+export function checkExpression(caller, name, value) {
   if (typeof value !== 'string' && !(typeof value === 'number' && Number.isFinite(value)))
     throw new TypeError(`${caller}: ${name} must be a formula in a string, or a finite number, not ${describe(value)}`);
 }
@@ -43,7 +58,6 @@ export function checkDefinition(caller, definition, required, expressions) {
     throw new TypeError(`${caller}: the definition must be an object, not ${describe(definition)}`);
   for (const name of required)
     if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
-  for (const name of UNBUILT) if (definition[name] !== undefined) throw new RangeError(`${caller}: ${name} is not built yet`);
   for (const name of expressions) checkExpression(caller, name, definition[name]);
 }
 

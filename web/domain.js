@@ -3,6 +3,7 @@
 /** @typedef {{ lower: number[], upper: number[] }} Range */
 /** @typedef {Range & { periodic: boolean[], poles: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
+/** @typedef {{ jets: Jets, metrics: (points: number[]) => ArrayLike<number>[] }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does */
 
 /** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
 const TEST_FRACTIONS = [0.0371, 0.1618, 0.3183, 0.4669, 0.6181, 0.7724, 0.9143];
@@ -57,12 +58,14 @@ function findPoles(jets, range, size) {
 }
 
 /**
- * Whether a surface closes smoothly in a direction: S and its first derivatives agree on both edges, and the edges are curves, not points.
+ * Whether a surface closes smoothly in a direction: S, what measures length on it, and the first derivatives agree on both edges, and the edges
+ * are curves, not points.
  * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls.
- * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction 0: u, 1: v
+ * @param {Sampled} surface @param {Range} range @param {number} size of the surface @param {number} direction 0: u, 1: v
  */
-function closes(jets, range, size, direction) {
-  const [low, high] = [0, 1].map((side) => jets(edgePlaces(range, direction, side, TEST_FRACTIONS)));
+function closes({ jets, metrics }, range, size, direction) {
+  const edges = [0, 1].map((side) => edgePlaces(range, direction, side, TEST_FRACTIONS));
+  const [low, high] = edges.map(jets);
   let [position, derivative, largest, variation] = [0, 0, 0, 0];
   for (let i = 0; i < TEST_FRACTIONS.length; i++) {
     position = Math.max(position, gap(vector(low, i, 0), vector(high, i, 0)));
@@ -72,20 +75,33 @@ function closes(jets, range, size, direction) {
       largest = Math.max(largest, gap(vector(low, i, offset), [0, 0, 0]), gap(vector(high, i, offset), [0, 0, 0]));
     }
   }
+  if (!agree(metrics(edges.flat()))) return false;
   return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
+}
+
+/** Whether the second half of the lists repeats the first. @param {ArrayLike<number>[]} lists */
+function agree(lists) {
+  const half = lists.length / 2;
+  let [apart, largest] = [0, 0];
+  for (let i = 0; i < half; i++)
+    for (let k = 0; k < lists[i].length; k++) {
+      apart = Math.max(apart, Math.abs(lists[i][k] - lists[half + i][k]));
+      largest = Math.max(largest, Math.abs(lists[i][k]));
+    }
+  return apart <= DERIVATIVE_GAP * largest;
 }
 
 /**
  * What a rectangle is glued to: which directions are periodic, as asked, or, 'auto', where the surface closes; and which edges are points.
- * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Jets} jets @param {Range} range
+ * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Sampled} surface @param {Range} range
  * @returns {Domain}
  */
-export function findDomain(asked, jets, { lower, upper }) {
+export function findDomain(asked, surface, { lower, upper }) {
   const range = { lower, upper };
-  const size = diagonal(jets, range);
+  const size = diagonal(surface.jets, range);
   const periodic =
-    asked === 'auto' ? [0, 1].map((direction) => closes(jets, range, size, direction)) : [asked.u === true, asked.v === true];
-  return { lower, upper, periodic, poles: findPoles(jets, range, size) };
+    asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, size, direction)) : [asked.u === true, asked.v === true];
+  return { lower, upper, periodic, poles: findPoles(surface.jets, range, size) };
 }
 
 /**

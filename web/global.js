@@ -167,18 +167,22 @@ function isSame(a, b) {
   const samples = 16;
   let away = 0;
   for (let i = 1; i < samples; i++) {
-    const [p, q] = [a, b].map((path) => pointAt(path.points, i / samples));
-    away = Math.max(away, (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2);
+    const [p, q] = [a, b].map((path) => pointAt(path, i / samples));
+    away = Math.max(
+      away,
+      p.reduce((sum, x, k) => sum + (x - q[k]) ** 2, 0),
+    );
   }
   return away <= (APART * estimate(a)) ** 2;
 }
 
-/** The point at a fraction of a polyline of equal chords. @param {Float64Array} points @param {number} fraction */
-function pointAt(points, fraction) {
-  const at = fraction * (points.length / 3 - 1);
-  const i = 3 * Math.floor(at);
+/** The point at a fraction of a path of equal chords; u v where it has no positions. @param {RawPath} path @param {number} fraction */
+function pointAt({ points, parameters }, fraction) {
+  const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
+  const at = fraction * (numbers.length / width - 1);
+  const i = width * Math.floor(at);
   const t = at - Math.floor(at);
-  return [0, 1, 2].map((k) => points[i + k] + (t ? t * (points[i + 3 + k] - points[i + k]) : 0));
+  return Array.from({ length: width }, (_, k) => numbers[i + k] + (t ? t * (numbers[i + width + k] - numbers[i + k]) : 0));
 }
 
 /** Turns a path round. @param {RawPath} path @returns {RawPath} */

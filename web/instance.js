@@ -7,6 +7,7 @@ import { Surface } from './surface.js';
 
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
 /** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
 /** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
 /** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
@@ -16,11 +17,10 @@ import { Surface } from './surface.js';
 /**
  * A definition with the name of its kind.
  * @typedef {({ kind: 'parametric' } & ParametricDefinition) | ({ kind: 'implicit' } & ImplicitDefinition) | ({ kind: 'graph' } & GraphDefinition)
- *   | ({ kind: 'revolution' } & RevolutionDefinition) | ({ kind: 'tube' } & TubeDefinition) | ({ kind: 'sweep' } & SweepDefinition)} AnyDefinition
+ *   | ({ kind: 'revolution' } & RevolutionDefinition) | ({ kind: 'tube' } & TubeDefinition) | ({ kind: 'sweep' } & SweepDefinition) | ({ kind: 'metric' } & MetricDefinition)} AnyDefinition
  */
 
-const KINDS = [...PARAMETRIC_KINDS, 'implicit'];
-const UNBUILT = ['metric'];
+const KINDS = [...PARAMETRIC_KINDS, 'implicit', 'metric'];
 
 /** One instance: surfaces of it share a memory; two instances share nothing. Made by `load`. */
 export class Surfpath {
@@ -40,6 +40,11 @@ export class Surfpath {
   /** An implicit surface f(x, y, z) = 0. @param {ImplicitDefinition} definition */
   implicit(definition) {
     return this.#add('implicit', definition);
+  }
+
+  /** A metric ds² = E du² + 2F du dv + G dv² without positions: its paths have parameters, but no points. @param {MetricDefinition} definition */
+  metric(definition) {
+    return this.#add('metric', definition);
   }
 
   /**
@@ -84,7 +89,6 @@ export class Surfpath {
     if (typeof definition !== 'object' || definition === null)
       throw new TypeError(`surface: the definition must be an object, not ${describe(definition)}`);
     const { kind } = definition;
-    if (UNBUILT.includes(kind)) throw new RangeError(`surface: kind '${kind}' is not built yet: use one of ${KINDS.join(', ')}`);
     if (!KINDS.includes(kind)) throw new RangeError(`surface: kind must be one of ${KINDS.join(', ')}, not ${describe(kind)}`);
     return this.#add(kind, definition);
   }

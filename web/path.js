@@ -28,9 +28,10 @@ export const STATUS = new Map([
  * @typedef {object} Path a path, plain data, copies only
  * @property {Status} status how the computation ended
  * @property {boolean} converged true for status `converged` alone
- * @property {number} length sum of the chords (traced: length of the geodesic), in the unit of the surface's coordinates; NaN without a path
+ * @property {number} length in the unit of the surface's coordinates, or in that of its metric or density: of 'polyline' and 'paper' the sum of the chords; NaN
+ *   without a path
  * @property {number} lengthError estimate of |length − length of the geodesic| (traced: of the error of the end's position), same unit
- * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path
+ * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path, and on surfaces without positions
  * @property {Float64Array | null} parameters u v of the K + 2 points, continuous across seams; null for implicit surfaces
  * @property {number} iterations Newton steps (traced: steps of the integrator)
  * @property {number} energy E = (K + 1) Σ |chord|², unit length²; NaN if traced, as gradientNorm

@@ -14,8 +14,9 @@ import { joinPaths, shareOut } from './via.js';
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
  * @property {number[] | null} box of an implicit surface
- * @property {import('./graphs.js').Graphs} graphs
- * @property {<T>(call: (heap: Heap, record: number) => T) => T} run
+ * @property {import('./graphs.js').Graphs | null} graphs null: it has no positions
+ * @property {boolean} isPlain length is that of space: no density, no metric
+ * @property {<T>(call: (heap: Heap, record: number, shape: number) => T) => T} run record: the surface as it measures length; shape: as space does
  */
 
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
@@ -42,21 +43,23 @@ export function solveNear({ kind, domain, run }, ends, options, start) {
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
  * @returns {Path[]}
  */
-export function findGlobal({ kind, domain, box, graphs, run }, [from, to], options, most) {
+export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, to], options, most) {
   const first = from.findIndex((x, j) => x !== to[j]);
   const swap = first >= 0 && from[first] > to[first];
   const [a, b] = swap ? [to, from] : [from, to];
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  const raw = run((heap, record) =>
+  const own = (/** @type {import('./runtime/heap.js').Graph | null | undefined} */ graph) =>
+    graph && !isPlain ? { ...graph, unique: false } : (graph ?? null);
+  const raw = run((heap, record, shape) =>
     findPaths(
       {
         from: a,
         to: b,
-        domain,
+        domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
         solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
-        graph: (level) => graphs.find(heap, record, place, level),
-        flood: (level) => graphs.flood(heap, record, a, b, level),
-        search: (graph, points) => heap.searchGraph(record, graph, a, b, points),
+        graph: (level) => own(graphs?.find(heap, shape, place, level)),
+        flood: (level) => own(graphs?.flood(heap, shape, a, b, level)),
+        search: (graph, points) => heap.searchGraph(shape, graph, a, b, points),
       },
       options,
       most,
@@ -64,7 +67,12 @@ export function findGlobal({ kind, domain, box, graphs, run }, [from, to], optio
   );
   return raw.map((found) => {
     const path = makePath(swap ? reverse(found) : found);
-    if (path.parameters) shift(path.parameters, [from[0] - path.parameters[0], from[1] - path.parameters[1]]);
+    const { parameters } = path;
+    if (parameters)
+      shift(
+        parameters,
+        [0, 1].map((j) => (domain?.periodic[j] ? from[j] - parameters[j] : 0)),
+      );
     return path;
   });
 }
@@ -77,6 +85,7 @@ export function findGlobal({ kind, domain, box, graphs, run }, [from, to], optio
 export function passThrough(field, caller, places, options, start) {
   if (start !== 'global' && start !== 'straight')
     throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
+  if (!field.graphs) throw new RangeError(`${caller}: options.via is not built yet for surfaces without positions`);
   const count = places.length - 1;
   const least = 2 * count - 1;
   if (options.points < least)

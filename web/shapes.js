@@ -59,6 +59,7 @@ import { componentsOf } from './reference.js';
  */
 
 const POSITION = ['x', 'y', 'z'];
+const TENSOR = ['E', 'F', 'G'];
 
 /** @type {Record<string, (kind: string, definition: any) => Shape>} */
 const SHAPES = {
@@ -70,6 +71,11 @@ const SHAPES = {
     checkDefinition(kind, definition, [...POSITION, 'u', 'v'], POSITION);
     const outputs = POSITION.map((name) => definition[name]);
     return { variables: ['u', 'v'], names: POSITION, ranges: rangesOf(kind, definition, ['u', 'v']), outputs };
+  },
+  metric(kind, definition) {
+    checkDefinition(kind, definition, [...TENSOR, 'u', 'v'], TENSOR);
+    const outputs = TENSOR.map((name) => definition[name]);
+    return { variables: ['u', 'v'], names: TENSOR, ranges: rangesOf(kind, definition, ['u', 'v']), outputs };
   },
   graph(kind, definition) {
     checkDefinition(kind, definition, ['z', 'x', 'y'], ['z']);
@@ -101,10 +107,18 @@ const SHAPES = {
 };
 
 /** The kinds that are parametric surfaces, however they are written. */
-export const PARAMETRIC_KINDS = Object.freeze(Object.keys(SHAPES).filter((kind) => kind !== 'implicit'));
+export const PARAMETRIC_KINDS = Object.freeze(Object.keys(SHAPES).filter((kind) => kind !== 'implicit' && kind !== 'metric'));
+/** Kinds that write their positions themselves: a density or metric over them is not built yet. */
+const WRITTEN = ['graph', 'revolution', 'tube', 'sweep'];
 
 /** Checks a definition and says how to compile it. @param {string} kind @param {unknown} definition @returns {Shape} */
-export const readShape = (kind, definition) => SHAPES[kind](kind, definition);
+export function readShape(kind, definition) {
+  const shape = SHAPES[kind](kind, definition);
+  for (const name of ['density', 'metric'])
+    if (WRITTEN.includes(kind) && /** @type {any} */ (definition)[name] !== undefined)
+      throw new RangeError(`${kind}: ${name} is not built yet for this kind; write the surface as parametric`);
+  return shape;
+}
 
 /** @param {string} kind @param {any} definition @param {string[]} names @returns {[string, Range][]} copies */
 function rangesOf(kind, definition, names) {

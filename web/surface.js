@@ -7,6 +7,7 @@ import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
+import { checkMetric, compileMetric, METRIC } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath, LAYOUT } from './runtime/heap.js';
@@ -20,8 +21,10 @@ import { readTrace, readTraceOptions } from './trace.js';
 /** @typedef {import('./mesh.js').Mesh} Mesh */
 /** @typedef {import('./field.js').FieldOptions} FieldOptions */
 /** @typedef {import('./field.js').DistanceField} DistanceField */
+/** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
 
-const KIND = { parametric: 0, implicit: 1 };
+/** enum sp_surface_kind of wasm/surface.h. */
+const KIND = { parametric: 0, implicit: 1, metric: 0 };
 const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
@@ -30,41 +33,49 @@ const RESOLUTION = { parametric: 96, implicit: 64 };
 const FINER = 96;
 const MOST_GEODESICS = 8;
 
-/** What the two kinds differ in. */
+/** What the kinds differ in. */
 const SHAPE = {
   parametric: { variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
   implicit: { variables: ['x', 'y', 'z'], jet: 10, value: 4, valueOrder: /** @type {1} */ (1) },
+  metric: { variables: ['u', 'v'], jet: 18, value: 3, valueOrder: /** @type {0} */ (0) },
 };
 
 export class Surface {
-  /** @type {'parametric' | 'implicit'} */ kind;
+  /** @type {'parametric' | 'implicit' | 'metric'} */ kind;
   #solver;
   #forget;
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
+  /** What measures length, if it is not space alone. */
+  #metric;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
   #reference = { wanted: null, compiled: null };
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
-  /** @type {ReturnType<import('./runtime/solver.js').Solver['install']> | null} */ #installed = null;
+  /** @type {Installed | null} */ #installed = null;
+  /** @type {Installed | null} */ #installedMetric = null;
   #graphs;
   #record = 0;
+  /** Address of the record of the surface as space measures it. */
+  #shapeRecord = 0;
   #generation = 0;
   #disposed = false;
 
-  /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when the surface is disposed */
+  /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
-    this.kind = kind === 'implicit' ? kind : 'parametric';
+    checkMetric(kind, definition);
+    this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
     this.#forget = forget;
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
+    this.#metric = compileMetric(this.kind, definition, this.#shape.variables, this.#parameters, solver.apply);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
     this.#compiled = this.#compile();
@@ -174,6 +185,7 @@ export class Surface {
   trace(from, direction, length, options) {
     const caller = 'trace';
     this.#checkAlive(caller);
+    if (this.kind === 'metric' || this.#metric) throw new RangeError(`${caller}: a density or a metric is not built yet here`);
     const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
     const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
     const wanted = readTraceOptions(caller, options);
@@ -185,13 +197,14 @@ export class Surface {
   /**
    * Evaluates the surface.
    * @param {ArrayLike<number>} points parametric: u v a point; implicit: x y z
-   * @returns {Float64Array} parametric: position and unit normal, 6 numbers a point (NaN normals where S_u × S_v = 0); implicit: f and ∇f, 4
+   * @returns {Float64Array} parametric: position and unit normal, 6 numbers a point (NaN normals where S_u × S_v = 0); implicit: f and ∇f, 4;
+   *   metric: E, F and G, 3
    */
   evaluate(points) {
     const caller = 'evaluate';
     this.#checkAlive(caller);
     checkPoints(caller, points, SHAPE[this.kind].variables);
-    if (this.kind === 'implicit') return this.#evaluate('value', points);
+    if (this.kind !== 'parametric') return this.#evaluate('value', points);
     return positionsAndNormals(this.#evaluate('jet', points));
   }
 
@@ -204,6 +217,7 @@ export class Surface {
   project(point, near) {
     const caller = 'project';
     this.#checkAlive(caller);
+    this.#checkPositions(caller);
     const target = readNumbers(caller, 'point', point, 3);
     const place =
       near === undefined
@@ -223,6 +237,7 @@ export class Surface {
   mesh(options = {}) {
     const caller = 'mesh';
     this.#checkAlive(caller);
+    this.#checkPositions(caller);
     if (typeof options !== 'object' || options === null)
       throw new TypeError(`${caller}: options must be an object, not ${describe(options)}`);
     checkNames(caller, options, ['resolution']);
@@ -231,7 +246,7 @@ export class Surface {
 
   /** @param {string} caller @param {number} [wanted] resolution @returns {Mesh} */
   #mesh(caller, wanted) {
-    const resolution = wanted ?? RESOLUTION[this.kind];
+    const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.kind)];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
@@ -283,7 +298,7 @@ export class Surface {
     this.#disposed = true;
     this.#dropGraphs();
     if (this.#installed && this.#generation === this.#solver.generation) this.#uninstall();
-    this.#installed = null;
+    this.#installed = this.#installedMetric = null;
     this.#forget();
   }
 
@@ -316,14 +331,23 @@ export class Surface {
   }
 
   #uninstall() {
-    this.#solver.remove(/** @type {any} */ (this.#installed));
-    this.#solver.heap.release(this.#record);
+    for (const installed of [this.#installed, this.#installedMetric]) if (installed) this.#solver.remove(installed);
+    for (const record of [this.#record, this.#shapeRecord]) this.#solver.heap.release(record);
+  }
+
+  /** @param {string} caller */
+  #checkPositions(caller) {
+    if (this.kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
   }
 
   /** Compiles the module into the solver's present instance. */
   #install() {
-    this.#installed = this.#solver.install(this.#compiled.module, this.#compiled.data, this.#compiled.dataBytes);
+    const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) =>
+      this.#solver.install(module, data, dataBytes);
+    this.#installed = install(this.#compiled);
+    this.#installedMetric = this.#metric && install(this.#metric.compiled);
     this.#record = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);
+    this.#shapeRecord = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);
     this.#generation = this.#solver.generation;
     this.#writeParameters();
   }
@@ -343,7 +367,8 @@ export class Surface {
   }
 
   #writeParameters() {
-    this.#solver.heap.writeDoubles(/** @type {any} */ (this.#installed).data, Object.values(this.#parameters));
+    for (const installed of [this.#installed, this.#installedMetric])
+      if (installed) this.#solver.heap.writeDoubles(installed.data, Object.values(this.#parameters));
   }
 
   /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
@@ -351,13 +376,22 @@ export class Surface {
     const { variables, jet, value } = SHAPE[this.kind];
     if (points.length === 0) return new Float64Array(0);
     return this.#run((heap) =>
-      heap.evaluate(/** @type {any} */ (this.#installed).call[what], points, variables.length, what === 'jet' ? jet : value),
+      heap.evaluate(/** @type {Installed} */ (this.#installed).call[what], points, variables.length, what === 'jet' ? jet : value),
     );
+  }
+
+  /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
+  #evaluateMetric(points) {
+    const metric = this.#metric;
+    if (!metric) return [];
+    const count = metric.compiled.jet.length;
+    const jets = this.#run((heap) => heap.evaluate(/** @type {Installed} */ (this.#installedMetric).call.jet, points, 2, count));
+    return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
   }
 
   /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
-    if (this.kind !== 'parametric') return null;
+    if (this.kind === 'implicit') return null;
     const [lower, upper] = [
       [0, 0],
       [0, 0],
@@ -374,19 +408,28 @@ export class Surface {
 
   /** Finds out which directions are periodic, and tells the solver. @param {{ lower: number[], upper: number[] } | null} range */
   #settle(range) {
-    if (range) this.#domain = findDomain(this.#periodic, (points) => this.#evaluate('jet', points), range);
+    const surface = {
+      jets: (/** @type {number[]} */ points) => this.#evaluate('jet', points),
+      metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
+    };
+    const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
+    if (range) this.#domain = findDomain(periodic, surface, range);
     this.#writeRecord();
   }
 
   #writeRecord() {
-    const { jet, value } = /** @type {any} */ (this.#installed);
+    const { jet, value } = /** @type {Installed} */ (this.#installed);
     const domain = this.#domain;
     const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
     const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
     const box = this.#box;
     const extent = box ? Math.sqrt((box[1] - box[0]) ** 2 + (box[3] - box[2]) ** 2 + (box[5] - box[4]) ** 2) : 0;
-    this.#solver.heap.writeSurface(this.#record, { kind: KIND[this.kind], jet, value, lower, upper, extent });
+    const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent };
+    const abstract = { ...shape, metric: METRIC.tensor, value: 0 };
+    const metric = this.#metric && { ...shape, metric: this.#metric.code, jet: /** @type {Installed} */ (this.#installedMetric).jet };
+    this.#solver.heap.writeSurface(this.#shapeRecord, shape);
+    this.#solver.heap.writeSurface(this.#record, this.kind === 'metric' ? abstract : (metric ?? shape));
   }
 
   /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
@@ -401,8 +444,9 @@ export class Surface {
       kind: KIND[this.kind],
       domain: this.#domain,
       box: this.#box,
-      graphs: this.#graphs,
-      run: (call) => this.#run((heap) => call(heap, this.#record)),
+      graphs: this.kind === 'metric' ? null : this.#graphs,
+      isPlain: this.kind !== 'metric' && !this.#metric,
+      run: (call) => this.#run((heap) => call(heap, this.#record, this.#shapeRecord)),
     };
   }
 
@@ -413,7 +457,7 @@ export class Surface {
 
   /** @param {string} caller @param {number[]} target @param {number[]} place where to start */
   #projectOnto(caller, target, place) {
-    const found = this.#run((heap) => heap.project(this.#record, target, place));
+    const found = this.#run((heap) => heap.project(this.#shapeRecord, target, place));
     if (found.status >= STATUS_CONVERGED) return found.place;
     throw new RangeError(
       `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`,

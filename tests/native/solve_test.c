@@ -79,7 +79,7 @@ static void check_reversal(const struct sp_surface *surface, uint64_t *seed) {
 static void check_arena(const struct sp_surface *surface, struct sp_request request, int32_t record) {
     struct sp_options options = options_of(7, 0);
     options.record = record, options.max_iterations = 20;
-    size_t bytes = (size_t)sp_solve_bytes(surface->kind, &options, request.start_count);
+    size_t bytes = (size_t)sp_solve_bytes(surface, &options, request.start_count);
     for (size_t size = 0; size <= bytes; size += 16) {
         struct sp_arena small = {aligned_alloc(16, size + 16), size, 0};
         struct sp_result result;

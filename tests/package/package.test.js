@@ -65,8 +65,8 @@ describe('the package', () => {
     assert.deepEqual(missing, []);
   });
 
-  test('is at most 160 KB', () => {
-    assert.ok(packed.size <= 160 * 1024, `${packed.size} bytes`);
+  test('is at most 256 KB', () => {
+    assert.ok(packed.size <= 256 * 1024, `${packed.size} bytes`);
   });
 
   test('works in Node', async () => {

@@ -36,6 +36,14 @@ const LARGEST_PARAMETER_COUNT = 64;
  */
 
 /**
+ * A density ρ: the outputs from number `from` on are multiplied by ρ|ρ|, which is ρ² with the sign of ρ.
+ * @typedef {object} Density
+ * @property {string | number} source over the variables, the parameters and the names of `positions`
+ * @property {Record<string, string | number>} [positions] x, y, z as expressions over the variables; they hide no parameter
+ * @property {number} from
+ */
+
+/**
  * Compiles the expressions of a surface.
  * @param {object} options
  * @param {(string | number)[] | ((formulas: Formulas) => number[])} options.outputs the expressions, or what makes their nodes
@@ -43,25 +51,39 @@ const LARGEST_PARAMETER_COUNT = 64;
  * @param {string[]} options.variables such as 'u', 'v'
  * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
  * @param {0 | 1} [options.valueOrder] whether `value` stores first derivatives too; default: only if there is one output
+ * @param {Density} [options.density] multiplies some of the outputs
  * @param {Apply} options.apply folds elementary functions of constants
  * @returns {Compiled}
  * @throws {ExpressionError} for an expression or parameter that cannot be used
  * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
  */
-export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, apply }) {
+export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, density, apply }) {
   const parameterNames = Object.keys(parameters);
   const scope = createScope(variables, parameters);
   const graph = new Graph(apply);
   const jets =
     typeof outputs === 'function'
       ? differentiateNodes(graph, outputs(formulasOf(graph, variables, scope)), variables.length, 2)
-      : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
+      : differentiateSources(graph, outputs, names, { variables, parameters, scope, density });
   const jet = layOut(jets, 2);
   const value = layOut(jets, valueOrder);
   const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
   const { module, constants: numbers, dataBytes } = emit(graph, { jet, value }, counts);
   const data = Float64Array.from([...parameterNames.map((name) => parameters[name]), ...numbers]);
   return { module, data, dataBytes, parameterNames, graph, jet, value };
+}
+
+/**
+ * Jets of expressions, some of them multiplied by a density over the positions.
+ * @param {Graph} graph @param {(string | number)[]} sources @param {string[]} names
+ * @param {{ variables: string[], parameters: Record<string, number>, scope: Map<string, Meaning>, density?: Density }} context
+ */
+function differentiateSources(graph, sources, names, { variables, parameters, scope, density }) {
+  const programs = sources.map((source, k) => read(source, scope, names[k]));
+  const positions = Object.entries(density?.positions ?? {});
+  const known = positions.map(([name, source]) => differentiate(graph, read(source, scope, name), variables.length, 2));
+  if (density) multiplyByDensity(programs, density, createScope(variables, parameters, Object.keys(density.positions ?? {})));
+  return programs.map((program) => differentiate(graph, program, variables.length, 2, known));
 }
 
 /** @param {Graph} graph @param {string[]} variables @param {Map<string, Meaning>} scope @returns {Formulas} */
@@ -103,11 +125,25 @@ function read(source, scope, name) {
   );
 }
 
-/** What names mean: variables before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @returns {Map<string, Meaning>} */
-function createScope(variables, parameters) {
+/** @param {import('./postfix.js').Instruction[][]} programs changed in place @param {Density} density @param {Map<string, Meaning>} scope */
+function multiplyByDensity(programs, { source, from }, scope) {
+  const density = read(source, scope, 'density');
+  const call = (/** @type {string} */ name, /** @type {number} */ value) => ({
+    kind: /** @type {const} */ ('call'),
+    name,
+    value,
+    index: 0,
+  });
+  const squared = [...density, ...density, call('abs', 1), call('multiply', 2)];
+  for (let k = from; k < programs.length; k++) programs[k] = [...programs[k], ...squared, call('multiply', 2)];
+}
+
+/** What names mean: variables and known values before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @param {string[]} [known] @returns {Map<string, Meaning>} */
+function createScope(variables, parameters, known = []) {
   /** @type {Map<string, Meaning>} */
   const scope = new Map();
   for (const [value, name] of variables.entries()) scope.set(name, { kind: 'variable', value });
+  for (const [value, name] of known.entries()) scope.set(name, { kind: 'known', value });
   Object.entries(parameters).forEach(([name, value], index) => {
     checkParameter(name, value, index, scope);
     scope.set(name, { kind: 'parameter', value: index });

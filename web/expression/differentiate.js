@@ -18,9 +18,10 @@ import { ATAN2, HYPOT, LOG, POW, rules } from './functions.js';
  * @param {Instruction[]} program
  * @param {number} variableCount
  * @param {0 | 1 | 2} order of the highest derivatives wanted
+ * @param {Jet[]} [known] what the program's known values are
  * @returns {Jet}
  */
-export function differentiate(graph, program, variableCount, order) {
+export function differentiate(graph, program, variableCount, order, known = []) {
   const calculus = new Calculus(graph, order === 0 ? 0 : variableCount, order === 2);
   /** @type {Jet[]} */
   const stack = [];
@@ -28,6 +29,7 @@ export function differentiate(graph, program, variableCount, order) {
     if (kind === 'number') stack.push(calculus.constant(graph.constant(value)));
     else if (kind === 'parameter') stack.push(calculus.constant(graph.parameter(value)));
     else if (kind === 'variable') stack.push(calculus.variable(value));
+    else if (kind === 'known') stack.push(known[value]);
     else stack.push(calculus.call(name, stack.splice(stack.length - value)));
   }
   return stack[0];

@@ -17,8 +17,8 @@ import { Postfix } from './postfix.js';
 export const LIMITS = Object.freeze({ characters: 4096, nodes: 2000, nesting: 64 });
 
 /**
- * What a name stands for: `value` is the number, or the index of the variable or parameter.
- * @typedef {{ kind: 'number' | 'variable' | 'parameter', value: number }} Meaning
+ * What a name stands for: `value` is the number, or the index of the variable, parameter or known value.
+ * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'known', value: number }} Meaning
  */
 /**
  * Reads an expression.

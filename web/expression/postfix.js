@@ -1,8 +1,9 @@
 /* The two stacks of operator precedence: what is written already, and the operators and brackets that wait for their operands. */
 
 /**
- * One step of a postfix program. `value`: the number, the index of the variable or parameter, or how many arguments a call takes from the stack.
- * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'call', name: string, value: number, index: number }} Instruction
+ * One step of a postfix program. `value`: the number, the index of the variable, parameter or known value, or how many arguments a call takes
+ * from the stack.
+ * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'known' | 'call', name: string, value: number, index: number }} Instruction
  */
 /**
  * A waiting operator, or an open bracket (precedence 0) with the function it belongs to and the number of arguments before this one.

@@ -5,7 +5,7 @@
 
 /** Byte offsets in WebAssembly of the structs of wasm/surfpath.h and wasm/surface.h. */
 export const LAYOUT = {
-  sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, lower: 16, upper: 32, extent: 48 },
+  sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, metric: 12, lower: 16, upper: 32, extent: 48 },
   sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
   sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52, pole: 56 },
   sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
@@ -53,7 +53,7 @@ const OUT_OF_MEMORY = -6;
 const MOST_GRAPH_BYTES = 2 ** 29;
 const MOST_TRACE_STEPS = 200_000;
 
-/** @typedef {{ kind: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
+/** @typedef {{ kind: number, metric: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
 /** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
 /**
@@ -135,7 +135,7 @@ export class Heap {
   /** @param {number} at @param {SurfaceRecord} surface */
   writeSurface(at, surface) {
     const layout = LAYOUT.sp_surface;
-    this.#words(at, 4).set([surface.jet, surface.value, surface.kind, 0]);
+    this.#words(at, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
     this.writeDoubles(at + layout.lower, surface.lower);
     this.writeDoubles(at + layout.upper, surface.upper);
     this.writeDoubles(at + layout.extent, [surface.extent]);
@@ -181,7 +181,7 @@ export class Heap {
     const start = request.start;
     const startCount = start ? start.length / dimension : 0;
     const startBytes = (8 * (start ? start.length : 0) + 15) & ~15;
-    const bytes = this.#exports.sp_solve_bytes(request.kind, optionsAt, startCount);
+    const bytes = this.#exports.sp_solve_bytes(surface, optionsAt, startCount);
     if (!this.#reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
     if (start) this.writeDoubles(this.#arenaBase, start);
     this.writeDoubles(requestAt, [...request.from, 0].slice(0, 3));

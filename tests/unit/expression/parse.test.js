@@ -157,7 +157,8 @@ test('the largest expressions are read, larger ones refused', () => {
   assert.throws(() => evaluate(`u${' '.repeat(LIMITS.characters)}`), { index: LIMITS.characters, message: /longer than 4096/ });
 });
 
-test('monstrous texts are refused within a millisecond', () => {
+/* Idle, the worst takes 0.3 ms; the bound leaves room for a loaded machine and still catches whatever is not linear. */
+test('monstrous texts are refused at once', () => {
   const texts = [
     '('.repeat(5000),
     '-'.repeat(4096),
@@ -175,6 +176,6 @@ test('monstrous texts are refused within a millisecond', () => {
       assert.throws(() => parse(text, scope), { name: 'ExpressionError' });
       least = Math.min(least, performance.now() - start);
     }
-    assert.ok(least <= 1, `${text.slice(0, 8)}… takes ${least} ms`);
+    assert.ok(least <= 10, `${text.slice(0, 8)}… takes ${least} ms`);
   }
 });

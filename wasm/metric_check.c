@@ -1,0 +1,81 @@
+/* Determinants along a path, and its length through every second node. Independent of how the path was found. MATH.md, "Checks". */
+#include "metric_check.h"
+
+static const double VANISHING = 1e-8;
+enum { SEARCH_ROUNDS = 40 };
+
+/* The determinant at t of the way from pair k to k + 1. */
+static sp_pair determinant_at(const struct sp_polyline *line, int32_t k, sp_pair t, double scale) {
+    int32_t dimension = line->kind->dimension;
+    const sp_pair *from = line->nodes.places + dimension * k, *to = from + dimension;
+    sp_pair place[3];
+    for (int32_t j = 0; j < dimension; j++)
+        place[j] = from[j] + t * (to[j] - from[j]);
+    return sp_metric_determinant(line->surface, place, scale);
+}
+
+/* The smallest determinant between pairs k and k + 1, if it has one minimum there. */
+static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, double scale) {
+    sp_pair from = sp_splat(0.0), third = sp_splat(1.0 / 3.0), least = from;
+    for (int round = 0; round < SEARCH_ROUNDS; round++, third *= 2.0 / 3.0) {
+        sp_pair first = determinant_at(line, k, from + third, scale), second = determinant_at(line, k, from + 2.0 * third, scale);
+        least = sp_select(first < second, first, second);
+        from = sp_select(first < second, from, from + third);
+    }
+    return least;
+}
+
+/* Whether the determinant comes down to nothing around a half step where it is smallest: no node need be near enough to see it. */
+static int vanishes(const struct sp_polyline *line, int32_t step, sp_pair before, sp_pair here, sp_pair after, double scale) {
+    sp_mask lowest = (here <= before) & (here <= after) & ((here < 0.5 * before) | (here < 0.5 * after));
+    for (int32_t k = (step - 1) / 2; k <= step / 2 && k <= line->fold.both && sp_any(lowest); k++) {
+        sp_pair least = smallest_between(line, k, scale);
+        if (sp_any(lowest & (least <= VANISHING * before) & (least <= VANISHING * after))) return 1;
+    }
+    return 0;
+}
+
+/* Half steps along the pairs: node k at 2k, the middle between k and k + 1 at 2k + 1. The two halves meet in the middle node, or between
+ * the last two: there the step after is the one before, lanes exchanged. */
+enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
+    int32_t last = 2 * line->fold.both + 1 + line->fold.odd;
+    sp_pair zero = sp_splat(0.0), before = zero, here = zero, after = zero;
+    for (int32_t step = -1; step <= last && line->kind->components; step++) {
+        int32_t next = step + 1, k = next < last ? next / 2 : (last - 1) / 2;
+        before = here, here = after;
+        after = step < last ? determinant_at(line, k, sp_splat(0.5 * (next - 2 * k)), scale) : sp_swap(before);
+        if (step < 0) continue;
+        if (sp_any(here != here)) return SP_NOT_FINITE;
+        /* At an end the metric may vanish in one direction, as at a pole. */
+        if (sp_any(step == 0 ? here < zero : here <= zero)) return SP_SINGULAR_METRIC;
+        if (step > 0 && vanishes(line, step, before, here, after, scale)) return SP_SINGULAR_METRIC;
+    }
+    return SP_CONVERGED;
+}
+
+/* |B - A| by the trapezoidal rule, as the energy of degree 1 measures it. */
+static double chord_length(const struct sp_polyline *line, int32_t from, int32_t to) {
+    struct sp_fold fold = line->fold;
+    int32_t components = line->kind->components, node[2] = {from, to};
+    sp_pair chord[3], metric[SP_METRIC_COMPONENTS];
+    double sum = 0;
+    for (int32_t j = 0; j < 3; j++)
+        chord[j] =
+            sp_splat(sp_fold_get(fold, line->nodes.charts, SP_CHART, to, j) - sp_fold_get(fold, line->nodes.charts, SP_CHART, from, j));
+    for (int i = 0; i < 2; i++) {
+        for (int32_t c = 0; c < components; c++)
+            metric[c] = sp_splat(sp_fold_get(fold, line->nodes.metrics, SP_METRIC_PARTS * components, node[i], c));
+        sum += 0.5 * sp_square_root(sp_metric_product(components, metric, chord, chord))[0];
+    }
+    return sum;
+}
+
+double sp_metric_length_error(const struct sp_polyline *line) {
+    double length[2] = {0, 0};
+    int32_t last = line->fold.inner + 1;
+    for (int32_t half = 0; half < 2; half++)
+        for (int32_t i = 0; i < last; i += 1 + half)
+            length[half] += chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
+    double error = (length[0] > length[1] ? length[0] - length[1] : length[1] - length[0]) / 3, least = 4e-15 * length[0];
+    return error > least ? error : least;
+}

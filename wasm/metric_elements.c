@@ -1,0 +1,205 @@
+/* Energy, gradient and Hessian under a metric tensor; node by node from what the one or two elements around it give. Checked in
+ * tests/native against finite differences. MATH.md, "Metrics". */
+#include "metric_elements.h"
+
+/* What an element adds to a node, one sp_pair each; the sums of two elements are the node's. */
+enum {
+    FORCE = 0,     /* sum_q D_qi weight_q B_a' T_q V_q + weight_i V_i' T_a V_i / 2, a = 1, 2: the gradient */
+    CURVATURE = 2, /* the Hessian's block but for MASS, ab = 11, 12, 22 */
+    MASS = 5,      /* sum_q weight_q D_qi^2 T_q, `components` numbers */
+    TERMS = MASS + SP_METRIC_COMPONENTS
+};
+
+/* Elements of a path, and the pairs in which they lie: of an odd number the middle one stands twice in the last pair. */
+static int32_t count_of(const struct sp_reference *reference, const struct sp_polyline *line) {
+    return (line->fold.inner + 1) / reference->degree;
+}
+
+static int32_t pairs_of(const struct sp_reference *reference, const struct sp_polyline *line) {
+    return (count_of(reference, line) + 1) / 2;
+}
+
+/* V_q = sum_j D_qj (X_j - X_q) */
+void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+                    struct sp_metric_element *element) {
+    int32_t p = reference->degree, first = e * p;
+    element->reference = reference, element->components = line->kind->components;
+    element->charts = nodes.charts + SP_CHART * first;
+    element->metrics = nodes.metrics + SP_METRIC_PARTS * element->components * first;
+    for (int32_t q = 0; q <= p; q++)
+        for (int k = 0; k < 3; k++) {
+            sp_pair here = element->charts[SP_CHART * q + k], sum = sp_splat(0.0);
+            for (int32_t j = 0; j <= p; j++)
+                sum += reference->derivative[q * (p + 1) + j] * (element->charts[SP_CHART * j + k] - here);
+            element->velocity[3 * q + k] = sum;
+        }
+}
+
+static const sp_pair *metric_at(const struct sp_metric_element *element, int32_t i, int32_t part) {
+    return element->metrics + element->components * (SP_METRIC_PARTS * i + part);
+}
+
+/* a' T_part V at node i. */
+static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_t part, const sp_pair *a) {
+    return sp_metric_product(element->components, metric_at(element, i, part), a, element->velocity + 3 * i);
+}
+
+double sp_metric_squares(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
+    int32_t p = reference->degree, count = count_of(reference, line);
+    sp_pair squares = sp_splat(0.0), along = squares;
+    struct sp_metric_element element;
+    for (int32_t e = 0; 2 * e < count; e++) {
+        sp_pair once = {1, 2 * e + 1 < count};
+        sp_metric_open(reference, line, nodes, e, &element);
+        for (int32_t q = 0; q <= p; q++) {
+            struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
+            if (e + q > 0 && sp_any(~sp_form_positive(form))) return __builtin_nan("");
+            sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q), weight = reference->weight[q] * once;
+            squares += weight * squared;
+            along += weight * sp_square_root(squared);
+        }
+    }
+    if (length) *length = along[0] + along[1];
+    return squares[0] + squares[1];
+}
+
+/* Adds what the element gives to its node i. */
+static void add_terms(const struct sp_metric_element *element, int32_t i, sp_pair *terms) {
+    const struct sp_reference *reference = element->reference;
+    int32_t size = reference->degree + 1;
+    const sp_pair *chart = element->charts + SP_CHART * i, *velocity = element->velocity + 3 * i;
+    double weight = reference->weight[i], own = weight * reference->derivative[i * size + i];
+    for (int32_t q = 0; q < size; q++) {
+        double slope = reference->derivative[q * size + i], factor = reference->weight[q] * slope;
+        const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
+        for (int32_t c = 0; c < element->components; c++)
+            terms[MASS + c] += factor * slope * metric[c];
+        for (int32_t k = 0; k < 5; k++) /* B_1, B_2, S_11, S_12, S_22 */
+            terms[FORCE + k] += factor * moment(element, q, SP_METRIC_T, chart + SP_CHART_1 + 3 * k);
+    }
+    for (int32_t k = 0; k < 5; k++)
+        terms[FORCE + k] += 0.5 * weight * moment(element, i, SP_METRIC_T1 + k, velocity);
+    for (int32_t k = 0; k < 4; k++) { /* weight_i D_ii (B_b' T_a V_i + B_a' T_b V_i) */
+        sp_pair turning = own * moment(element, i, SP_METRIC_T1 + k / 2, chart + (k % 2 ? SP_CHART_2 : SP_CHART_1));
+        terms[CURVATURE + k / 2 + k % 2] += k == 1 || k == 2 ? turning : 2.0 * turning;
+    }
+}
+
+/* Takes Gamma^c_ab grad_c from the Hessian: the second derivative of the energy along geodesics of the metric. With w the gradient, indices
+ * raised, and W = w^c B_c, that is S_ab'T W + (B_b'T_a W + B_a'T_b W - B_a'(w^c T_c) B_b)/2. Not where a node moves straight. */
+static void make_covariant(int32_t components, const sp_pair *chart, const sp_pair *metric, sp_mask straight, struct sp_row *row) {
+    struct sp_form form = sp_metric_form(components, chart, metric);
+    sp_pair reciprocal = sp_select(straight, sp_splat(0.0), 1.0 / (form.e * form.g - form.f * form.f)), along[3],
+            turned[SP_METRIC_COMPONENTS];
+    sp_pair w1 = reciprocal * (form.g * row->r1 - form.f * row->r2), w2 = reciprocal * (form.e * row->r2 - form.f * row->r1);
+    for (int k = 0; k < 3; k++)
+        along[k] = w1 * chart[SP_CHART_1 + k] + w2 * chart[SP_CHART_2 + k];
+    for (int32_t c = 0; c < components; c++)
+        turned[c] = w1 * metric[components + c] + w2 * metric[2 * components + c];
+    sp_pair *block[3] = {&row->a, &row->b, &row->d};
+    for (int32_t ab = 0; ab < 3; ab++) {
+        int32_t a = ab / 2, b = (ab + 1) / 2;
+        const sp_pair *b_a = chart + SP_CHART_1 + 3 * a, *b_b = chart + SP_CHART_1 + 3 * b;
+        sp_pair turning = sp_metric_product(components, metric + components * (SP_METRIC_T1 + a), b_b, along) +
+                          sp_metric_product(components, metric + components * (SP_METRIC_T1 + b), b_a, along) -
+                          sp_metric_product(components, turned, b_a, b_b);
+        *block[ab] += sp_metric_product(components, metric, chart + SP_CHART_11 + 3 * ab, along) + 0.5 * turning;
+    }
+}
+
+/* Diagonal block, M and right-hand side of pair k from its terms, and the coordinates of it that are held. */
+static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp_pair *terms, double weight, struct sp_row *row,
+                             sp_mask *straight, sp_mask held[2]) {
+    int32_t components = line->kind->components, active = 0;
+    const sp_pair *chart = line->nodes.charts + SP_CHART * k;
+    struct sp_form mass = sp_metric_form(components, chart, terms + MASS);
+    row->weight = sp_splat(weight);
+    row->e = mass.e / weight, row->f = mass.f / weight, row->g = mass.g / weight;
+    row->r1 = -terms[FORCE], row->r2 = -terms[FORCE + 1];
+    row->a = mass.e + terms[CURVATURE], row->b = mass.f + terms[CURVATURE + 1], row->d = mass.g + terms[CURVATURE + 2];
+    held[0] = held[1] = (sp_mask){0, 0};
+    if (line->surface->kind == SP_PARAMETRIC) active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
+    *straight |= held[0] | held[1];
+    make_covariant(components, chart, line->nodes.metrics + SP_METRIC_PARTS * components * k, *straight, row);
+    if (active) sp_row_hold(row, held);
+    return active;
+}
+
+/* Degree 1: -H between every pair of nodes and the next. */
+static void assemble_couplings(const struct sp_reference *reference, const struct sp_polyline *line, const sp_mask *held,
+                               struct sp_row *rows) {
+    struct sp_metric_element element;
+    for (int32_t k = 1; k <= line->fold.both; k++) {
+        sp_pair block[4];
+        sp_metric_open(reference, line, line->nodes, k, &element);
+        sp_metric_couple(&element, 0, 1, held + 2 * k, block);
+        rows[k].q11 = -block[0], rows[k].q12 = -block[1], rows[k].q21 = -block[2], rows[k].q22 = -block[3];
+    }
+}
+
+/* Nothing is held at the ends; where the path is folded the masks are mirrored like everything else. */
+static void complete_held(struct sp_fold fold, sp_mask *held) {
+    held[0] = held[1] = (sp_mask){0, 0};
+    for (int j = 0; j < 2 && !fold.odd; j++)
+        held[2 * (fold.both + 1) + j] = sp_swap_mask(held[2 * fold.both + j]);
+}
+
+struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const struct sp_polyline *line, enum sp_hessian hessian,
+                                    struct sp_row *rows, sp_mask *straight, sp_mask *held) {
+    int32_t p = reference->degree, pairs = pairs_of(reference, line), unknown = sp_fold_unknown(line->fold);
+    struct sp_energy energy = {sp_metric_squares(reference, line, line->nodes, NULL), 0, 0};
+    struct sp_metric_element element;
+    sp_pair terms[TERMS] = {{0}};
+    for (int32_t e = 0; e < pairs; e++) {
+        sp_metric_open(reference, line, line->nodes, e, &element);
+        for (int32_t i = 0; i <= p; i++) {
+            int32_t k = e * p + i, shared = i == p && e < pairs - 1;
+            for (int j = 0; j < TERMS && i > 0; j++)
+                terms[j] = sp_splat(0.0);
+            add_terms(&element, i, terms);
+            if (k == 0 || shared || k > unknown) continue;
+            for (int j = 0; j < TERMS && i == p; j++)
+                terms[j] += sp_swap(terms[j]);
+            straight[k] = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
+            double weight = (i == 0 || i == p ? 2 : 1) * reference->stiffness[i * (p + 1) + i];
+            energy.active += assemble_node(line, k, terms, weight, rows + k, straight + k, held + 2 * k);
+        }
+    }
+    complete_held(line->fold, held);
+    if (p == 1) assemble_couplings(reference, line, held, rows);
+    energy.gradient_squared = sp_rows_gradient_squared(line->fold, rows);
+    return energy;
+}
+
+/* B_i' (sum_q weight_q D_qi D_qj T_q) B_j + weight_i D_ij (T_a V)_i . B_j + weight_j D_ji B_i . (T_b V)_j */
+void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]) {
+    const struct sp_reference *reference = element->reference;
+    int32_t size = reference->degree + 1;
+    sp_pair sum[SP_METRIC_COMPONENTS] = {{0}};
+    for (int32_t q = 0; q < size; q++) {
+        double factor = reference->weight[q] * reference->derivative[q * size + i] * reference->derivative[q * size + j];
+        const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
+        for (int32_t c = 0; c < element->components; c++)
+            sum[c] += factor * metric[c];
+    }
+    double ij = reference->weight[i] * reference->derivative[i * size + j], ji = reference->weight[j] * reference->derivative[j * size + i];
+    for (int32_t k = 0; k < 4; k++) {
+        int32_t a = k / 2, b = k % 2;
+        const sp_pair *here = element->charts + SP_CHART * i + SP_CHART_1 + 3 * a,
+                      *there = element->charts + SP_CHART * j + SP_CHART_1 + 3 * b;
+        sp_pair value = sp_metric_product(element->components, sum, here, there) + ij * moment(element, i, SP_METRIC_T1 + a, there) +
+                        ji * moment(element, j, SP_METRIC_T1 + b, here);
+        block[k] = sp_select(held[2 * i + a] | held[2 * j + b], sp_splat(0.0), value);
+    }
+}
+
+double sp_metric_size(const struct sp_polyline *line) {
+    int32_t components = line->kind->components;
+    sp_pair t[SP_METRIC_COMPONENTS], at[3];
+    for (int32_t c = 0; c < components; c++)
+        t[c] = sp_absolute(line->nodes.metrics[c]);
+    for (int k = 0; k < 3; k++)
+        at[k] = sp_absolute(line->nodes.charts[k]);
+    sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
+    return size[0] > size[1] ? size[0] : size[1];
+}
