@@ -107,7 +107,7 @@ dist/wasm.d.ts: Makefile
 
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)

@@ -51,7 +51,7 @@ export function meshOf(surface, kind) {
   if (mesh.indices.length > 0) return mesh;
   throw new RangeError(
     surface.kind === 'implicit'
-      ? 'f has no zero inside these bounds: widen them or change the formula'
+      ? 'there is no point with f = 0 inside these bounds: widen them or change the formula'
       : 'the formula has no value anywhere in these ranges',
   );
 }

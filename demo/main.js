@@ -43,7 +43,8 @@ function changed(input) {
 function changePoints(input) {
   const points = input.valueAsNumber;
   const good = Number.isInteger(points) && points >= 1 && points <= MOST_POINTS;
-  input.toggleAttribute('aria-invalid', !good);
+  if (good) input.removeAttribute('aria-invalid');
+  else input.setAttribute('aria-invalid', 'true');
   say(find('points-problem'), good ? null : `Write a whole number from 1 to ${MOST_POINTS}.`);
   if (good) changeOptions({ points });
 }

@@ -84,8 +84,9 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {import('./surface-mesh.js').SurfaceMesh} mesh */
+  /** @param {import('./surface-mesh.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
   setSurface(mesh) {
+    const last = this.#bounds.clone();
     if (this.#surface) {
       this.#scene.remove(this.#surface);
       this.#surface.geometry.dispose();
@@ -97,6 +98,8 @@ export class View {
     this.#bounds.radius = Math.max(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere).radius, 1e-6);
     for (const line of [this.#start, this.#path]) line.setDash(this.#bounds.radius / 45);
     this.invalidate();
+    const growth = this.#bounds.radius / last.radius;
+    return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
   }
 
   /** @param {Float64Array | null} points */

@@ -21,6 +21,10 @@ const state = {
   entry: '',
   kind: /** @type {Kind} */ ('parametric'),
   texts: /** @type {Texts} */ ({}),
+  /** Those of the gallery's entry, or what a formula of one's own starts from. */
+  given: /** @type {Texts} */ ({}),
+  /** Those of the last good surface. */
+  shown: /** @type {Texts} */ ({}),
   parameters: /** @type {Record<string, number>} */ ({}),
   ends: /** @type {number[][]} */ ([]),
   options: /** @type {import('./compute.js').Options} */ ({ points: 64, algorithm: 'elements', tolerance: 1e-9, start: 'global' }),
@@ -61,14 +65,18 @@ function renderMoment() {
   showMoment(state.moment, last);
 }
 
+/** Whether the surface is still the gallery's entry, so that the formula and source of that speak of it. */
+const isGiven = () => Object.keys(state.given).every((name) => state.given[name] === state.shown[name]);
+
 function render() {
   const { solved, options, problem } = state;
   view?.setStart(solved.straight && smooth(solved.straight));
   view?.setEnds(state.ends.map(endPlace));
   showProblem(problem);
   showEndProblem(solved.problem);
-  say(find('typeset'), entries[state.entry]?.formula ?? null);
-  say(find('source'), entries[state.entry]?.source ?? null);
+  const entry = isGiven() ? entries[state.entry] : undefined;
+  say(find('typeset'), entry?.formula ?? null);
+  say(find('source'), entry?.source ?? null);
   for (const [name, value] of Object.entries(state.parameters)) find(`value-${name}`).textContent = String(Number(value.toPrecision(4)));
   find('tolerance-row').hidden = options.algorithm !== 'elements';
   showResult({ ...solved, start: options.start, problem });
@@ -99,15 +107,16 @@ function updateSurface({ frame, direction }) {
     const built = buildSurface(surfpath, definitionOf(state.kind, state.texts, state.parameters));
     state.built?.surface.dispose();
     state.built = built;
+    state.shown = state.texts;
   } catch (error) {
     state.problem = problemOf(error, state.kind, state.texts);
     return render();
   }
-  view?.setSurface(state.built.mesh);
-  if (findBadEnd(state.built, state.ends)) return chooseRandomEnds();
-  updatePath(true);
+  const outgrown = view?.setSurface(state.built.mesh);
+  if (findBadEnd(state.built, state.ends)) chooseRandomEnds();
+  else updatePath(true);
   if (state.solved.path?.status === 'off-surface') chooseRandomEnds();
-  if (frame) view?.frame(middle(), direction);
+  if (frame || outgrown) view?.frame(middle(), direction);
 }
 
 /** The middle of the path. */
@@ -122,7 +131,7 @@ export function choose(name) {
   state.entry = name;
   state.kind = entry.kind;
   state.parameters = { ...entry.parameters };
-  state.texts = textsOf(entry);
+  state.texts = state.given = textsOf(entry);
   state.ends = [[...entry.from], [...entry.to]];
   /** @type {HTMLSelectElement} */ (find('entry')).value = name;
   buildSliders(state.parameters);

@@ -1,7 +1,8 @@
 /* Triangle mesh of an implicit surface f = 0 inside a box: for drawing, and as the ground of a distance field.
  *
  * Marching tetrahedra on a body-centred cubic lattice: no ambiguous cases, so the mesh is always an oriented manifold, closed except where
- * the box cuts the surface (there it ends flat). Its topology is that of the surface when the cells are small against its features. */
+ * the box cuts the surface (there it ends flat). Its topology is that of the surface when the cells are small against its features: a wall
+ * thinner than a cell gets holes, whose triangles may face away from the exact normals of their corners. */
 #ifndef SURFPATH_MESH_H
 #define SURFPATH_MESH_H
 

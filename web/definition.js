@@ -103,6 +103,8 @@ export function checkParameters(caller, given) {
 export function checkRange(caller, range, name) {
   if (!Array.isArray(range) || range.length !== 2)
     throw new TypeError(`${caller}: ${name} must be a range [from, to], not ${describe(range)}`);
+  const bad = range.find((end) => typeof end === 'number' && !Number.isFinite(end));
+  if (bad !== undefined) throw new RangeError(`${caller}: ${name} must hold finite numbers, not ${describe(bad)}`);
 }
 
 /** @param {string} caller @param {any} bounds @returns {number[] | null} xmin xmax ymin ymax zmin zmax */

@@ -1,4 +1,4 @@
-/** Triangle mesh of a parametric surface: a grid of its rectangle, for drawing. (Implicit surfaces are meshed in C.) */
+/** Triangle mesh of a parametric surface: a grid of its rectangle, for drawing. Implicit surfaces are meshed in C; here only the result is judged. */
 
 /**
  * @typedef {object} Mesh
@@ -54,4 +54,25 @@ export function meshRectangle(evaluate, lower, upper, resolution) {
     normals.set(normal, 3 * i);
   }
   return { positions, normals, parameters, indices: gridTriangles(resolution) };
+}
+
+/**
+ * Whether some triangle faces away from the normals of its own corners. Then the lattice was too coarse: two sheets of the surface lie within a cell of
+ * it, some triangles join one to the other, and the mesh has holes where the surface has none.
+ * @param {Mesh} mesh
+ */
+export function bridgesSheets({ positions, normals, indices }) {
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
+    let facing = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+      const area =
+        (positions[b + next] - positions[a + next]) * (positions[c + last] - positions[a + last]) -
+        (positions[b + last] - positions[a + last]) * (positions[c + next] - positions[a + next]);
+      facing += area * (normals[a + axis] + normals[b + axis] + normals[c + axis]);
+    }
+    if (facing < 0) return true;
+  }
+  return false;
 }

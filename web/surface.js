@@ -6,7 +6,7 @@ import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
-import { meshRectangle } from './mesh.js';
+import { bridgesSheets, meshRectangle } from './mesh.js';
 import { checkMetric, compileMetric, METRIC } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
@@ -29,6 +29,8 @@ const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
+/** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
+const FINER = 96;
 const MOST_GEODESICS = 8;
 
 /** What the kinds differ in. */
@@ -229,7 +231,8 @@ export class Surface {
 
   /**
    * Triangles, to draw.
-   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64); 1 … 256
+   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64, or 96 if two sheets
+   *   of the surface are too near to each other for 64); 1 … 256
    * @returns {Mesh}
    */
   mesh(options = {}) {
@@ -242,13 +245,20 @@ export class Surface {
     return this.#mesh(caller, options.resolution);
   }
 
-  /** @param {string} caller @param {number} [resolution] @returns {Mesh} */
-  #mesh(caller, resolution = RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.kind)]) {
+  /** @param {string} caller @param {number} [wanted] resolution @returns {Mesh} */
+  #mesh(caller, wanted) {
+    const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.kind)];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
     const box = this.#box;
     if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
+    const mesh = this.#meshImplicit(caller, box, resolution);
+    return wanted === undefined && bridgesSheets(mesh) ? this.#meshImplicit(caller, box, FINER) : mesh;
+  }
+
+  /** @param {string} caller @param {number[]} box @param {number} resolution @returns {Mesh} */
+  #meshImplicit(caller, box, resolution) {
     const mesh = this.#run((heap) => heap.meshImplicit(/** @type {any} */ (this.#installed).value, box, resolution));
     if (mesh.status < 0) throw new RangeError(`${caller}: no mesh (${STATUS.get(mesh.status)}); try a lower resolution`);
     return { positions: mesh.positions, normals: mesh.normals, indices: mesh.indices };

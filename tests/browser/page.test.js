@@ -130,9 +130,11 @@ test('a mistake in a formula is marked at its character, and the last good surfa
   assert.equal(await text('#length'), length);
   assert.ok(picture.equals(await pictureOfView()), 'the picture changed');
 
+  assert.ok(await page.isVisible('#typeset'), 'the gallery speaks of the surface that is shown');
   await page.fill('#field-z', 'u^2-v');
   await page.waitForSelector('#problem-z', { state: 'hidden' });
   assert.equal(await page.getAttribute('#field-z', 'aria-invalid'), null);
+  assert.ok(await page.isHidden('#typeset'), 'the gallery knows nothing of a formula that was changed');
   assert.notEqual(await text('#length'), length);
   assert.equal(await status(), 'converged');
 });

@@ -42,6 +42,20 @@ static void torus_at(sp_pair x, sp_pair y, sp_pair z, sp_pair *out) {
 }
 SURFACE(torus)
 
+/* Eq. 43, R = 1, a = 0.2, r = 0.01: a wall of thickness 0.04 where two tori touch. */
+static void three_tori_at(sp_pair x, sp_pair y, sp_pair z, sp_pair *out) {
+    sp_pair at[3] = {x, y, z}, s = x * x + y * y + z * z + 0.96, torus[3], slope[3][3];
+    for (int axis = 0; axis < 3; axis++) {
+        torus[axis] = s * s - 4 * (x * x + y * y + z * z - at[axis] * at[axis]);
+        for (int k = 0; k < 3; k++)
+            slope[axis][k] = 4 * s * at[k] - (k == axis ? 0 : 8) * at[k];
+    }
+    out[0] = torus[0] * torus[1] * torus[2] - 0.01;
+    for (int k = 0; k < 3; k++)
+        out[1 + k] = slope[0][k] * torus[1] * torus[2] + torus[0] * slope[1][k] * torus[2] + torus[0] * torus[1] * slope[2][k];
+}
+SURFACE(three_tori)
+
 /* Eq. 45. */
 static void genus2_at(sp_pair x, sp_pair y, sp_pair z, sp_pair *out) {
     sp_pair p = 2 * y * (y * y - 3 * x * x), r = x * x + y * y, q = 1 - z * z, w = 9 * z * z - 1;
@@ -361,6 +375,8 @@ int main(void) {
         test_closed("genus 2", genus2, two, resolution, -2);
         test_closed("metamorphosis", metamorphosis, two, resolution, 2);
     }
+    test_closed("three tori", three_tori, two, 80, 0);
+    test_closed("three tori", three_tori, two, 96, 0);
     test_closed("sphere, long", sphere, long_box, SP_MESH_MAX_RESOLUTION + 1, 2);
     test_cut_by_box();
     test_zeros();

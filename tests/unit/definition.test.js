@@ -16,7 +16,7 @@ describe('definitions', () => {
     ['a range of three', { ...gallery.saddle, u: [0, 1, 2] }, TypeError, /u must be a range/],
     ['a reversed range', { ...gallery.saddle, u: [1, 0] }, RangeError, /u must be a range of two numbers, the smaller first/],
     ['an empty range', { ...gallery.saddle, v: [1, 1] }, RangeError, /v must be a range/],
-    ['an infinite range', { ...gallery.saddle, v: [0, Infinity] }, TypeError, /v must be a string or a finite number/],
+    ['an infinite range', { ...gallery.saddle, v: [0, Infinity] }, RangeError, /parametric: v must hold finite numbers, not Infinity/],
     ['a range that is NaN', { ...gallery.saddle, v: ['sqrt(-1)', 1] }, RangeError, /v must be a range/],
     ['an unknown name in a range', { ...gallery.saddle, u: [0, '2*q'] }, ExpressionError, /u: unknown name q/],
     ['an unknown name', { ...gallery.saddle, z: 'w' }, ExpressionError, /z: unknown name w/],

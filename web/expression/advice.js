@@ -14,6 +14,22 @@ const ALTERNATIVES = new Map([
   ['%', 'for the remainder of a/b write a - b*floor(a/b)'],
   ['°', 'angles are in radians; for degrees write *pi/180'],
   [';', 'write one expression without ";"'],
+  ['–', 'a dash is no minus sign; write -'],
+  ['—', 'a dash is no minus sign; write -'],
+]);
+
+/** What to write instead of names that other programs know. */
+const TRANSLATIONS = new Map([
+  ['Math', 'the name alone, as in sin(…)'],
+  ['lg', 'log10(…)'],
+  ['tg', 'tan(…)'],
+  ['cot', '1/tan(…)'],
+  ['ctg', '1/tan(…)'],
+  ['sec', '1/cos(…)'],
+  ['csc', '1/sin(…)'],
+  ['mod', 'a - b*floor(a/b)'],
+  ['ceil', '-floor(-(…))'],
+  ['round', 'floor(… + 0.5)'],
 ]);
 
 /** Longer names are not repeated in full, nor compared with others. */
@@ -35,10 +51,12 @@ export function wrongCount(name, count) {
 
 /** @param {string} name @param {boolean} isCall whether a bracket follows @param {string[]} known names that may be used as numbers */
 export function unknown(name, isCall, known) {
+  const kind = isCall ? 'function' : 'name';
+  const translation = TRANSLATIONS.get(name);
+  if (translation) return `unknown ${kind} ${name}; write ${translation}`;
   const near = suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
   const listed = (isCall ? [...functions.keys()] : known).join(', ');
   const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
-  const kind = isCall ? 'function' : 'name';
   return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : `the ${kind}s here are ${listed}`}`;
 }
 
