@@ -99,7 +99,8 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 dist/wasm.js: dist/surfpath.wasm
 	@{ printf '// Generated: the bytes of surfpath.wasm. No data: URL, which a strict CSP refuses, and no Buffer, which browsers lack.\n'; \
 	printf "const text =\n  '%s';\n" "$$(base64 <$< | tr -d '\n')"; \
-	printf 'export default Uint8Array.from(atob(text), (character) => character.charCodeAt(0));\n'; } >$@
+	printf 'const binary = atob(text);\nconst bytes = new Uint8Array(binary.length);\n'; \
+	printf 'for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);\nexport default bytes;\n'; } >$@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
