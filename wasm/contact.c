@@ -228,7 +228,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct run runs[SP_MAX_ARCS];
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
-    if (!sp_storage_take(&storage, 2, CONTACT_NODES, arena)) return refined;
+    if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
     struct sp_system contact = sp_storage_keep(&storage, &newton->system);
     struct sp_refined chords = sp_refine_chords(newton, options, CONTACT_NODES, &contact, arena);
     if (chords.outcome.status < 0) return chords;

@@ -14,7 +14,7 @@ struct sp_refined {
 };
 
 /* Solves to `options->tolerance`, unless the path touches the walls: then outcome.active is set, and the path is one of chords (see
- * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes; in the end, the path of the last rung.
+ * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes or more; in the end, the path of the last rung.
  */
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
 

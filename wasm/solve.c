@@ -29,9 +29,18 @@ static int32_t inner_nodes(const struct sp_options *options) {
 
 double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
-    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() : 0;
+    double kept = (SP_REFINE_INNER / 2 + 3) * 3.0 * sizeof(sp_pair); /* the start, for arcs to begin from */
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept : 0;
     return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
+}
+
+/* Inner nodes of the first path of chords: more than usual where a start of many points is given, which then keeps what it knows. */
+static int32_t first_inner(const struct sp_request *request) {
+    int32_t chords = SP_REFINE_FIRST + 1;
+    while (chords <= SP_REFINE_INNER / 2 && chords + 1 < request->start_count)
+        chords *= 2;
+    return chords - 1;
 }
 
 /* Exchanges the ends of `count` points of `size` numbers. */
@@ -121,7 +130,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     int plain = newton->system.line.surface->kind == SP_PARAMETRIC && newton->system.line.kind->components == 0;
     if (pole > 0 && plain) return sp_pole_run(newton, options, pole - 1, arena, arcs);
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_FIRST, arena)) return refined;
+    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, newton->system.line.fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     refined = sp_refine_run(newton, options, arena);
     if (refined.outcome.status == SP_CONVERGED && refined.outcome.active && plain) return sp_contact_run(newton, options, arena, arcs);
@@ -138,7 +147,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     double from[3] = {0}, to[3] = {0};
     int elements = options->algorithm == SP_ELEMENTS;
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
-    if (elements) line->fold = sp_fold_of(SP_REFINE_FIRST);
+    if (elements) line->fold = sp_fold_of(first_inner(request));
     int reversed = order_ends(surface, request, from, to);
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, from);
