@@ -12,6 +12,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const wasm = readFileSync(`${root}/dist/surfpath.wasm`);
 const module = new WebAssembly.Module(wasm);
 
+/* The first slice, polylines alone, was 54 KB and 16 KB; elements, arcs, the graph, tracing, shapes and metrics more than doubled both. Both must come down. */
 test('surfpath.wasm is at most 128 KB', () => {
   assert.ok(wasm.length <= 128 * 1024, `${wasm.length} bytes`);
 });
