@@ -17,7 +17,7 @@ const names = readdirSync(path('.')).flatMap((file) => (file.endsWith('.bench.js
 const rowsOf = (name) => JSON.parse(readFileSync(result(name), 'utf8')).rows;
 
 test('there are benchmarks', () => {
-  assert.deepEqual(names.sort(), ['cold', 'speed', 'surface', 'table1']);
+  assert.deepEqual(names.sort(), ['cold', 'speed', 'surface', 'table1', 'tolerance']);
 });
 
 describe('benchmarks, quickly', { concurrency: 2 }, () => {

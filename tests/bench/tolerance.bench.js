@@ -1,0 +1,52 @@
+/** How long paths to a tolerance of 1e-9 take through the public API: by elements from a straight start, by the defaults, and warm, an end moved by 1 %. */
+import { load } from 'surfpath';
+import { gallery } from 'surfpath/gallery';
+import { createRandom } from '../helpers/random.js';
+import { compete, quick, report, SEED, warmUp } from './bench.js';
+import { randomPairs } from './pairs.js';
+
+const PAIRS = quick ? 2 : 32;
+const ROUNDS = quick ? 1 : 9;
+
+const surfpath = await load();
+
+/** @param {'saddle' | 'parametricTorus' | 'dini' | 'torus'} name */
+function measure(name) {
+  const surface = surfpath.surface(gallery[name]);
+  const pairs = randomPairs(surface, createRandom(SEED), 4 * PAIRS)
+    .filter(([from, to]) => surface.shortestPath(from, to, { start: 'straight' }).converged)
+    .slice(0, PAIRS);
+  const earlier = pairs.map(([from, to]) => surface.shortestPath(from, to, { start: 'straight' }));
+  let sum = 0;
+  const time = (/** @type {(from: number[], to: number[], i: number) => number} */ solve) => () => {
+    const start = performance.now();
+    pairs.forEach(([from, to], i) => {
+      sum += solve([...from], [...to], i);
+    });
+    return (1e3 * (performance.now() - start)) / pairs.length;
+  };
+  const tasks = {
+    straight: time((from, to) => surface.shortestPath(from, to, { start: 'straight' }).length),
+    usual: time((from, to) => surface.shortestPath(from, to).length),
+    warm: time((from, to, i) => {
+      const moved = to.map((x, j) => x + 0.01 * (from[j] - x));
+      return surface.shortestPath(from, moved, { start: earlier[i] }).length;
+    }),
+  };
+  for (const task of Object.values(tasks)) warmUp(task);
+  const { straight, usual, warm } = compete(tasks, ROUNDS);
+  return {
+    surface: name,
+    'straight µs median': straight.median,
+    'default µs median': usual.median,
+    'warm µs median': warm.median,
+    'length, summed': sum,
+  };
+}
+
+report(
+  'tolerance',
+  `Microseconds a path to 1e-9, ${PAIRS} random pairs`,
+  /** @type {const} */ (['saddle', 'parametricTorus', 'dini', 'torus']).map(measure),
+  ['wanted: warm in at most 300 µs'],
+);
