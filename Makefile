@@ -8,6 +8,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .PHONY: all test check tidy bench accuracy demo format clean help tools
 
 ENTRIES := index slim gallery
+VIEWS := three
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
@@ -40,7 +41,7 @@ ifneq ($(filter test,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 
-all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
+all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
 test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
@@ -109,6 +110,11 @@ dist/wasm.d.ts: Makefile
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+
+# Made to be used with the reader's own three.js.
+$(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
+	@echo $@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three --log-level=warning --outfile=$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)
