@@ -98,14 +98,11 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 # JavaScript and types
 
 dist/wasm.js: dist/surfpath.wasm
-	@{ printf '// Generated: the bytes of surfpath.wasm. No data: URL, which a strict CSP refuses, and no Buffer, which browsers lack.\n'; \
-	printf "const text =\n  '%s';\n" "$$(base64 <$< | tr -d '\n')"; \
-	printf 'const binary = atob(text);\nconst bytes = new Uint8Array(binary.length);\n'; \
-	printf 'for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);\nexport default bytes;\n'; } >$@
+	@printf "// Generated: surfpath.wasm, gzip in base64.\nexport default '%s';\n" "$$(gzip -9cn <$< | base64 | tr -d '\n')" >$@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
-	@printf 'declare const bytes: Uint8Array<ArrayBuffer>;\nexport default bytes;\n' >$@
+	@printf 'declare const text: string;\nexport default text;\n' >$@
 
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
