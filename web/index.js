@@ -1,10 +1,11 @@
 /** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined as bytes. */
 
 import wasm from '../dist/wasm.js';
-import { makeLoad } from './instance.js';
+import { makeCompile, makeLoad } from './instance.js';
 
 export { ExpressionError } from './expression/error.js';
-export const load = makeLoad(() => wasm);
+export const compileModule = makeCompile(() => wasm);
+export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./surface.js').Surface} Surface */
