@@ -5,7 +5,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench accuracy demo format clean help tools
+.PHONY: all test check tidy bench bench-peers accuracy demo format clean help tools
 
 ENTRIES := index slim gallery pool
 WASM := $(wildcard wasm/*.c)
@@ -42,7 +42,7 @@ endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
+test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
@@ -54,8 +54,16 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
 
-bench: all build/native/core.o ## run the benchmarks
+bench: all build/native/core.o build/march/core.o ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
+
+bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it installs
+	@tests/helpers/install.sh g++:g++ /usr/include/CGAL/Surface_mesh_shortest_path.h:libcgal-dev /usr/lib/python3/dist-packages/scipy:python3-scipy
+	@mkdir -p build/peers
+	@cp .npmrc tests/bench/peers/npm/*.json build/peers/
+	@cd build/peers && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null >/dev/null
+	@g++ -std=c++17 -O3 -DNDEBUG tests/bench/peers/mesh.cpp -o build/peers/mesh -lgmp -lmpfr
+	@node tests/bench/peers/peers.js
 
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
@@ -71,7 +79,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -142,7 +150,14 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+build/march/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(NATIVE) -march=native -c $< -o $@
+
 build/native/core.o: $(WASM:%.c=build/native/%.o)
+	@ld -r $^ -o $@
+
+build/march/core.o: $(WASM:%.c=build/march/%.o)
 	@ld -r $^ -o $@
 
 -include $(wildcard build/*/*.d build/*/*/*.d)
