@@ -42,7 +42,7 @@ endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o ## build, check, and run every test
+test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
@@ -54,7 +54,7 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
 
-bench: all build/native/core.o build/march/core.o ## run the benchmarks
+bench: all build/native/core.o build/march/core.o build/named.wasm ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
 
 bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it installs
@@ -101,6 +101,10 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@echo $@
 	@mkdir -p $(@D)
 	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+
+# The same with the names of its functions, for profiles.
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # JavaScript and types
 
