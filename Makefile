@@ -5,7 +5,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench accuracy demo format clean help tools
+.PHONY: all test check tidy bench bench-peers accuracy demo format clean help tools
 
 ENTRIES := index slim gallery pool
 VIEWS := three
@@ -43,7 +43,7 @@ endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
+test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
@@ -55,8 +55,16 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
 
-bench: all build/native/core.o ## run the benchmarks
+bench: all build/native/core.o build/march/core.o build/named.wasm ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
+
+bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it installs
+	@tests/helpers/install.sh g++:g++ /usr/include/CGAL/Surface_mesh_shortest_path.h:libcgal-dev /usr/lib/python3/dist-packages/scipy:python3-scipy
+	@mkdir -p build/peers
+	@cp .npmrc tests/bench/peers/npm/*.json build/peers/
+	@cd build/peers && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null >/dev/null
+	@g++ -std=c++17 -O3 -DNDEBUG tests/bench/peers/mesh.cpp -o build/peers/mesh -lgmp -lmpfr
+	@node tests/bench/peers/peers.js
 
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
@@ -72,7 +80,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -94,6 +102,10 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@echo $@
 	@mkdir -p $(@D)
 	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+
+# The same with the names of its functions, for profiles.
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # JavaScript and types
 
@@ -145,7 +157,14 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+build/march/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(NATIVE) -march=native -c $< -o $@
+
 build/native/core.o: $(WASM:%.c=build/native/%.o)
+	@ld -r $^ -o $@
+
+build/march/core.o: $(WASM:%.c=build/march/%.o)
 	@ld -r $^ -o $@
 
 -include $(wildcard build/*/*.d build/*/*/*.d)
