@@ -12,7 +12,7 @@ WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch])
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/coverage/*.c)
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
 
@@ -36,8 +36,11 @@ endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
 TOOLS += clang-tidy:clang-tidy
 endif
-ifneq ($(filter test,$(MAKECMDGOALS)),)
+ifneq ($(filter test packages,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
+endif
+ifneq ($(filter coverage,$(MAKECMDGOALS)),)
+TOOLS += clang:clang llvm-cov:llvm
 endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
@@ -71,7 +74,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile tests/release.mk | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -136,4 +139,6 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 build/native/core.o: $(WASM:%.c=build/native/%.o)
 	@ld -r $^ -o $@
 
--include $(wildcard build/*/*.d build/*/*/*.d)
+include tests/release.mk
+
+-include $(wildcard build/*/*.d build/*/*/*.d build/*/*/*/*.d)

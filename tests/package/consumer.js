@@ -1,6 +1,7 @@
 // A stranger's program: the same path through both entries, and the gallery. Run by package.test.js where the package is installed.
 import assert from 'node:assert/strict';
-import { load } from 'surfpath';
+import { inspect } from 'node:util';
+import { ExpressionError, load } from 'surfpath';
 import * as gallery from 'surfpath/gallery';
 import { load as loadSlim } from 'surfpath/slim';
 
@@ -16,4 +17,11 @@ assert.equal(path.points.length, 3 * 52);
 assert.ok(path.length > Math.hypot(1, 1.2, 0.24) && path.length < 2, `length ${path.length}`);
 assert.deepEqual(saddlePath(await loadSlim()), path);
 assert.ok(Object.keys(gallery).length > 0);
+
+// What a console prints of a mistake begins with its class's name, whatever minification made of that.
+const surfpath = await load();
+assert.throws(
+  () => surfpath.implicit({ f: 'x +' }),
+  (error) => error instanceof ExpressionError && inspect(error).startsWith('ExpressionError: f: '),
+);
 console.log('ok');

@@ -4,7 +4,7 @@
 export class ExpressionError extends Error {
   // What a stack or a console shows: bundling shortens the name of the class itself.
   static {
-    Object.defineProperty(this, 'name', { value: 'ExpressionError' });
+    Object.defineProperty(ExpressionError, 'name', { value: 'ExpressionError' });
   }
 
   /**
