@@ -22,6 +22,8 @@ CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-co
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20 -msimd128 -mbulk-memory -DNDEBUG
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+# The analyzer takes a vector of 64-bit lanes for one bit.
+ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
@@ -34,7 +36,7 @@ ifneq ($(filter test check format,$(MAKECMDGOALS)),)
 TOOLS += clang-format:clang-format
 endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
-TOOLS += clang-tidy:clang-tidy
+TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
 ifneq ($(filter test packages,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
@@ -54,8 +56,11 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/tsc -p demo
 	@clang-format --dry-run -Werror $(C_FILES)
 
-tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
+tidy: | tools ## look for mistakes in the C with gcc's analyzer, cppcheck, clang-tidy and valgrind (slow, so not part of check)
+	@for file in $(WASM); do $(ANALYZER) -c $$file -o /dev/null || exit 1; done
+	@cppcheck --std=c11 --enable=warning,performance,portability,style --suppressions-list=.cppcheck -Iwasm --quiet --error-exitcode=1 wasm
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
+	@$(MAKE) valgrind
 
 bench: all build/native/core.o ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done

@@ -1,11 +1,22 @@
 # What a release must pass beyond `make test`: the package in other people's tools, how much the tests run, what they notice. Included by Makefile.
 
-.PHONY: packages coverage
+.PHONY: packages valgrind coverage
 
 # The package in other people's tools. Each consumer's tools come from its own lockfile, into build/packages/.
 
 packages: all ## install the packed package in Node, Deno, Bun, bundlers, pages and TypeScript, and run it
 	@node tests/package/packages.js
+
+# The native tests without sanitizers, each under valgrind.
+
+VALGRIND_TESTS := $(patsubst tests/native/%_test.c,build/plain/%_test,$(wildcard tests/native/*_test.c))
+
+build/plain/%_test: tests/native/%_test.c $(COVERAGE_HELPERS) $(WASM) $(wildcard wasm/*.h tests/native/*.h)
+	@mkdir -p $(@D)
+	@gcc $(filter-out -MMD -MP,$(CFLAGS)) -O1 -g $(filter %.c,$^) -lm -o $@
+
+valgrind: $(VALGRIND_TESTS) | tools ## run the native tests under valgrind (minutes)
+	@for test in $^; do echo $$test; valgrind --quiet --error-exitcode=9 --leak-check=full $$test tests/data >/dev/null || exit 1; done
 
 # Coverage: the C is compiled twice with clang's counters, into the WebAssembly that the unit tests then run and into the native tests.
 
