@@ -29,7 +29,7 @@ LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sI
 
 # What each goal needs beyond Node and npm, as probe:package.
 TOOLS := emcc:emscripten
-ifneq ($(filter test bench,$(MAKECMDGOALS)),)
+ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
 ifneq ($(filter test check format,$(MAKECMDGOALS)),)

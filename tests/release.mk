@@ -1,6 +1,6 @@
 # What a release must pass beyond `make test`: the package in other people's tools, how much the tests run, what they notice. Included by Makefile.
 
-.PHONY: packages valgrind coverage
+.PHONY: packages valgrind coverage mutants release-check
 
 # The package in other people's tools. Each consumer's tools come from its own lockfile, into build/packages/.
 
@@ -56,3 +56,16 @@ coverage: all build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TES
 	@llvm-cov export build/coverage/core.so -instr-profile=build/coverage/all.profdata >build/coverage/branches.json
 	@failed=0; node tests/coverage/c.js 95 <build/coverage/branches.json || failed=1; \
 	    node tests/coverage/javascript.js build/coverage/v8 95 || failed=1; exit $$failed
+
+# Mistakes put into the sources, one at a time. Written in JavaScript: tests/mutants/.
+
+mutants: all | tools ## put small mistakes into the sources and see whether the tests notice (half an hour)
+	@node tests/mutants/mutants.js
+
+# Those of the list that some makefile here defines.
+
+RELEASE := test tidy accuracy fuzz golden browsers packages mutants coverage bench
+DEFINED := $(shell sed -n 's/^\([a-z]*\):.*/\1/p' Makefile tests/*.mk)
+
+release-check: ## run all of it, one after the other, and print one table
+	@node tests/release.js $(filter $(DEFINED),$(RELEASE))
