@@ -3,13 +3,14 @@
 import * as inlined from 'surfpath';
 import { gallery } from 'surfpath/gallery';
 import * as slim from 'surfpath/slim';
+import { GeodesicLine, surfaceGeometry } from 'surfpath/three';
 
 /** @returns {Promise<string>} */
 export async function sample() {
   const said = await solve(inlined);
   const again = await solve(slim);
   if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
-  return said;
+  return `${said}\n${await draw()}`;
 }
 
 /** @param {typeof inlined | typeof slim} entry */
@@ -26,4 +27,14 @@ async function solve({ load, ExpressionError }) {
   }
   surfpath.dispose();
   return lines.join('\n');
+}
+
+/** The objects for three.js, as far as they go without a canvas. */
+async function draw() {
+  const surfpath = await inlined.load();
+  const { torus } = gallery;
+  const surface = surfpath.surface(torus);
+  const geometry = surfaceGeometry(surface, { resolution: 12 });
+  const line = new GeodesicLine(surface.shortestPath(torus.from, torus.to, { points: 9 }));
+  return `three.js: ${geometry.getAttribute('position').count} vertices, a line is a ${line.type}`;
 }
