@@ -21,7 +21,7 @@ const MISTAKES = [
   [/(?<= )-=(?= )/g, () => ['+=']],
   [/(?<=\bif \()(?=\w)/g, () => ['!']],
   [/(?<=\breturn )(0|1|true|false)(?=;)/g, (found) => [{ 0: '1', 1: '0', true: 'false', false: 'true' }[found] ?? found]],
-  [/(?<=[ (\[])\d+(?=[ ,;)\]])/g, (found) => [String(Number(found) + 1)]],
+  [/(?<=[ ([])\d+(?=[ ,;)\]])/g, (found) => [String(Number(found) + 1)]],
   [/(?<=[ (-])\d+\.\d+(?=[ ,;)])/g, (found) => [String(Number(found) * 1.01 + 0.001)]],
 ];
 

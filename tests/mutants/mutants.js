@@ -48,7 +48,8 @@ const programs = readdirSync(join(root, 'tests/native')).filter((name) => name.e
 /** Links every native test with the objects of the core. */
 function linkNative() {
   const objects = sources.map(objectOf);
-  for (const name of programs) build('gcc', `native/${basename(name, '.c')}.test.o`, ...objects, '-lm', '-o', `native/${basename(name, '.c')}`);
+  for (const name of programs)
+    build('gcc', `native/${basename(name, '.c')}.test.o`, ...objects, '-lm', '-o', `native/${basename(name, '.c')}`);
 }
 
 function compileNative() {
@@ -185,5 +186,7 @@ for (const mutant of mutants) {
   const verdict = failed ? `noticed by ${failed.name}` : `SURVIVED${isExplained ? ', explained' : ''}`;
   console.log(`${mutant.file}:${mutant.line}: ${mutant.before}  =>  ${mutant.after}\n    ${verdict}`);
 }
-console.log(`seed ${seed}: ${noticed} of ${mutants.length} mutants noticed (wanted: ${100 * WANTED} %), ${unexplained} survivors not explained`);
+console.log(
+  `seed ${seed}: ${noticed} of ${mutants.length} mutants noticed (wanted: ${100 * WANTED} %), ${unexplained} survivors not explained`,
+);
 process.exitCode = noticed >= WANTED * mutants.length && unexplained === 0 ? 0 : 1;
