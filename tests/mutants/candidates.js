@@ -55,7 +55,14 @@ export function findMutants(folder, file, seed) {
         const changed = line.slice(0, at) + by + line.slice(at + length);
         const [before, after] = [line.trim(), changed.trim()];
         const key = createHash('sha256').update(`${seed} ${file} ${before} ${after}`).digest('hex');
-        return { file, line: number + 1, before, after, key, text: lines.with(number, changed).join('\n') };
+        return {
+          file,
+          line: number + 1,
+          before,
+          after,
+          key,
+          text: [...lines.slice(0, number), changed, ...lines.slice(number + 1)].join('\n'),
+        };
       });
     });
 }
