@@ -2,6 +2,9 @@
 
 .PHONY: packages valgrind coverage mutants release-check
 
+# C files that every native test links with.
+NATIVE_SHARED := $(filter-out %_test.c,$(wildcard tests/native/*.c))
+
 # The package in other people's tools. Each consumer's tools come from its own lockfile, into build/packages/.
 
 packages: all ## install the packed package in Node, Deno, Bun, bundlers, pages and TypeScript, and run it
@@ -11,9 +14,12 @@ packages: all ## install the packed package in Node, Deno, Bun, bundlers, pages 
 
 VALGRIND_TESTS := $(patsubst tests/native/%_test.c,build/plain/%_test,$(wildcard tests/native/*_test.c))
 
-build/plain/%_test: tests/native/%_test.c $(COVERAGE_HELPERS) $(WASM) $(wildcard wasm/*.h tests/native/*.h)
+build/plain/%.o: %.c tests/release.mk | tools
 	@mkdir -p $(@D)
-	@gcc $(filter-out -MMD -MP,$(CFLAGS)) -O1 -g $(filter %.c,$^) -lm -o $@
+	@gcc $(CFLAGS) -O1 -g -c $< -o $@
+
+build/plain/%_test: build/plain/tests/native/%_test.o $(NATIVE_SHARED:%.c=build/plain/%.o) $(WASM:%.c=build/plain/%.o)
+	@gcc $^ -lm -o $@
 
 valgrind: $(VALGRIND_TESTS) | tools ## run the native tests under valgrind (minutes)
 	@for test in $^; do echo $$test; valgrind --quiet --error-exitcode=9 --leak-check=full $$test tests/data >/dev/null || exit 1; done
@@ -22,7 +28,6 @@ valgrind: $(VALGRIND_TESTS) | tools ## run the native tests under valgrind (minu
 
 COVERED := -std=c17 -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP -fprofile-instr-generate -fcoverage-mapping
 COVERAGE_TESTS := $(patsubst tests/native/%_test.c,build/coverage/%_test,$(wildcard tests/native/*_test.c))
-COVERAGE_HELPERS := $(filter-out %_test.c,$(wildcard tests/native/*.c))
 COUNTERS := coverage_functions coverage_function_count coverage_names coverage_name_count
 
 build/coverage/wasm/%.o: wasm/%.c tests/release.mk | tools
@@ -43,7 +48,7 @@ build/coverage/native/%.o: %.c tests/release.mk | tools
 build/coverage/core.so: $(WASM:%.c=build/coverage/native/%.o)
 	@clang -shared -fprofile-instr-generate $^ -o $@
 
-build/coverage/%_test: tests/native/%_test.c $(COVERAGE_HELPERS) $(WASM:%.c=build/coverage/native/%.o)
+build/coverage/%_test: tests/native/%_test.c $(NATIVE_SHARED) $(WASM:%.c=build/coverage/native/%.o)
 	@clang -std=c17 -ffp-contract=off -fno-math-errno -Iwasm -O1 -fprofile-instr-generate $^ -lm -o $@
 
 coverage: all build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TESTS) ## branches of the C and lines of the JavaScript that the tests run; 95 % of each are wanted

@@ -23,7 +23,7 @@ const NOT_RUN = /\/(build|readme)\.test\.js$/;
 const AT_A_TIME = 2;
 
 /** @typedef {import('./candidates.js').Mutant} Mutant */
-/** @typedef {{ name: string, command: string[], milliseconds: number }} Test */
+/** @typedef {{ name: string, command: string[], milliseconds: number, noticed: number }} Test */
 
 /** A copy of what is compiled and run; what is only read is linked to. */
 function makeTree() {
@@ -59,13 +59,14 @@ function compileNative() {
 }
 
 /** @returns {Test[]} */
-const nativeTests = () => programs.map((name) => ({ name, command: [`native/${basename(name, '.c')}`, 'tests/data'], milliseconds: 0 }));
+const nativeTests = () =>
+  programs.map((name) => ({ name, command: [`native/${basename(name, '.c')}`, 'tests/data'], milliseconds: 0, noticed: 0 }));
 
 /** @param {string} under @returns {Test[]} */
 function unitTests(under) {
   return readdirSync(join(tree, under), { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.test.js') && !NOT_RUN.test(`/${name}`))
-    .map((name) => ({ name, command: [process.execPath, join(under, name)], milliseconds: 0 }));
+    .map((name) => ({ name, command: [process.execPath, join(under, name)], milliseconds: 0, noticed: 0 }));
 }
 
 /** Runs a test; resolves to whether it passed. @param {Test} test @param {AbortSignal} [signal] @returns {Promise<boolean>} */
@@ -76,6 +77,15 @@ function run({ command: [program, ...parameters], milliseconds }, signal) {
     child.on('error', () => resolve(false));
     child.on('exit', (code) => resolve(code === 0));
   });
+}
+
+/** Those first that are named like the file, then those that have noticed most, then the fast ones. @param {Test[]} tests @param {string} file */
+function inOrder(tests, file) {
+  const words = basename(file)
+    .replace(/\.\w+$/, '')
+    .split('_');
+  const isNamesake = (/** @type {Test} */ { name }) => (words.some((word) => name.includes(word)) ? 0 : 1);
+  return [...tests].sort((a, b) => isNamesake(a) - isNamesake(b) || b.noticed - a.noticed || a.milliseconds - b.milliseconds);
 }
 
 /** Runs tests until one fails. @param {Test[]} tests @returns {Promise<Test | null>} the one that failed */
@@ -95,14 +105,18 @@ async function firstFailure(tests) {
   return failed;
 }
 
-/** Runs all tests of the sound sources, which must pass, and sorts them: the fast ones first. @param {Test[]} tests */
+/** Runs all tests of the sound sources, which must pass. @param {Test[]} tests */
 async function measure(tests) {
-  for (const test of tests) {
-    const start = performance.now();
-    if (!(await run(test))) throw new Error(`${test.name} fails without any mutant`);
-    test.milliseconds = performance.now() - start;
-  }
-  return tests.sort((a, b) => a.milliseconds - b.milliseconds);
+  const waiting = [...tests];
+  const work = async () => {
+    for (let test = waiting.shift(); test; test = waiting.shift()) {
+      const start = performance.now();
+      if (!(await run(test))) throw new Error(`${test.name} fails without any mutant`);
+      test.milliseconds = performance.now() - start;
+    }
+  };
+  await Promise.all(Array.from({ length: AT_A_TIME }, work));
+  return tests;
 }
 
 /** Puts a mutant into the tree and looks which test fails; null: none does. @param {Mutant} mutant @param {{ native: Test[], compiler: Test[], others: Test[] }} tests */
@@ -111,19 +125,19 @@ async function judge(mutant, { native, compiler, others }) {
   const sound = readFileSync(path);
   writeFileSync(path, mutant.text);
   try {
-    if (!mutant.file.endsWith('.c')) return await firstFailure([...compiler, ...others]);
+    if (!mutant.file.endsWith('.c')) return await firstFailure([...inOrder(compiler, mutant.file), ...inOrder(others, mutant.file)]);
     const object = objectOf(mutant.file);
     cpSync(join(tree, object), join(tree, 'native/sound.o'));
     try {
       build('gcc', ...GCC, '-c', mutant.file, '-o', object);
       linkNative();
-      const failed = await firstFailure(native);
+      const failed = await firstFailure(inOrder(native, mutant.file));
       if (failed) return failed;
     } finally {
       cpSync(join(tree, 'native/sound.o'), join(tree, object));
     }
     build('make', 'dist/wasm.js');
-    return await firstFailure([...others, ...compiler]);
+    return await firstFailure([...inOrder(others, mutant.file), ...compiler]);
   } finally {
     writeFileSync(path, sound);
   }
@@ -181,8 +195,10 @@ let [noticed, unexplained] = [0, 0];
 for (const mutant of mutants) {
   const failed = await judge(mutant, tests);
   const isExplained = explained.includes(`\`${mutant.after}\``);
-  if (failed) noticed++;
-  else if (!isExplained) unexplained++;
+  if (failed) {
+    noticed++;
+    failed.noticed++;
+  } else if (!isExplained) unexplained++;
   const verdict = failed ? `noticed by ${failed.name}` : `SURVIVED${isExplained ? ', explained' : ''}`;
   console.log(`${mutant.file}:${mutant.line}: ${mutant.before}  =>  ${mutant.after}\n    ${verdict}`);
 }
