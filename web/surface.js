@@ -182,11 +182,11 @@ export class Surface {
    * @param {number} length how far, ≥ 0
    * @param {TraceOptions} [options]
    * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   *   (null also where that is not computed: on an implicit surface with a `metric`)
    */
   trace(from, direction, length, options) {
     const caller = 'trace';
     this.#checkAlive(caller);
-    if (this.kind === 'metric' || this.#metric) throw new RangeError(`${caller}: a density or a metric is not built yet here`);
     const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
     const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
     const wanted = readTraceOptions(caller, options);

@@ -218,7 +218,7 @@ export class Heap {
     const [length, lengthError, conjugate] = this.#doubles(at, 3);
     const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
     if (normal) return null;
-    if (!pointsAt) return emptyPath(status);
+    if (!pointsAt && !parametersAt) return emptyPath(status);
     return {
       ...emptyPath(status),
       length,
@@ -227,7 +227,7 @@ export class Heap {
       touchesBoundary: touches !== 0,
       crossesSingularity: false,
       conjugate: Number.isNaN(conjugate) ? null : conjugate,
-      points: this.#doubles(pointsAt, 3 * count).slice(),
+      points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
       parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
     };
   }
