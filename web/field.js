@@ -41,9 +41,9 @@ function search({ domain, box, graphs, run }, caller, from, places) {
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   let lengths = new Float64Array(places.length / from.length).fill(Infinity);
   for (let level = 0; lengths.includes(Infinity); level++) {
-    const found = run((heap, _, shape) => {
-      const graph = graphs?.find(heap, shape, place, level);
-      return graph && heap.measureField(shape, graph, from, places);
+    const found = run((heap, record) => {
+      const graph = graphs.find(heap, record, place, level);
+      return graph && heap.measureField(record, graph, from, places);
     });
     if (!found) break;
     if (found.status === CONVERGED) lengths = lengths.map((length, i) => (length < Infinity ? length : found.lengths[i]));
@@ -68,8 +68,6 @@ function face(domain, place, other) {
  * @returns {Float64Array} a distance a vertex
  */
 export function measureField(field, caller, from, mesh, exact) {
-  if (!field.isPlain && !exact)
-    throw new RangeError(`${caller}: the graph knows lengths in space only, no density and no metric; ask for { exact: true }`);
   const places = mesh.parameters ?? mesh.positions;
   const lengths = search(field, caller, from, places);
   if (!exact) return lengths;

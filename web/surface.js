@@ -445,9 +445,9 @@ export class Surface {
       kind: KIND[this.kind],
       domain: this.#domain,
       box: this.#box,
-      graphs: this.kind === 'metric' ? null : this.#graphs,
+      graphs: this.#graphs,
       isPlain: this.kind !== 'metric' && !this.#metric,
-      run: (call) => this.#run((heap) => call(heap, this.#record, this.#shapeRecord)),
+      run: (call) => this.#run((heap) => call(heap, this.#record)),
     };
   }
 

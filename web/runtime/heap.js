@@ -43,7 +43,7 @@ export const LAYOUT = {
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
-  sp_graph: { bytes: 112, spacing: 0, vertex_count: 60, edge_count: 64, unique: 68, singular: 72 },
+  sp_graph: { bytes: 88, spacing: 0, vertex_count: 36, edge_count: 40, unique: 44, singular: 48 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
