@@ -95,18 +95,20 @@ static void implicit_normal(const struct sp_surface *surface, const double place
 /* The vertices within one and a half cell diagonals, on the same sheet. */
 static void attach_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,
                             const struct sp_candidates *among, struct sp_attachment *attached) {
-    double normal[3], other[3], sample[SP_GRAPH_WIDTH];
+    double normal[3], other[3], sample[SP_GRAPH_WIDTH], best = __builtin_inf(), near = SP_ATTACHED_NEAR * graph->spacing;
     implicit_normal(surface, end, normal);
     sp_graph_sample(surface, end, sample);
     int32_t count = among ? among->count : graph->vertex_count;
     for (int32_t k = 0; k < count && attached->count < SP_MAX_ATTACHED; k++) {
         int32_t i = among ? among->vertices[k] : k;
         const double *vertex = graph->samples + (size_t)graph->width * (size_t)i;
-        if (!(sp_distance3(vertex, end) <= SP_ATTACHED_NEAR * graph->spacing)) continue;
+        double x = vertex[0] - end[0], y = vertex[1] - end[1], z = vertex[2] - end[2];
+        if (!(x * x + y * y + z * z <= near * near) || (among && !(among->distance[i] < best))) continue;
         for (int c = 0; c < 3; c++)
             other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
         double length = sp_graph_sheet_length(surface, sample, normal, vertex, other);
         if (!sp_is_finite(length)) continue;
+        if (among && among->distance[i] + length < best) best = among->distance[i] + length;
         attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
     }
 }

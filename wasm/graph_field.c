@@ -50,9 +50,20 @@ static int sort_into_buckets(struct buckets *buckets, const struct sp_graph *gra
     return 1;
 }
 
+/* One search for many places. */
+struct field {
+    const struct sp_surface *surface;
+    const struct sp_graph *graph;
+    const struct sp_field_request *request;
+    struct sp_front front;
+    struct buckets buckets;
+};
+
 /* The vertices in the cubes around a place. */
-static struct sp_candidates gather(const struct buckets *buckets, const struct sp_graph *graph, const double place[3]) {
-    struct sp_candidates found = {buckets->around, 0};
+static struct sp_candidates gather(const struct field *field, const double place[3]) {
+    const struct buckets *buckets = &field->buckets;
+    const struct sp_graph *graph = field->graph;
+    struct sp_candidates found = {buckets->around, 0, field->front.distance};
     double cube[3], at[3];
     cube_of(buckets, place, cube);
     for (int k = 0; k < 27; k++) {
@@ -64,23 +75,14 @@ static struct sp_candidates gather(const struct buckets *buckets, const struct s
     return found;
 }
 
-/* One search for many places. */
-struct field {
-    const struct sp_surface *surface;
-    const struct sp_graph *graph;
-    const struct sp_field_request *request;
-    struct sp_front front;
-    struct buckets buckets;
-};
-
 static void measure(const struct field *field) {
     const struct sp_field_request *request = field->request;
     int is_implicit = field->graph->kind == SP_IMPLICIT;
     struct sp_attachment attached;
     for (int32_t i = 0; i < request->count; i++) {
         const double *place = request->places + (is_implicit ? 3 : 2) * (size_t)i;
-        struct sp_candidates near = {NULL, 0};
-        if (is_implicit) near = gather(&field->buckets, field->graph, place);
+        struct sp_candidates near = {NULL, 0, NULL};
+        if (is_implicit) near = gather(field, place);
         sp_graph_attach(field->surface, field->graph, place, is_implicit ? &near : NULL, &attached);
         double length = sp_front_reach(&field->front, &attached);
         double straight = sp_graph_near_length(field->surface, field->graph, request->from, place);
@@ -89,7 +91,8 @@ static void measure(const struct field *field) {
 }
 
 double sp_graph_field_bytes(const struct sp_graph *graph) {
-    return graph->vertex_count * (double)(sizeof(double) + 6 * sizeof(int32_t)) + 3 * sizeof(int32_t) + 8 * 16;
+    double front = sizeof(double) + 3 * sizeof(int32_t), buckets = graph->kind == SP_IMPLICIT ? 3 * sizeof(int32_t) : 0;
+    return graph->vertex_count * (front + buckets) + 2 * sizeof(int32_t) + 8 * 16;
 }
 
 int32_t sp_graph_field(const struct sp_surface *surface, const struct sp_graph *graph, const struct sp_field_request *request,

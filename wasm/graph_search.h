@@ -13,10 +13,12 @@ struct sp_attachment {
     int32_t count;
 };
 
-/* Some vertices of an implicit graph: those among which the ones around a point are looked for. */
+/* Some vertices of an implicit graph: those among which the ones around a point are looked for, and only such as make its distance from
+ * the seeds of a search shorter than the ones before. */
 struct sp_candidates {
     const int32_t *vertices;
     int32_t count;
+    const double *distance; /* of all vertices */
 };
 
 /* Finds the vertices around a place: parametric, the 4 x 4 around it in the grid; implicit, those of `among` (NULL: of all) within one and

@@ -39,16 +39,22 @@ export function readFieldOptions(caller, given) {
  */
 function search({ domain, box, graphs, run }, caller, from, places) {
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  let lengths = new Float64Array(places.length / from.length).fill(Infinity);
-  for (let level = 0; lengths.includes(Infinity); level++) {
+  const width = from.length;
+  const lengths = new Float64Array(places.length / width).fill(Infinity);
+  let missing = Array.from(lengths.keys());
+  for (let level = 0; missing.length > 0; level++) {
+    const wanted =
+      level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
     const found = run((heap, record) => {
       const graph = graphs.find(heap, record, place, level);
-      return graph && heap.measureField(record, graph, from, places);
+      return graph && heap.measureField(record, graph, from, wanted);
     });
     if (!found) break;
-    if (found.status === CONVERGED) lengths = lengths.map((length, i) => (length < Infinity ? length : found.lengths[i]));
+    if (found.status !== CONVERGED) continue;
+    for (const [k, i] of missing.entries()) lengths[i] = found.lengths[k];
+    missing = missing.filter((i) => lengths[i] === Infinity);
   }
-  if (!lengths.some((length) => length < Infinity))
+  if (missing.length === lengths.length)
     throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
   return lengths;
 }
