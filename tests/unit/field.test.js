@@ -198,8 +198,8 @@ test('a density and a metric are measured by the graph, too', () => {
     ['density', { kind: 'parametric', x: 'u', y: 'v', z: '0.2*u*v', u: [-1, 1], v: [-1, 1], density: hill }, [-0.8, 0.1]],
     [
       'metric',
-      { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [-1, 1], v: [0.1, 2], metric: { E: '1/v^2', F: '0.3/v^2', G: '1/v^2' } },
-      [-0.8, 0.2],
+      { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [-1, 1], v: [0.3, 2], metric: { E: '1/v^2', F: '0.3/v^2', G: '1/v^2' } },
+      [-0.8, 0.4],
     ],
     [
       'density, implicit',
@@ -225,9 +225,10 @@ test('a density and a metric are measured by the graph, too', () => {
     assert.ok(exact.filter((distance) => distance >= 0).length > 0.8 * exact.length, what);
     for (const [i, distance] of exact.entries()) {
       if (Number.isNaN(distance)) continue;
-      /* A way through the graph is too long by up to 3 %, and near the start by a part of a cell; chords make it too short by less than 1 %. */
+      /* A way through the graph is too long by up to 3 %, where one direction counts twice as much as the other by 7 %, and near the start by a part of
+         a cell; chords make it too short by less than 1 %. */
       assert.ok(
-        fast[i] < 1.03 * distance + 0.01 * largest && fast[i] > 0.99 * distance,
+        fast[i] < (definition.metric ? 1.07 : 1.03) * distance + 0.01 * largest && fast[i] > 0.99 * distance,
         `${what}, vertex ${i}: ${fast[i]}, exactly ${distance}`,
       );
     }
