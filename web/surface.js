@@ -7,7 +7,7 @@ import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
-import { checkMetric, compileMetric, METRIC } from './metric.js';
+import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath, LAYOUT } from './runtime/heap.js';
@@ -47,8 +47,8 @@ export class Surface {
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
-  /** What measures length, if it is not space alone. */
-  #metric;
+  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
+  /** @type {ReturnType<typeof compileMetric>} */ #metric = null;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
@@ -67,7 +67,7 @@ export class Surface {
   /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
-    checkMetric(kind, definition);
+    this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
@@ -75,7 +75,6 @@ export class Surface {
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
-    this.#metric = compileMetric(this.kind, definition, this.#shape.variables, this.#parameters, solver.apply);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
     this.#compiled = this.#compile();
@@ -312,6 +311,7 @@ export class Surface {
     const { outputs, names, variables } = this.#shape;
     const { wanted } = this.#reference;
     this.#reference.compiled = wanted;
+    this.#metric = compileMetric(this.kind, this.#measure, this.#shape, wanted, this.#parameters, this.#solver.apply);
     return compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, wanted) : outputs,
       names,

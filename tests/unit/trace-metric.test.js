@@ -80,7 +80,8 @@ describe('the start of a shortest path, traced for its length, lands on its end'
 
 test('the open data, traced from their start', () => {
   let count = 0;
-  for (const { id, definition, from, to, expected } of loadCases({ families: 'E' })) {
+  for (const { id, definition: own, from, to, expected } of loadCases({ families: 'E' })) {
+    const definition = /** @type {any} */ (own);
     const { start_angle: angle, touches_boundary } = /** @type {any} */ (expected);
     if (angle === undefined || touches_boundary) continue;
     const surface = make(definition);
