@@ -8,13 +8,13 @@ import { findGlobal } from './routes.js';
  * @property {number} [resolution] of the mesh, as for `mesh`
  * @property {boolean} [exact] true: the length of the shortest path to each vertex, as `shortestPath` finds it with its own defaults: to 1e-9, in about
  *   10 ms a vertex (0.3 ms where no curvature is positive); default false: of the shortest way through a graph:
- *   a few per cent too long at most, 0.5 % typically, more where the parameters are strongly distorted (Dini's surface: twice)
+ *   a few per cent too long at most, 0.5 % typically, more where a metric counts one direction much more than the other
  */
 
 /**
  * @typedef {object} DistanceField
  * @property {import('./mesh.js').Mesh} mesh
- * @property {Float64Array} distances along the surface, one a vertex; Infinity where no way leads; NaN where `exact` found no path
+ * @property {Float64Array} distances along the surface, in the metric in use, one a vertex; Infinity where no way leads; NaN where `exact` found no path
  */
 
 /** @typedef {import('./routes.js').Field} Field */

@@ -44,6 +44,8 @@ const ROUGH = [31, 63, 127, 255];
 const CANDIDATE_POINTS = 65;
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 const MARGIN = 1e-3;
+/** Of those, so many are solved finely. */
+const MOST_FINE = 4;
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
 /** Places at which two paths are compared. */
@@ -81,11 +83,19 @@ export function findPaths(problem, options, most) {
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   const limit = most === 1 ? estimate(rough[0].path) + doubt(rough[0].path) : Infinity;
-  const wanted = rough.filter(({ path }) => estimate(path) - doubt(path) <= limit).slice(0, Math.max(most, 4));
-  const solved = wanted.map(({ to, path }) => ({ to, path: problem.solve(to, path.parameters ?? path.points, options) }));
-  const usable = solved.filter(({ path }) => holds(path));
+  const wanted = most === 1 ? rough.filter(({ path }) => estimate(path) - doubt(path) <= limit).slice(0, MOST_FINE) : rough;
+  /** @type {{ to: number[], path: RawPath }[]} */
+  let usable = [];
+  /** @type {RawPath | null} */
+  let failed = null;
+  for (const { to, path } of wanted) {
+    if (most > 1 && usable.length === most) break;
+    const fine = problem.solve(to, path.parameters ?? path.points, options);
+    if (holds(fine)) usable = distinct([...usable, { to, path: fine }]);
+    else failed ??= fine;
+  }
   usable.push(...overPoles(problem, options, usable));
-  if (usable.length === 0) return [solved[0].path];
+  if (usable.length === 0 && failed) return [failed];
   return distinct(usable)
     .slice(0, most)
     .map(({ path }) => path);

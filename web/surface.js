@@ -31,7 +31,8 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
-const MOST_GEODESICS = 8;
+/** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
+const MOST_GEODESICS = 16;
 
 /** What the kinds differ in. */
 const SHAPE = {
@@ -121,7 +122,7 @@ export class Surface {
    * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
    * @returns {Path[]}
    */
   geodesics(from, to, options) {

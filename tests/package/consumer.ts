@@ -1,5 +1,5 @@
 // A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
-import { ExpressionError, load } from 'surfpath';
+import { type DistanceField, ExpressionError, type FieldOptions, load } from 'surfpath';
 import { load as loadSlim } from 'surfpath/slim';
 
 const surfpath = await load();
@@ -10,6 +10,8 @@ const points: Float64Array = path.points;
 const converged: boolean = path.converged;
 const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
 slim.dispose();
+const wanted: FieldOptions = { resolution: 8, exact: false };
+const field: DistanceField = torus.distanceField([4, 0, 0], wanted);
 
 try {
   surfpath.parametric({ x: 'u', y: 'v', z: 'sin u', u: [0, 1], v: [0, 1] });
@@ -30,4 +32,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, length, points };
+export { converged, field, length, points };
