@@ -32,6 +32,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
+/* Whether a path leads from one side of such a curve to the other (sp_cusp_run), so that no smooth path can be near it. newton->system.line
+ * holds the path; its charts are computed. */
+int sp_cusp_divides(const struct sp_newton *newton);
+
 /* Solves a path across a curve where S_u x S_v vanishes and turns over, or several: arcs that meet in points of them. `given`: a path from
  * end to end that crosses as often, at most three times, not in newton's own arrays; of one crossing several seeds are tried.
  * SP_SINGULAR_METRIC where that fails. */

@@ -1,9 +1,11 @@
 /* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: free arcs that meet in points of it. One unknown
  * each, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
+#include "check.h"
+#include "metric.h"
 #include "piece.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02;
-static const double FIRST_STEP = 0.02, LARGEST_STEP = 0.1, LEAST_STEP = 1e-14; /* of the range of the crossing's coordinate */
+static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 7, SCAN = 64, MOST = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -91,19 +93,28 @@ struct bridge {
     int32_t count; /* crossings */
     struct crossing crossing[MOST];
     struct sp_piece piece[MOST + 1];
-    double length, slope[MOST], range[MOST], inverse[MOST][MOST];
-    int learnt; /* the estimate is more than a first guess */
+    double length, slope[MOST], inverse[MOST][MOST];
+    double reach[MOST]; /* how far, in its coordinate, a crossing is from the nearer end of its arcs */
+    double gain;        /* what moving the crossings on would still gain */
+    int learnt;         /* the estimate is more than a first guess */
 };
 
-/* dL/ds of the arc just solved: the pull on its singular end, in the direction of the curve. */
-static double end_slope(const struct sp_newton *newton, const struct crossing *crossing, int end) {
+/* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
+ * arc's length. */
+static void measure_end(const struct sp_newton *newton, const struct sp_piece *piece, int end, int32_t k, struct bridge *bridge) {
     const struct sp_system *system = &newton->system;
-    struct curve at = curve_at(system->line.surface, crossing->place, (double *)crossing->nu, 0);
+    const struct crossing *crossing = bridge->crossing + k;
+    double nu[3] = {crossing->nu[0], crossing->nu[1], crossing->nu[2]};
+    struct curve at = curve_at(system->line.surface, crossing->place, nu, 0);
+    struct sp_form form = sp_metric_form(0, system->line.nodes.charts, NULL);
+    int32_t along = crossing->along;
+    double beside = -at.slope[along] / at.slope[1 - along], energy = piece->solved.outcome.energy;
+    double squared = (along ? form.g : form.e)[end] + 2 * beside * form.f[end] + beside * beside * (along ? form.e : form.g)[end];
     sp_pair pull[2];
     sp_system_end_pull(system, pull);
-    double along = pull[crossing->along][end], beside = pull[1 - crossing->along][end];
-    double slope = along - beside * at.slope[crossing->along] / at.slope[1 - crossing->along];
-    return slope * root(system->elements.count / sp_system_squares(system, system->line.nodes));
+    bridge->slope[k] += (pull[along][end] + beside * pull[1 - along][end]) * system->elements.count / root(energy);
+    double reach = piece->solved.length / root(squared);
+    if (!(bridge->reach[k] <= reach)) bridge->reach[k] = reach;
 }
 
 /* Solves all arcs to the crossings. Returns 0 where one fails. */
@@ -111,7 +122,7 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
                         struct sp_arena *arena) {
     bridge->length = 0;
     for (int32_t i = 0; i < bridge->count; i++)
-        bridge->slope[i] = 0;
+        bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
         for (int32_t end = 0; end < 2; end++)
@@ -120,22 +131,18 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
         bridge->length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
-            if (piece->joint[end].singular) bridge->slope[i - 1 + end] += end_slope(newton, bridge->crossing + i - 1 + end, end);
+            if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
         sp_piece_keep(newton, piece);
     }
     return 1;
 }
 
 /* A first guess: steps of FIRST_STEP. */
-static void start_curvature(struct bridge *bridge, const struct sp_surface *surface) {
+static void start_curvature(struct bridge *bridge) {
     bridge->learnt = 0;
-    for (int32_t i = 0; i < bridge->count; i++) {
-        int32_t along = bridge->crossing[i].along;
-        double range = surface->upper[along] - surface->lower[along];
-        bridge->range[i] = range < __builtin_inf() ? range : 1;
+    for (int32_t i = 0; i < bridge->count; i++)
         for (int32_t j = 0; j < bridge->count; j++)
-            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->range[i] / absolute(bridge->slope[i]) : 0;
-    }
+            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->reach[i] / absolute(bridge->slope[i]) : 0;
 }
 
 /* Learns from a step and what it changed of the slopes (BFGS): H <- (1 - s y'/s'y) H (1 - y s'/s'y) + s s'/s'y. */
@@ -155,15 +162,15 @@ static void learn(const double step[MOST], const double change[MOST], struct bri
     bridge->learnt = 1;
 }
 
-/* A step in parts of the coordinates' ranges. */
+/* A step in parts of the crossings' reaches. */
 static double largest_part(const struct bridge *bridge, const double step[MOST]) {
     double largest = 0;
     for (int32_t i = 0; i < bridge->count; i++)
-        if (absolute(step[i]) > largest * bridge->range[i]) largest = absolute(step[i]) / bridge->range[i];
+        if (absolute(step[i]) > largest * bridge->reach[i]) largest = absolute(step[i]) / bridge->reach[i];
     return largest;
 }
 
-/* The step downhill, no coordinate by more than `most` of its range. Returns the gain it promises; infinite while that is a guess. */
+/* The step downhill, no crossing by more than `most` of its reach. Returns the gain it promises; infinite while that is a guess. */
 static double downhill(const struct bridge *bridge, double most, double step[MOST]) {
     double gain = bridge->learnt ? 0 : __builtin_inf(), largest;
     for (int32_t i = 0; i < bridge->count; i++) {
@@ -277,7 +284,7 @@ static int rank_seeds(struct sp_newton *newton, const struct sp_options *options
 static int approach(struct sp_newton *newton, const struct sp_options *rough, struct bridge *bridge, struct sp_storage spare[MOST + 1],
                     struct sp_arena *arena) {
     if (!solve_bridge(newton, rough, 0, bridge, arena)) return 0;
-    start_curvature(bridge, newton->system.line.surface);
+    start_curvature(bridge);
     return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
 }
 
@@ -306,7 +313,8 @@ static int finish(struct sp_newton *newton, const struct sp_options *options, st
     double enough = ENOUGH * options->tolerance > ROUNDING ? ENOUGH * options->tolerance : ROUNDING, step[MOST];
     for (int i = 0; i < CHECKS; i++) {
         if (!solve_bridge(newton, options, 1, bridge, arena)) return 0;
-        if (downhill(bridge, LARGEST_STEP, step) <= enough * bridge->length) return 1;
+        bridge->gain = downhill(bridge, LARGEST_STEP, step);
+        if (bridge->gain <= enough * bridge->length) return 1;
         if (!descend(newton, options, enough, bridge, spare, arena)) return 0;
     }
     return 0;
@@ -319,13 +327,27 @@ static struct sp_refined cross(struct sp_newton *newton, const struct bridge *br
         arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
     for (int32_t i = 0; i < bridge->count; i++)
         slopes += bridge->slope[i] * bridge->slope[i];
-    return sp_arcs_join(arcs, newton, slopes, arena);
+    struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
+    whole.length_error += bridge->gain;
+    return whole;
+}
+
+int sp_cusp_divides(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    const sp_pair *charts = line->nodes.charts;
+    int32_t turns = 0, last = line->fold.both;
+    sp_polyline_charts(line, line->nodes);
+    for (int32_t k = 0; k <= last; k++) {
+        sp_pair product = sp_dot(sp_chart_normal(charts + SP_CHART * k), sp_chart_normal(charts + SP_CHART * (k + 1)));
+        turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
+    }
+    return turns % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
 }
 
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct bridge bridge;
+    struct bridge bridge = {0};
     struct sp_storage storage[3][MOST + 1];
     arcs->count = 0;
     if (!scan(given, &bridge)) return refined;

@@ -65,7 +65,8 @@ static struct sp_system follow(const struct sp_piece *piece) {
 /* Chords first: the ladder from its foot. */
 static struct sp_refined solve_new(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
                                    struct sp_arena *arena) {
-    newton->system.elements.reference.degree = 1;
+    struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
+    if (!sp_reference_make(&newton->system.elements.reference, 1, arena)) return none;
     newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST);
     fill(piece, 0, &newton->system);
     return sp_refine_run(newton, options, arena);
@@ -85,7 +86,7 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
         return 0;
     newton->history = NULL; /* a piece is not the path */
     piece->solved = !has_elements && !is_graded ? solve_new(newton, options, piece, arena)
-                    : checked                   ? sp_refine_again(newton, options, &start, arena)
+                    : checked                   ? sp_refine_again(newton, options, &start, piece->solved.length, arena)
                                                 : sp_refine_same(newton, options, &start, arena);
     newton->history = history;
     arena->used = bottom; /* what it used is read before anything else is taken */

@@ -158,7 +158,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, now.length > last ? now.length - last : last - now.length);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
-        int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
+        int astray = strayed(&now, first_length), from_elements = r > 0 && before.elements.reference.degree > 1;
         settled = !astray && from_elements && change <= allowed;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
@@ -220,7 +220,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, arena);
 }
 
-struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
                                   struct sp_arena *arena) {
     const int32_t *singular = newton->system.elements.singular;
     int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
@@ -228,7 +228,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
     int32_t nodes = from->elements.reference.degree * from->elements.count;
     while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
         lowest++;
-    return climb_all(newton, options, ladder + lowest, rungs - lowest, from, 0, arena);
+    return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,

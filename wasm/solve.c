@@ -133,13 +133,17 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
                                         struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
-    int is_parametric = newton->system.line.surface->kind == SP_PARAMETRIC;
+    const struct sp_polyline *line = &newton->system.line;
+    int is_parametric = line->surface->kind == SP_PARAMETRIC, may_cross = is_parametric && line->kind->components == 0;
     if (pole > 0 && is_parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, newton->system.line.fold.inner, arena)) return refined;
+    if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
-    refined = sp_refine_run(newton, options, arena);
-    if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
-    if (refined.outcome.status != SP_SINGULAR_METRIC || !is_parametric || newton->system.line.kind->components) return refined;
+    result->crosses_singularity = may_cross && sp_cusp_divides(newton);
+    if (!result->crosses_singularity) {
+        refined = sp_refine_run(newton, options, arena);
+        if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
+        if (refined.outcome.status != SP_SINGULAR_METRIC || !may_cross) return refined;
+    }
     result->crosses_singularity = 1;
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
