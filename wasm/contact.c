@@ -139,7 +139,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
         int32_t to = r < count ? runs[r].first : last;
-        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, 0, {0, 0}};
+        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, 0, {0, 0}, {0, 0}};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
         if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
@@ -158,7 +158,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
         for (int e = 0; e < 2; e++)
             arc->ends[e] = sp_fold_get(line->fold, line->nodes.places, 2, e ? runs[r].last : runs[r].first, 1 - across);
         from = runs[r].last;
-        start = (struct sp_joint){from < last, across, 0, {0, 0}};
+        start = (struct sp_joint){from < last, across, 0, {0, 0}, {0, 0}};
         start.place[across] = value, start.place[1 - across] = arc->ends[1];
     }
     return made;

@@ -4,7 +4,7 @@
 #include "metric.h"
 #include "piece.h"
 
-static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02;
+static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 7, SCAN = 64, MOST = 3 };
 
@@ -117,6 +117,14 @@ static void measure_end(const struct sp_newton *newton, const struct sp_piece *p
     if (!(bridge->reach[k] <= reach)) bridge->reach[k] = reach;
 }
 
+/* Puts a joint onto a crossing, and aside of it by a part of what the other end of the arc is beside the curve. */
+static void place_joint(const struct crossing *crossing, const struct sp_joint *far, struct sp_joint *joint) {
+    int32_t other = 1 - crossing->along;
+    for (int j = 0; j < 2; j++)
+        joint->place[j] = joint->aside[j] = crossing->place[j];
+    joint->aside[other] += ASIDE * (far->place[other] - crossing->place[other]);
+}
+
 /* Solves all arcs to the crossings. Returns 0 where one fails. */
 static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
                         struct sp_arena *arena) {
@@ -126,8 +134,7 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
         for (int32_t end = 0; end < 2; end++)
-            for (int j = 0; j < 2 && piece->joint[end].singular; j++)
-                piece->joint[end].place[j] = bridge->crossing[i - 1 + end].place[j];
+            if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
         if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
         bridge->length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
@@ -258,8 +265,8 @@ static int scan(const struct sp_system *given, struct bridge *bridge) {
 
 /* Solves a bridge of one crossing roughly with the crossing at evenly spaced places between the ends, each from the one before, and leaves
  * it at the given places of the two shortest of those that are shorter than their neighbours, or as long as the given: `seeds`. */
-static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct crossing seeds[2],
-                      struct sp_arena *arena) {
+static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given, struct bridge *bridge,
+                      struct crossing seeds[2], struct sp_arena *arena) {
     struct crossing crossing[SEEDS];
     double length[SEEDS + 2], best[2] = {__builtin_inf(), __builtin_inf()};
     int32_t along = bridge->crossing[0].along, count = 0;
@@ -269,6 +276,9 @@ static int rank_seeds(struct sp_newton *newton, const struct sp_options *options
         bridge->crossing[0].place[along] = from + (to - from) * i / (SEEDS - 1);
         int solved = correct(newton->system.line.surface, bridge->crossing) && solve_bridge(newton, options, 0, bridge, arena);
         crossing[i] = bridge->crossing[0], length[i + 1] = solved ? bridge->length : __builtin_inf();
+        for (int k = 0; k < 2 && !solved; k++)
+            bridge->piece[k].system = given->piece[k].system, bridge->piece[k].first = given->piece[k].first,
+            bridge->piece[k].last = given->piece[k].last;
     }
     for (int i = 0; i < SEEDS; i++) {
         if (!(length[i + 1] < best[1]) || length[i + 1] > length[i] || length[i + 1] > length[i + 2]) continue;
@@ -295,7 +305,7 @@ static int find_bridge(struct sp_newton *newton, const struct sp_options *option
     struct crossing seeds[2];
     struct bridge work = *bridge;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
-    int found = 0, count = bridge->count == 1 ? rank_seeds(newton, &rough, &work, seeds, arena) : 0;
+    int found = 0, count = bridge->count == 1 ? rank_seeds(newton, &rough, bridge, &work, seeds, arena) : 0;
     if (count == 0) return approach(newton, &rough, bridge, storage[1], arena);
     for (int i = 0; i < count; i++) {
         work.crossing[0] = seeds[i];

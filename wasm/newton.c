@@ -52,7 +52,7 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
 
 static int is_singular(const struct sp_newton *newton) {
     const struct sp_elements *elements = &newton->system.elements;
-    return elements->reference.degree > 1 && (elements->singular[0] || elements->singular[1]);
+    return elements->singular[0] || elements->singular[1];
 }
 
 /* No node's normal may turn by more than a right angle in one step: it would have changed sheets, or crossed the singular curve at an end,

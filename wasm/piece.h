@@ -10,6 +10,7 @@ struct sp_joint {
     int32_t slides, across; /* a contact, and the coordinate across its edge */
     int32_t singular;
     double place[2];
+    double aside[2]; /* singular: a place beside it, on the side of the arc, where a first path is easier to find */
 };
 
 /* A free arc: its ends, and the path it was last. */

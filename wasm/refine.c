@@ -10,7 +10,7 @@ struct rung {
 
 static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
+static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
