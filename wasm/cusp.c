@@ -4,7 +4,7 @@
 #include "metric.h"
 #include "piece.h"
 
-static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1;
+static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 7, SCAN = 64, MOST = 3 };
 
@@ -281,7 +281,8 @@ static int rank_seeds(struct sp_newton *newton, const struct sp_options *options
             bridge->piece[k].last = given->piece[k].last;
     }
     for (int i = 0; i < SEEDS; i++) {
-        if (!(length[i + 1] < best[1]) || length[i + 1] > length[i] || length[i + 1] > length[i + 2]) continue;
+        if (!(length[i + 1] < best[1]) || length[i + 1] > MARGIN * best[0] || length[i + 1] > length[i] || length[i + 1] > length[i + 2])
+            continue;
         int shortest = length[i + 1] < best[0];
         if (shortest) seeds[1] = seeds[0], best[1] = best[0];
         seeds[!shortest] = crossing[i], best[!shortest] = length[i + 1];

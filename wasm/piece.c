@@ -1,7 +1,7 @@
 /* Solves one free arc between given ends with the ladder of elements. MATH.md, "Arcs". */
 #include "piece.h"
 
-enum { START_DEGREE = 8, START_COUNT = 2 };
+enum { START_DEGREE = 16, START_COUNT = 2 };
 static const double CHORD_DECREMENT = 1e-2;
 
 /* Where a first path of chords ends. */
@@ -83,8 +83,9 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
         ready = is_graded ? start_graded(newton, options, piece, &start, arena) : start_chords(newton, piece, arena);
     if (ready)
         piece->solved = !has_elements && !is_graded ? sp_refine_run(newton, options, arena)
-                        : checked                   ? sp_refine_again(newton, options, &start, piece->solved.length, arena)
-                                                    : sp_refine_same(newton, options, &start, arena);
+                        : checked ? sp_refine_again(newton, options, &start, piece->checked ? piece->solved.length : 0, arena)
+                                  : sp_refine_same(newton, options, &start, arena);
+    piece->checked = checked;
     newton->history = history;
     arena->used = bottom; /* what it used is read before anything else is taken */
     return ready && piece->solved.outcome.status == SP_CONVERGED && newton->system.elements.reference.degree > 1;

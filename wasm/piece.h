@@ -20,6 +20,7 @@ struct sp_piece {
     struct sp_storage storage;
     double first, last; /* part of the path in `system` that it takes up */
     struct sp_refined solved;
+    int32_t checked;          /* it is solved to the tolerance, not only on the elements it had */
     double sine[2], speed[2]; /* contacts: of the angle to the edge; how long a unit of the coordinate along it is */
 };
 
