@@ -6,7 +6,7 @@
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 7, SCAN = 64, MOST = 3 };
+enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }

@@ -234,7 +234,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena) {
     struct rung rung = {from->elements.reference.degree, from->elements.count};
-    newton->decrement = decrement_of(options);
+    newton->decrement = larger(decrement_of(options), 10 * options->tolerance);
     return finish(newton, climb(newton, options, from, rung, arena), 0);
 }
 

@@ -10,7 +10,7 @@
 
 static double not_a_number(void) { return __builtin_nan(""); }
 
-void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 100, 0}; }
+void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 200, 0}; }
 
 static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 

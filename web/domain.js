@@ -62,9 +62,7 @@ function findPoles({ jets, tensors }, range, size) {
         const sampled = jets(places);
         return fractions.every((_, i) => gap(vector(sampled, i, 0), vector(sampled, 0, 0)) <= POSITION_GAP * size);
       };
-  return [0, 1, 2, 3]
-    .filter((edge) => isPoint(edgePlaces(range, edge >> 1, edge & 1, fractions), 1 - (edge >> 1)))
-    .map((edge) => edge + 1);
+  return [0, 1, 2, 3].filter((edge) => isPoint(edgePlaces(range, edge >> 1, edge & 1, fractions), 1 - (edge >> 1))).map((edge) => edge + 1);
 }
 
 /** Where E, F and G measure length they tell what is a point: the speed along the edge vanishes. @param {Sampler} tensors @param {Range} range */

@@ -56,7 +56,7 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
       {
         from: a,
         to: b,
-        domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
+        domain,
         solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
         graph: (level) => own(graphs?.find(heap, shape, place, level)),
         flood: (level) => own(graphs?.flood(heap, shape, a, b, level)),

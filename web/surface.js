@@ -395,7 +395,7 @@ export class Surface {
     if (this.#metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
     if (this.kind !== 'metric') return null;
     return (points) => {
-      const jets = this.#evaluate("jet", points);
+      const jets = this.#evaluate('jet', points);
       return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
     };
   }
