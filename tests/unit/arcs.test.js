@@ -8,6 +8,7 @@ import { loadCases } from '../helpers/cases.js';
 /** @typedef {import('../../web/path.js').Path} Path */
 
 const surfpath = await load();
+/** @type {any} */
 const plane = { x: 'u', y: 'v', z: 0, u: [-3, 3], v: [0.5, 3] };
 const wideDini = surfpath.parametric({ ...gallery.dini, v: [0.1, 2] });
 
@@ -64,6 +65,7 @@ describe('contacts', () => {
 });
 
 describe('poles', () => {
+  /** @type {any} */
   const sphere = { E: 'sin(v)^2', F: 0, G: 1, u: [0, '2*pi'], v: [0, 'pi'], periodic: { u: true } };
   test('a sphere of E, F and G alone: over the pole, and from it', () => {
     const surface = surfpath.metric(sphere);
