@@ -1,4 +1,6 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
+#include <stdio.h>
+#include <stdlib.h>
 #include "refine.h"
 #include "check.h"
 #include "metric_elements.h"
@@ -14,9 +16,12 @@ static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8},
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
+/* A change of the length that happens to be small says little: MATH.md, "The ladder". */
+static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* Where a rung started, to see how far it moved. */
 struct start {
@@ -157,12 +162,14 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         now = climb_guarded(newton, options, &before, first, first_length, ladder[r], arena);
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, now.length > last ? now.length - last : last - now.length);
-        double allowed = tolerance_of(newton, options, now.length) * now.length;
+        if(getenv("N"))fprintf(stderr,"rung %d: status %d length %.15g moved %g\n",r,now.outcome.status,now.length,now.moved);double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length), from_elements = r > 0 && before.elements.reference.degree > 1;
         settled = !astray && from_elements && change <= allowed;
+        double previous = change;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
-        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
+        if (!astray && from_elements && now.moved <= allowed && change <= allowed)
+            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
         if (astray)
             before = *first;
         else
