@@ -244,38 +244,41 @@ test('it follows the theme of the reader and the colours of the page', async () 
 });
 
 test('removed elements leave nothing behind: no context, no element', async () => {
-  const { page: other } = await openPage(browser.context, `${site.address}/empty`);
+  const own = await openBrowser();
+  await own.context.addInitScript(watch);
+  const { page: other } = await openPage(own.context, `${site.address}/empty`);
   await other.waitForFunction(() => customElements.get('surface-path'));
-  for (let turn = 0; turn < 8; turn++) {
-    await other.evaluate(async () => {
-      const main = /** @type {HTMLElement} */ (document.querySelector('main'));
-      const elements = ['saddle', 'sphere', 'bumpy'].map((name) => {
+  const drawn = await other.evaluate(async () => {
+    const { seen } = /** @type {any} */ (window);
+    const main = /** @type {HTMLElement} */ (document.querySelector('main'));
+    seen.elements = [];
+    for (let turn = 0; turn < 4; turn++) {
+      const before = seen.pictures;
+      for (const name of ['saddle', 'sphere', 'bumpy']) {
         const element = document.createElement('surface-path');
         element.setAttribute('surface', name);
         element.toggleAttribute('controls', name === 'saddle');
-        return element;
-      });
-      const drawn = elements.map((element) => new Promise((resolve) => element.addEventListener('path', resolve)));
-      main.append(...elements);
-      await Promise.all(drawn);
-      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+        Object.assign(element.style, { width: '200px' });
+        main.append(element);
+        seen.elements.push(new WeakRef(element));
+      }
+      while (seen.pictures < before + 3) await new Promise(requestAnimationFrame);
       main.replaceChildren();
-    });
-  }
-  const open = () =>
-    other.evaluate(() => /** @type {any} */ (window).seen.contexts.filter((/** @type {any} */ context) => !context.isContextLost()).length);
-  assert.equal(await open(), 0);
+    }
+    return seen.contexts.length;
+  });
+  assert.equal(drawn, 4, 'a context each time that elements come back');
   const session = await other.context().newCDPSession(other);
   await session.send('HeapProfiler.collectGarbage');
-  const { result } = await session.send('Runtime.evaluate', { expression: "customElements.get('surface-path').prototype" });
-  const { objects } = await session.send('Runtime.queryObjects', { prototypeObjectId: String(result.objectId) });
-  const { result: alive } = await session.send('Runtime.callFunctionOn', {
-    functionDeclaration: 'function () { return this.length; }',
-    objectId: String(objects.objectId),
-    returnByValue: true,
+  const left = await other.evaluate(() => {
+    const { contexts, elements } = /** @type {any} */ (window).seen;
+    return [
+      contexts.filter((/** @type {any} */ context) => !context.isContextLost()).length,
+      elements.filter((/** @type {WeakRef<Element>} */ element) => element.deref()).length,
+    ];
   });
-  assert.equal(alive.value, 0);
-  await other.close();
+  await own.close();
+  assert.deepEqual(left, [0, 0]);
 });
 
 test('moved in the page it goes on', async () => {
