@@ -7,7 +7,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SECONDARY:
 .PHONY: all test check tidy bench accuracy demo format clean help tools
 
-ENTRIES := index slim gallery
+ENTRIES := index slim gallery pool
 VIEWS := three element
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
@@ -41,7 +41,7 @@ ifneq ($(filter test,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 
-all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
+all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
 test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
@@ -104,9 +104,18 @@ dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+
+# The pool shares the default entry's file with the rest of a page, and so its classes.
+dist/pool.js: BUNDLE += '--external:./index.*'
+
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+	@$(BUNDLE)
+
+dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
+	@echo $@
+	@$(BUNDLE)
 
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)

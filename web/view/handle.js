@@ -187,7 +187,7 @@ export class DragHandle extends Group {
     const position = this.#surface.kind === 'implicit' ? first : this.#surface.evaluate(first);
     const gap = Math.hypot(...this.position.toArray().map((x, k) => x - position[k]));
     const distance = projected.setFromMatrixPosition(this.matrixWorld).distanceTo(raycaster.ray.origin);
-    return gap > BEHIND * distance;
+    return gap * this.#frame().getMaxScaleOnAxis() > BEHIND * distance;
   }
 
   /** @param {number} x @param {number} y */
