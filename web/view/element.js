@@ -4,7 +4,15 @@
  */
 
 import { load } from '../index.js';
-import { LOOK_ATTRIBUTES, PATH_ATTRIBUTES, readDefinition, readNumbers, readOptions, SURFACE_ATTRIBUTES } from './element/attributes.js';
+import {
+  LOOK_ATTRIBUTES,
+  PATH_ATTRIBUTES,
+  readDefinition,
+  readLook,
+  readNumbers,
+  readOptions,
+  SURFACE_ATTRIBUTES,
+} from './element/attributes.js';
 import { filmOf } from './element/film.js';
 import { Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
@@ -179,7 +187,7 @@ export class SurfacePathElement extends Base {
     this.#ends = ['from', 'to'].flatMap((name) => {
       const text = this.getAttribute(name);
       const point = text === null ? suggested[name] : readNumbers(name, text);
-      return point ? [Array.from(/** @type {ArrayLike<number>} */ (point))] : [];
+      return point ? [Array.from(point)] : [];
     });
   }
 
@@ -217,14 +225,10 @@ export class SurfacePathElement extends Base {
   /** @param {Surface} surface */
   #draw(surface) {
     const stage = this.#stage ?? this.#openStage();
-    const text = (/** @type {string} */ name) => this.getAttribute(name);
-    const colour = /** @type {any} */ (text('colour') ?? 'none');
-    const [resolution] = text('resolution') === null ? [] : readNumbers('resolution', text('resolution') ?? '');
-    const camera = text('camera') === null ? /** @type {any} */ (this.definition).camera : readNumbers('camera', text('camera') ?? '');
-    const isPlain = text('density') === null && text('metric') === null;
-    const field = colour === 'distance' ? { from: this.#ends[0], exact: !isPlain } : {};
-    stage.setSurface(surface, { colour, ...field, ...(resolution === undefined ? {} : { resolution }) });
-    const framed = JSON.stringify([{ ...this.definition, parameters: null }, camera]);
+    const definition = this.definition;
+    const { camera, ...look } = readLook((name) => this.getAttribute(name), definition, this.#ends[0]);
+    stage.setSurface(surface, look);
+    const framed = JSON.stringify([{ ...definition, parameters: null }, camera]);
     if (framed !== this.#framed) stage.frame(camera, this.#path);
     this.#framed = framed;
     stage.setEnds(surface, this.#ends, this.hasAttribute('controls') ? (end, point) => this.#drag(end, point) : null);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { gallery } from '../../../web/gallery.js';
 import { load } from '../../../web/index.js';
-import { readDefinition, readNumbers, readOptions } from '../../../web/view/element/attributes.js';
+import { readDefinition, readLook, readNumbers, readOptions } from '../../../web/view/element/attributes.js';
 import { filmOf } from '../../../web/view/element/film.js';
 import { describePath, describeProblem } from '../../../web/view/element/words.js';
 
@@ -78,6 +78,21 @@ describe('attributes', () => {
         [3, 4],
       ],
     });
+  });
+
+  test('are a look, distances exact where the graph cannot tell them', () => {
+    const { camera } = gallery.sphere;
+    assert.deepEqual(readLook(attributes({}), gallery.sphere, [1, 0, 0]), { colour: 'none', camera });
+    const look = attributes({ colour: 'distance', resolution: '12', camera: '0,-1,1' });
+    const dense = { ...gallery.sphere, density: '1+x^2' };
+    assert.deepEqual(readLook(look, dense, [1, 0, 0]), {
+      colour: 'distance',
+      from: [1, 0, 0],
+      exact: true,
+      resolution: 12,
+      camera: [0, -1, 1],
+    });
+    assert.equal(readLook(look, gallery.sphere, [1, 0, 0]).exact, false);
   });
 
   test('that are wrong are said in words', () => {

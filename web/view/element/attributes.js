@@ -139,3 +139,20 @@ export function readOptions(attribute) {
   if (via !== null) options.via = via.split(';').map((point) => readNumbers('via', point));
   return options;
 }
+
+/**
+ * How the surface is drawn.
+ * @param {Attributes} attribute @param {Record<string, any>} definition @param {number[] | undefined} from the first end
+ * @returns {import('../geometry.js').GeometryOptions & { camera?: readonly number[] }} camera: the direction to look from; absent: none is asked for
+ */
+export function readLook(attribute, definition, from) {
+  const [colour, resolution, camera] = ['colour', 'resolution', 'camera'].map(attribute);
+  // The graph, which is faster, measures space alone.
+  const isPlain = definition.density === undefined && definition.metric === undefined;
+  return {
+    colour: /** @type {any} */ (colour ?? 'none'),
+    ...(colour === 'distance' ? { from, exact: !isPlain } : {}),
+    ...(resolution === null ? {} : { resolution: readNumbers('resolution', resolution)[0] }),
+    camera: camera === null ? definition.camera : readNumbers('camera', camera),
+  };
+}
