@@ -3,6 +3,7 @@
 import { compileModule, ExpressionError, load } from './index.js';
 import { Pool } from './runtime/pool.js';
 
+/** @typedef {Pool} WorkerPool */
 /** @typedef {import('./runtime/pool.js').PoolSettings} PoolSettings */
 /** @typedef {import('./runtime/pool.js').Cancellable} Cancellable */
 /** @typedef {import('./runtime/pool.js').Progress} Progress */

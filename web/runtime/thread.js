@@ -56,12 +56,13 @@ function startPageWorker(script, { message, death }) {
 function startNodeThread(Worker, script, { message, death }) {
   /* Without the flags of this process, some of which no thread takes. */
   const worker = script ? new Worker(script, { execArgv: [] }) : new Worker(new URL('./worker.js', import.meta.url), { execArgv: [] });
+  const exit = () => death(null);
   worker.on('message', message);
   worker.on('error', death);
-  worker.on('exit', () => death(null));
+  worker.on('exit', exit);
   const end = () => {
-    for (const event of ['message', 'exit', 'error']) worker.removeAllListeners(event);
-    worker.on('error', () => {});
+    worker.off('message', message);
+    worker.off('exit', exit);
     return worker.terminate();
   };
   return {

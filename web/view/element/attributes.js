@@ -147,11 +147,9 @@ export function readOptions(attribute) {
  */
 export function readLook(attribute, definition, from) {
   const [colour, resolution, camera] = ['colour', 'resolution', 'camera'].map(attribute);
-  // The graph, which is faster, measures space alone.
-  const isPlain = definition.density === undefined && definition.metric === undefined;
   return {
     colour: /** @type {any} */ (colour ?? 'none'),
-    ...(colour === 'distance' ? { from, exact: !isPlain } : {}),
+    ...(colour === 'distance' ? { from } : {}),
     ...(resolution === null ? {} : { resolution: readNumbers('resolution', resolution)[0] }),
     camera: camera === null ? definition.camera : readNumbers('camera', camera),
   };
