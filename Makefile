@@ -8,7 +8,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .PHONY: all test check tidy bench bench-peers accuracy demo format clean help tools
 
 ENTRIES := index slim gallery pool
-VIEWS := three
+VIEWS := three element
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
@@ -137,10 +137,11 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BUNDLE)
 
-# Made to be used with the reader's own three.js.
+# Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three --log-level=warning --outfile=$@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)
