@@ -1,10 +1,11 @@
-/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined as bytes. */
+/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined, compressed. */
 
-import wasm from '../dist/wasm.js';
+import text from '../dist/wasm.js';
 import { makeCompile, makeLoad } from './instance.js';
+import { unpack } from './runtime/unpack.js';
 
 export { ExpressionError } from './expression/error.js';
-export const compileModule = makeCompile(() => wasm);
+export const compileModule = makeCompile(() => unpack(text));
 export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
