@@ -53,7 +53,7 @@ static int take_slots(struct cells *cells, uint32_t wanted) {
 static void open_list(struct cells *cells) {
     struct sp_arena *arena = cells->builder->arena;
     size_t most = (arena->size - arena->used) / sizeof(struct cell);
-    cells->capacity = (int32_t)(most < 1u << 24 ? most : 1u << 24);
+    cells->capacity = (int32_t)(most < 1U << 24 ? most : 1U << 24);
     cells->list = sp_graph_take(arena, 0, sizeof(struct cell));
 }
 

@@ -109,7 +109,7 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) 
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
                         struct sp_arena *arena, struct sp_graph_answer *answer) {
     struct search search = {.surface = surface, .graph = graph, .ends = {ends, ends + 3}};
-    size_t places = (size_t)(SP_GRAPH_MAX_CANDIDATES * clamped_points(point_count));
+    size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};
     answer->places = sp_graph_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));

@@ -1,4 +1,5 @@
 // A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
+import { createPool } from 'surfpath/pool';
 import { type DistanceField, ExpressionError, type FieldOptions, load } from 'surfpath';
 import { load as loadSlim } from 'surfpath/slim';
 
@@ -13,6 +14,13 @@ slim.dispose();
 const wanted: FieldOptions = { resolution: 8, exact: false };
 const field: DistanceField = torus.distanceField([4, 0, 0], wanted);
 
+const pool = createPool({ workers: 2 });
+const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' } as const;
+const report = ({ done, total }: { done: number; total: number }) => console.log(done / total);
+const lengths: Float64Array = await pool.lengths(sphere, [1, 0, 0, 0, 1, 0], { signal: AbortSignal.timeout(50), onProgress: report });
+const one: number = (await pool.shortestPath(sphere, [1, 0, 0], [0, 1, 0], { tolerance: 1e-6 })).length;
+await pool.dispose();
+
 try {
   surfpath.parametric({ x: 'u', y: 'v', z: 'sin u', u: [0, 1], v: [0, 1] });
 } catch (error) {
@@ -21,6 +29,8 @@ try {
 
 // @ts-expect-error: no such status
 export const impossible = path.status === 'perfect';
+// @ts-expect-error: one path has no progress
+pool.shortestPath(sphere, [1, 0, 0], [0, 1, 0], { onProgress: report });
 // @ts-expect-error: a point is numbers
 torus.shortestPath('4, 0, 0', [0, 3, 1]);
 // @ts-expect-error: an implicit surface needs f
@@ -32,4 +42,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, field, length, points };
+export { converged, field, length, lengths, one, points };
