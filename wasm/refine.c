@@ -1,6 +1,4 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
-#include <stdio.h>
-#include <stdlib.h>
 #include "refine.h"
 #include "check.h"
 #include "metric_elements.h"
@@ -10,7 +8,7 @@ struct rung {
     int32_t degree, count;
 };
 
-static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
+static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {24, 32}, {24, 64}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
@@ -162,7 +160,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         now = climb_guarded(newton, options, &before, first, first_length, ladder[r], arena);
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, now.length > last ? now.length - last : last - now.length);
-        if(getenv("N"))fprintf(stderr,"rung %d: status %d length %.15g moved %g\n",r,now.outcome.status,now.length,now.moved);double allowed = tolerance_of(newton, options, now.length) * now.length;
+        double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length), from_elements = r > 0 && before.elements.reference.degree > 1;
         settled = !astray && from_elements && change <= allowed;
         double previous = change;
