@@ -171,13 +171,10 @@ function compiles({ file, text }) {
 
 makeTree();
 compileNative();
-const unit = await measure(unitTests('tests/unit'));
+const unit = unitTests('tests/unit');
 const isCompiler = (/** @type {Test} */ { name }) => name.startsWith('expression/');
-const tests = {
-  native: await measure(nativeTests()),
-  compiler: unit.filter(isCompiler),
-  others: unit.filter((test) => !isCompiler(test)),
-};
+const tests = { native: nativeTests(), compiler: unit.filter(isCompiler), others: unit.filter((test) => !isCompiler(test)) };
+await measure([...tests.native, ...unit]);
 const cCount = Math.round(count * C_SHARE);
 const mutants = [
   ...draw(
