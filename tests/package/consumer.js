@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { inspect } from 'node:util';
 import { ExpressionError, load } from 'surfpath';
 import * as gallery from 'surfpath/gallery';
+import { createPool } from 'surfpath/pool';
 import { load as loadSlim } from 'surfpath/slim';
 
 /** @param {import('surfpath').Surfpath} surfpath */
@@ -24,4 +25,11 @@ assert.throws(
   () => surfpath.implicit({ f: 'x +' }),
   (error) => error instanceof ExpressionError && inspect(error).startsWith('ExpressionError: f: '),
 );
+const pool = createPool({ workers: 1 });
+const [length] = await pool.lengths(
+  { kind: 'parametric', x: 'u', y: 'v', z: 'u^2 - v^2', u: [-1, 1], v: [-1, 1] },
+  [-0.5, -0.5, 0.5, 0.7],
+  { points: 50 },
+);
+assert.equal(length, path.length);
 console.log('ok');

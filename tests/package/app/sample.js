@@ -2,6 +2,7 @@
 
 import * as inlined from 'surfpath';
 import { gallery } from 'surfpath/gallery';
+import { createPool } from 'surfpath/pool';
 import * as slim from 'surfpath/slim';
 import { GeodesicLine, surfaceGeometry } from 'surfpath/three';
 
@@ -10,7 +11,7 @@ export async function sample() {
   const said = await solve(inlined);
   const again = await solve(slim);
   if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
-  return `${said}\n${await draw()}`;
+  return [said, await solveInWorkers(), await draw()].join('\n');
 }
 
 /** @param {typeof inlined | typeof slim} entry */
@@ -27,6 +28,15 @@ async function solve({ load, ExpressionError }) {
   }
   surfpath.dispose();
   return lines.join('\n');
+}
+
+/** The same length from a worker, or something is wrong with how its script was packed. */
+async function solveInWorkers() {
+  const { torus } = gallery;
+  const pool = createPool({ workers: 2 });
+  const [length] = await pool.lengths(torus, [...torus.from, ...torus.to], { points: 9 });
+  await pool.dispose();
+  return `in a worker: ${length}`;
 }
 
 /** The objects for three.js, as far as they go without a canvas. */
