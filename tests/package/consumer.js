@@ -18,13 +18,6 @@ assert.equal(path.points.length, 3 * 52);
 assert.ok(path.length > Math.hypot(1, 1.2, 0.24) && path.length < 2, `length ${path.length}`);
 assert.deepEqual(saddlePath(await loadSlim()), path);
 assert.ok(Object.keys(gallery).length > 0);
-
-// What a console prints of a mistake begins with its class's name, whatever minification made of that.
-const surfpath = await load();
-assert.throws(
-  () => surfpath.implicit({ f: 'x +' }),
-  (error) => error instanceof ExpressionError && inspect(error).startsWith('ExpressionError: f: '),
-);
 const pool = createPool({ workers: 1 });
 const [length] = await pool.lengths(
   { kind: 'parametric', x: 'u', y: 'v', z: 'u^2 - v^2', u: [-1, 1], v: [-1, 1] },
@@ -32,4 +25,11 @@ const [length] = await pool.lengths(
   { points: 50 },
 );
 assert.equal(length, path.length);
+
+// What a console prints of a mistake begins with its class's name, whatever minification made of that.
+const surfpath = await load();
+assert.throws(
+  () => surfpath.implicit({ f: 'x +' }),
+  (error) => error instanceof ExpressionError && inspect(error).startsWith('ExpressionError: f: '),
+);
 console.log('ok');
