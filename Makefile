@@ -5,7 +5,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench accuracy demo format clean help tools
+.PHONY: all test check tidy bench accuracy site thumbnails demo format clean help tools
 
 ENTRIES := index slim gallery
 WASM := $(wildcard wasm/*.c)
@@ -36,13 +36,13 @@ endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
 TOOLS += clang-tidy:clang-tidy
 endif
-ifneq ($(filter test,$(MAKECMDGOALS)),)
+ifneq ($(filter test thumbnails,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
+test: all site check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
@@ -60,7 +60,12 @@ bench: all build/native/core.o ## run the benchmarks
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
 
-demo: all ## build, serve the page on a free loopback port and print its address
+site: build/site/main.js ## build the demonstration page as static files in build/site, for any server and any folder
+
+thumbnails: site ## render the gallery's pictures anew, with the page itself
+	@node demo/make-thumbnails.js
+
+demo: site ## build, serve the page on a free loopback port and print its address
 	@node demo/serve.js
 
 format: $(NPM) | tools ## format every source
@@ -115,6 +120,17 @@ dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@rm -rf $(@D)
 	@$(BIN)/tsc -p .
 	@touch $@
+
+# The page: one bundle for the window and its worker, which share most of it; what is asked for later is a file of its own. Everything is named
+# relative to everything else.
+
+build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefile $(NPM)
+	@echo $(@D)
+	@rm -rf $(@D)
+	@mkdir -p $(@D)
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=200 --format=esm --target=es2022 \
+	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js '--external:node:*' --log-level=warning --outdir=$(@D)
+	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 
 # Native builds of the same C: with sanitizers for the tests; optimised, one object, for benchmarks and the symbol check.
 

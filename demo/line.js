@@ -90,4 +90,9 @@ export class CurveLine extends Group {
     this.#hidden.dashSize = length;
     this.#hidden.gapSize = 0.6 * length;
   }
+
+  dispose() {
+    this.#geometry.dispose();
+    for (const material of [this.#hidden, this.#halo, this.#line]) material.dispose();
+  }
 }

@@ -1,14 +1,30 @@
-/** The 3D view: camera, light, surface, lines and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
+/** The 3D view: camera, light, surface, curves and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
 
-import { Box3, Color, Group, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  Group,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  NeutralToneMapping,
+  PerspectiveCamera,
+  Scene,
+  Sphere,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { fitView } from './fit.js';
 import { Handle } from './handles.js';
 import { addLights } from './light.js';
 import { CurveLine } from './line.js';
-import { surfaceMaterial, surfaceObject } from './surface-mesh.js';
+import { SurfaceObject } from './surface-mesh.js';
 
-/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'hidden' | 'sky' | 'ground', string>} Theme colours */
+/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'hidden' | 'sky' | 'ground' | 'via', string>} Theme colours */
+/** @typedef {{ element: HTMLElement, point: ArrayLike<number>, away?: number }} Anchor an element that stands over a point; away: which anchor its letter keeps away from */
+/** @typedef {{ starts: Float64Array[], paths: Float64Array[], others: Float64Array[], warmth: number }} Curves */
 
 /**
  * The lines are drawn this much nearer to the eye, scaled about it: on the screen they stay where they are, in depth a line some pixels wide clears a
@@ -21,9 +37,13 @@ const MOST_PIXELS = 2;
 /** CSS pixels at the lower edge that the player covers. */
 const COVERED = 64;
 /** Share of the view that stays free around the surface, both sides together. */
-const MARGIN = 0.11;
+const MARGIN = 0.1;
 /** In CSS pixels, at least: the legend stands there on small screens. */
-const LEAST_MARGIN = 60;
+const LEAST_MARGIN = 56;
+/** CSS pixels from a handle to its letter. */
+const LETTER = 23;
+const ORDER = { others: 10, starts: 20, paths: 30, handles: 60 };
+const WIDTH = { others: 2.5, starts: 2, paths: 4 };
 
 export class View {
   #renderer;
@@ -31,12 +51,12 @@ export class View {
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   #controls;
   #lifted = new Group();
-  #material = surfaceMaterial();
-  /** @type {import('three').Mesh | null} */ #surface = null;
+  #surface = new SurfaceObject();
   #sky = new HemisphereLight();
-  #start = new CurveLine(2, 10);
-  #path = new CurveLine(4, 20);
-  #handles;
+  /** @type {Record<'starts' | 'paths' | 'others', CurveLine[]>} */ #lines = { starts: [], paths: [], others: [] };
+  #grain = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false }));
+  /** @type {Handle[]} */ #handles = [];
+  /** @type {Anchor[]} */ #anchors = [];
   #bounds = new Sphere(new Vector3(), 1);
   #size = { width: 1, height: 1 };
   #pending = false;
@@ -44,16 +64,17 @@ export class View {
   #touched = false;
   /** @type {Theme | null} */ #theme = null;
   #warmth = 1;
+  /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
 
-  /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas @param {[HTMLElement, HTMLElement]} labels */
-  constructor(element, canvas, labels) {
+  /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
+  constructor(element, canvas) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'low-power' });
     this.#renderer.toneMapping = NeutralToneMapping;
-    this.#handles = labels.map((label, i) => new Handle(label, 30 + 10 * i));
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, this.#sky);
-    this.#lifted.add(this.#start, this.#path, ...this.#handles);
-    this.#scene.add(this.#camera, this.#lifted);
+    this.#grain.visible = false;
+    this.#lifted.add(this.#grain);
+    this.#scene.add(this.#camera, this.#surface, this.#lifted);
     this.#controls = new OrbitControls(this.#camera, canvas);
     Object.assign(this.#controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
     this.#controls.addEventListener('change', () => this.invalidate());
@@ -64,59 +85,124 @@ export class View {
     new ResizeObserver(() => this.#resize(element)).observe(element);
   }
 
+  get canvas() {
+    return this.#renderer.domElement;
+  }
+
+  /** The surface's mesh, for exports and rays. */
+  get surface() {
+    return this.#surface;
+  }
+
+  get camera() {
+    return this.#camera;
+  }
+
+  /** Numbers of geometries, textures and programs that the graphics card holds for this view. */
+  get memory() {
+    const { memory, programs } = this.#renderer.info;
+    return { ...memory, programs: programs?.length ?? 0 };
+  }
+
   /** @param {Theme} theme */
   setTheme(theme) {
     this.#theme = theme;
-    this.#material.color.set(theme.surface);
+    this.#surface.setColor(theme.surface);
     this.#sky.color.set(theme.sky);
     this.#sky.groundColor.set(theme.ground);
-    this.#start.setColors(theme.start, theme.halo, new Color(theme.start).lerp(new Color(theme.hidden), 0.55));
-    for (const handle of this.#handles) handle.setColors(theme.path, theme.halo, new Color(theme.path).lerp(new Color(theme.hidden), 0.55));
-    this.setWarmth(this.#warmth);
+    this.#paint();
   }
 
-  /** Colours the path by how far it has converged. @param {number} warmth 0: as the start … 1: converged */
-  setWarmth(warmth) {
-    this.#warmth = warmth;
-    if (!this.#theme) return;
-    const color = new Color(this.#theme.start).lerp(new Color(this.#theme.path), warmth);
-    this.#path.setColors(color, this.#theme.halo, color.clone().lerp(new Color(this.#theme.hidden), 0.45));
-    this.invalidate();
-  }
-
-  /** @param {import('./surface-mesh.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  /** @param {import('./drawable.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
   setSurface(mesh) {
     const last = this.#bounds.clone();
-    if (this.#surface) {
-      this.#scene.remove(this.#surface);
-      this.#surface.geometry.dispose();
-    }
-    this.#surface = surfaceObject(mesh, this.#material);
-    this.#scene.add(this.#surface);
-    const box = new Box3().setFromObject(this.#surface);
-    box.getBoundingSphere(this.#bounds);
-    this.#bounds.radius = Math.max(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere).radius, 1e-6);
-    for (const line of [this.#start, this.#path]) line.setDash(this.#bounds.radius / 45);
+    this.#surface.setMesh(mesh);
+    this.#bounds.copy(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere));
+    this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
+    for (const line of Object.values(this.#lines).flat()) line.setDash(this.#bounds.radius / 45);
     this.invalidate();
     const growth = this.#bounds.radius / last.radius;
     return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
   }
 
-  /** @param {Float64Array | null} points */
-  setStart(points) {
-    this.#start.setPoints(points);
+  /** Colours the surface by a number a vertex. @param {string} colour @param {Float32Array | null} values */
+  setShade(colour, values) {
+    this.#surface.setShade(colour, values);
     this.invalidate();
   }
 
-  /** @param {Float64Array | null} points */
-  setPath(points) {
-    this.#path.setPoints(points);
+  /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */
+  setGrain(ends) {
+    this.#grain.geometry.dispose();
+    this.#grain.visible = ends !== null && ends.length > 0;
+    this.#grain.geometry = new BufferGeometry();
+    if (ends && ends.length > 0) this.#grain.geometry.setAttribute('position', new BufferAttribute(Float32Array.from(ends), 3));
     this.invalidate();
   }
 
-  /** @param {(ArrayLike<number> | null)[]} points of A and B */
-  setEnds(points) {
-    for (const [i, handle] of this.#handles.entries()) handle.setPoint(points[i]);
+  /** @param {Curves} curves */
+  setCurves(curves) {
+    this.#warmth = curves.warmth;
+    for (const role of /** @type {const} */ (['starts', 'paths', 'others'])) this.#fill(role, curves[role]);
+    this.#paint();
+  }
+
+  /** @param {'starts' | 'paths' | 'others'} role @param {Float64Array[]} curves */
+  #fill(role, curves) {
+    const lines = this.#lines[role];
+    while (lines.length > curves.length) {
+      const line = /** @type {CurveLine} */ (lines.pop());
+      this.#lifted.remove(line);
+      line.dispose();
+    }
+    for (const [i, points] of curves.entries()) {
+      if (!lines[i]) {
+        lines[i] = new CurveLine(WIDTH[role], ORDER[role]);
+        lines[i].setDash(this.#bounds.radius / 45);
+        this.#lifted.add(lines[i]);
+      }
+      lines[i].setPoints(points);
+    }
+  }
+
+  /** Handles of the ends and of the points between, and the elements over them. @param {Anchor[]} anchors the first `handles` of them have a handle @param {number} handles */
+  setAnchors(anchors, handles) {
+    this.#anchors = anchors;
+    while (this.#handles.length > handles) {
+      const handle = /** @type {Handle} */ (this.#handles.pop());
+      this.#lifted.remove(handle);
+      handle.dispose();
+    }
+    for (let i = 0; i < handles; i++) {
+      if (!this.#handles[i]) {
+        this.#handles[i] = new Handle(ORDER.handles + 4 * i);
+        this.#lifted.add(this.#handles[i]);
+      }
+      this.#handles[i].position.set(anchors[i].point[0], anchors[i].point[1], anchors[i].point[2]);
+    }
+    this.#paint();
+  }
+
+  /** @param {number} handle @param {boolean} active */
+  setActive(handle, active) {
+    this.#handles[handle]?.setActive(active);
+    this.invalidate();
+  }
+
+  #paint() {
+    const theme = this.#theme;
+    if (!theme) return;
+    const dim = (/** @type {Color} */ color, /** @type {number} */ share) => color.clone().lerp(new Color(theme.hidden), share);
+    const [start, other] = [new Color(theme.start), new Color(theme.other)];
+    this.#grain.material.color.set(theme.via);
+    const path = start.clone().lerp(new Color(theme.path), this.#warmth);
+    for (const line of this.#lines.starts) line.setColors(start, theme.halo, dim(start, 0.55));
+    for (const line of this.#lines.others) line.setColors(other, theme.halo, dim(other, 0.5));
+    for (const line of this.#lines.paths) line.setColors(path, theme.halo, dim(path, 0.45));
+    for (const [i, handle] of this.#handles.entries()) {
+      const color = i < 2 ? theme.path : theme.via;
+      handle.setColors(color, theme.halo, dim(new Color(color), 0.5));
+    }
     this.invalidate();
   }
 
@@ -127,6 +213,8 @@ export class View {
     if (towards.length() < 0.08 * radius) towards.set(0.6, -1, 0);
     towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION));
     if (direction) towards.fromArray(direction).normalize();
+    // Straight from above there is no "up": a hair from the front.
+    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
     this.#controls.minDistance = 0.15 * radius;
     this.#controls.maxDistance = 20 * radius;
     this.#touched = false;
@@ -135,13 +223,13 @@ export class View {
 
   /** @param {Vector3} towards the camera, unit length */
   #fit(towards) {
-    if (!this.#surface) return;
+    const points = this.#surface.geometry.getAttribute('position');
+    if (!points) return;
     const { width, height } = this.#size;
     const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
     const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
     const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
-    const { center } = this.#bounds;
-    const { target, distance } = fitView(this.#surface.geometry.getAttribute('position'), center, towards, this.#camera.up, slopes);
+    const { target, distance } = fitView(points, this.#bounds.center, towards, this.#camera.up, slopes);
     this.#controls.target.copy(target);
     this.#camera.position.copy(target).addScaledVector(towards, distance);
     this.#controls.update();
@@ -152,10 +240,11 @@ export class View {
   invalidate() {
     if (this.#pending) return;
     this.#pending = true;
-    requestAnimationFrame(() => this.#draw());
+    requestAnimationFrame(() => this.draw());
   }
 
-  #draw() {
+  /** Draws now. */
+  draw() {
     this.#pending = false;
     this.#controls.update();
     const { center, radius } = this.#bounds;
@@ -166,9 +255,33 @@ export class View {
     this.#lifted.scale.setScalar(LIFT);
     this.#lifted.position.copy(this.#camera.position).multiplyScalar(1 - LIFT);
     this.#scene.updateMatrixWorld();
-    const places = this.#handles.map((handle) => handle.follow(this.#camera, this.#size));
-    for (const [i, handle] of this.#handles.entries()) handle.placeLabel(places[i], places[1 - i]);
+    for (const handle of this.#handles) handle.follow(this.#camera, this.#size.height);
+    this.#placeAnchors();
     this.#renderer.render(this.#scene, this.#camera);
+    if (this.onFirst && this.#surface.geometry.index) {
+      this.onFirst();
+      this.onFirst = null;
+    }
+  }
+
+  /** Where a point of space is on the screen, in CSS pixels of the view. @param {ArrayLike<number>} point @returns {[number, number]} */
+  toScreen(point) {
+    const place = new Vector3(point[0], point[1], point[2]).project(this.#camera);
+    return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
+  }
+
+  #placeAnchors() {
+    const places = this.#anchors.map(({ point }) => this.toScreen(point));
+    for (const [i, { element, away }] of this.#anchors.entries()) {
+      const [x, y] = places[i];
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      if (away === undefined) continue;
+      // The letter stands on the side away from the other end, where the path does not run.
+      const [dx, dy] = [x - places[away][0], y - places[away][1]];
+      const far = LETTER / Math.max(Math.hypot(dx, dy), 1);
+      const letter = /** @type {HTMLElement} */ (element.firstElementChild);
+      letter.style.transform = `translate(${(dx * far).toFixed(1)}px, ${(dy * far).toFixed(1)}px)`;
+    }
   }
 
   /** @param {HTMLElement} element */
@@ -176,13 +289,12 @@ export class View {
     const { width, height } = element.getBoundingClientRect();
     if (width < 1 || height < 1) return;
     this.#size = { width, height };
-    const ratio = Math.min(window.devicePixelRatio, MOST_PIXELS);
-    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     this.#camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
     if (!this.#touched) this.#fit(this.#camera.position.clone().sub(this.#controls.target).normalize());
     // A resized canvas is empty until it is drawn: draw before the browser paints.
-    this.#draw();
+    this.draw();
   }
 }

@@ -2,25 +2,10 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshStandardMaterial } from 'three';
 
-/** @typedef {{ positions: Float64Array, normals: Float64Array, parameters?: Float64Array, indices: Uint32Array }} SurfaceMesh */
+/** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 
 /** Cells between parameter lines along the surface's longer side. */
 const CELLS = 22;
-
-/** Triangles whose corners are all numbers: a formula may have no value on a part of its range. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */
-export function drawable(mesh) {
-  const { positions, normals } = mesh;
-  if (positions.every(Number.isFinite) && normals.every(Number.isFinite)) return mesh;
-  const good = (/** @type {number} */ i) =>
-    [0, 1, 2].every((k) => Number.isFinite(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
-  const indices = [];
-  for (let i = 0; i < mesh.indices.length; i += 3) {
-    const corners = mesh.indices.subarray(i, i + 3);
-    if (corners.every(good)) indices.push(...corners);
-  }
-  const finite = (/** @type {number} */ x) => (Number.isFinite(x) ? x : 0);
-  return { ...mesh, positions: positions.map(finite), normals: normals.map(finite), indices: Uint32Array.from(indices) };
-}
 
 /** How long the grid's lines are in a direction, on average. @param {SurfaceMesh} mesh @param {number} side vertices a side @param {number} step from a vertex to the next @param {number} across */
 function gridLength({ positions }, side, step, across) {
@@ -57,40 +42,101 @@ float faceDirection = farSide ? -1.0 : 1.0;
 vec3 normal = faceDirection * normalize(vNormal);
 vec3 nonPerturbedNormal = normal;`;
 
-/** Darkens the surface along whole texture coordinates, and its other side a little; lines that crowd closer than a few pixels fade out. */
+/** How a number a vertex becomes a colour: -1 … 1 between two hues with the surface's own at zero; 0 … 1 from light to dark in contour bands. */
+const MODES = new Map([
+  ['plain', 0],
+  ['curvature', 1],
+  ['distance', 2],
+  ['density', 3],
+]);
+
+const DECLARED = /* glsl */ `
+#include <common>
+varying float vShade;
+uniform int mode;
+float contour(float x, float count) {
+  float lines = x * count;
+  float width = max(fwidth(lines), 1e-6);
+  return (1.0 - clamp(abs(fract(lines - 0.5) - 0.5) / width - 0.2, 0.0, 1.0)) * (1.0 - smoothstep(0.2, 0.5, width));
+}`;
+
+/** Colours the surface, darkens it along whole texture coordinates, and its other side a little; lines that crowd closer than a few pixels fade out. */
 const SHADING = /* glsl */ `
 #include <color_fragment>
+if (mode == 1) {
+  vec3 hue = vShade < 0.0 ? vec3(0.30, 0.10, 0.47) : vec3(0.03, 0.34, 0.16);
+  diffuseColor.rgb = mix(diffuseColor.rgb, hue, 0.85 * min(abs(vShade), 1.0));
+} else if (mode >= 2 && vShade > -0.5) {
+  vec3 dark = mode == 2 ? vec3(0.02, 0.17, 0.30) : vec3(0.16, 0.06, 0.30);
+  float count = mode == 2 ? 14.0 : 8.0;
+  float band = (floor(vShade * count) + 0.5) / count;
+  diffuseColor.rgb = mix(diffuseColor.rgb, dark, 0.78 * clamp(mode == 2 ? band : vShade, 0.0, 1.0));
+  diffuseColor.rgb *= 1.0 - 0.3 * contour(vShade, count);
+}
 if (farSide) diffuseColor.rgb *= vec3(0.93, 0.9, 0.86);
 #ifdef USE_UV
   vec2 widths = max(fwidth(vUv), vec2(1e-6));
   vec2 nearness = 1.0 - clamp(abs(fract(vUv - 0.5) - 0.5) / widths - 0.15, 0.0, 1.0);
   nearness *= 1.0 - smoothstep(0.06, 0.22, widths);
-  diffuseColor.rgb *= 1.0 - 0.2 * max(nearness.x, nearness.y);
+  diffuseColor.rgb *= 1.0 - (mode == 0 ? 0.2 : 0.1) * max(nearness.x, nearness.y);
 #endif`;
 
-/** @returns {MeshStandardMaterial} */
-export function surfaceMaterial() {
-  const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 0.72, metalness: 0 });
-  material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = shader.fragmentShader
-      .replace('#include <clipping_planes_fragment>', SIDE)
-      .replace('#include <normal_fragment_begin>', NORMAL)
-      .replace('#include <color_fragment>', SHADING);
-  };
-  return material;
-}
+/** The surface of the view: one object, whose mesh and colours change. */
+export class SurfaceObject extends Mesh {
+  #mode = { value: 0 };
+  /** @type {BufferGeometry} */ geometry;
 
-/** @param {SurfaceMesh} mesh @param {MeshStandardMaterial} material whose parameter lines are switched as the mesh needs */
-export function surfaceObject(mesh, material) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(mesh.positions), 3));
-  geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(mesh.normals), 3));
-  if (mesh.parameters) geometry.setAttribute('uv', new BufferAttribute(lineCoordinates(mesh, mesh.parameters), 2));
-  geometry.setIndex(new BufferAttribute(mesh.indices, 1));
-  geometry.computeBoundingSphere();
-  material.defines = { ...material.defines };
-  if (mesh.parameters) material.defines.USE_UV = '';
-  else delete material.defines.USE_UV;
-  material.needsUpdate = true;
-  return new Mesh(geometry, material);
+  constructor() {
+    const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 0.72, metalness: 0 });
+    const nothing = new BufferGeometry();
+    super(nothing, material);
+    this.geometry = nothing;
+    this.frustumCulled = false;
+    this.visible = false;
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms.mode = this.#mode;
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nattribute float shade;\nvarying float vShade;')
+        .replace('#include <begin_vertex>', '#include <begin_vertex>\nvShade = shade;');
+      shader.fragmentShader = shader.fragmentShader
+        .replace('#include <common>', DECLARED)
+        .replace('#include <clipping_planes_fragment>', SIDE)
+        .replace('#include <normal_fragment_begin>', NORMAL)
+        .replace('#include <color_fragment>', SHADING);
+    };
+  }
+
+  /** @param {string} color */
+  setColor(color) {
+    /** @type {MeshStandardMaterial} */ (this.material).color.set(color);
+  }
+
+  /** @param {SurfaceMesh} mesh */
+  setMesh(mesh) {
+    this.geometry.dispose();
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(mesh.positions), 3));
+    geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(mesh.normals), 3));
+    if (mesh.parameters) geometry.setAttribute('uv', new BufferAttribute(lineCoordinates(mesh, mesh.parameters), 2));
+    geometry.setIndex(new BufferAttribute(mesh.indices, 1));
+    geometry.computeBoundingSphere();
+    this.geometry = geometry;
+    this.visible = true;
+    this.setShade('plain', null);
+    const material = /** @type {MeshStandardMaterial} */ (this.material);
+    if (Boolean(mesh.parameters) === (material.defines?.USE_UV !== undefined)) return;
+    material.defines = { ...material.defines };
+    if (mesh.parameters) material.defines.USE_UV = '';
+    else delete material.defines.USE_UV;
+    material.needsUpdate = true;
+  }
+
+  /** @param {string} colour @param {Float32Array | null} values one a vertex, or none */
+  setShade(colour, values) {
+    const count = this.geometry.getAttribute('position')?.count ?? 0;
+    const fits = values?.length === count;
+    this.#mode.value = fits ? (MODES.get(colour) ?? 0) : 0;
+    if (fits) this.geometry.setAttribute('shade', new BufferAttribute(values, 1));
+    else this.geometry.deleteAttribute('shade');
+  }
 }

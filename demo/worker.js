@@ -1,0 +1,26 @@
+/** The page's worker: one instance of the solver, one surface at a time, and the tasks of tasks.js. */
+
+import { ExpressionError, load } from 'surfpath';
+import { Workshop } from './tasks.js';
+
+const loading = load();
+/** @type {Workshop | null} */ let workshop = null;
+
+/** Errors lose their fields on the way between threads. @param {unknown} error */
+function describe(error) {
+  if (!(error instanceof Error)) return { message: String(error) };
+  const { name, message } = error;
+  return error instanceof ExpressionError
+    ? { name, message, source: error.source, index: error.index, argument: error.argument }
+    : { name, message };
+}
+
+self.addEventListener('message', async ({ data: { id, task, request } }) => {
+  const report = (/** @type {unknown} */ progress) => self.postMessage({ id, progress });
+  try {
+    workshop ??= new Workshop(await loading);
+    self.postMessage({ id, result: workshop.run(task, request, report) });
+  } catch (error) {
+    self.postMessage({ id, error: describe(error) });
+  }
+});
