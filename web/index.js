@@ -1,10 +1,11 @@
-/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined as bytes. */
+/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined, compressed. */
 
-import wasm from '../dist/wasm.js';
+import text from '../dist/wasm.js';
 import { makeLoad } from './instance.js';
+import { unpack } from './runtime/unpack.js';
 
 export { ExpressionError } from './expression/error.js';
-export const load = makeLoad(() => wasm);
+export const load = makeLoad(() => unpack(text));
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./surface.js').Surface} Surface */

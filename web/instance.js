@@ -116,7 +116,7 @@ const compiled = new Map();
 
 /**
  * Makes `load` for an entry.
- * @param {() => WasmSource} inlined the entry's own module
+ * @param {() => WasmSource | Promise<WasmSource>} inlined the entry's own module
  */
 export function makeLoad(inlined) {
   /**

@@ -1,7 +1,7 @@
 // The package as a stranger gets it: packed, installed without a network, imported by Node and type-checked by TypeScript.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { access, cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -47,13 +47,14 @@ describe('the package', () => {
     await run(project, 'npm', 'install', '--offline', '--ignore-scripts', '--no-audit', '--no-fund', `./${packed.filename}`);
     await cp(join(here, 'consumer.js'), join(project, 'consumer.js'));
     await cp(join(here, 'consumer.ts'), join(project, 'consumer.ts'));
+    await cp(join(here, 'consumer-three.ts'), join(project, 'consumer-three.ts'));
   });
 
   after(() => rm(project, { recursive: true, force: true }));
 
   test('holds what was built and the papers, and nothing else', () => {
     const expected =
-      /^(dist\/(index|slim|gallery)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG)\.md|LICENSE|package\.json)$/;
+      /^(dist\/(index|slim|gallery|three)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG)\.md|LICENSE|package\.json)$/;
     const unexpected = packed.files.map((file) => file.path).filter((path) => !expected.test(path));
     assert.deepEqual(unexpected, []);
   });
@@ -82,4 +83,12 @@ describe('the package', () => {
       await run(project, join(root, 'node_modules/.bin/tsc'), '--noEmit', '--strict', '--types', '', ...target, 'consumer.ts');
     });
   }
+
+  test('has types for surfpath/three where three is installed, and does without where it is not', async () => {
+    const target = ['--noEmit', '--strict', '--types', '', '--target', 'es2022', '--module', 'node16', '--lib', 'es2022,dom'];
+    await assert.rejects(access(join(project, 'node_modules/three')));
+    await mkdir(join(project, 'node_modules/@types'), { recursive: true });
+    for (const name of ['three', '@types/three']) await symlink(join(root, 'node_modules', name), join(project, 'node_modules', name));
+    await run(project, join(root, 'node_modules/.bin/tsc'), ...target, 'consumer-three.ts');
+  });
 });

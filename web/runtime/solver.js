@@ -28,11 +28,12 @@ async function open(url) {
 
 /**
  * Compiles the solver's module.
- * @param {WasmSource} source the module, its bytes, or where they are
+ * @param {WasmSource | Promise<WasmSource>} given the module, its bytes, or where they are
  * @returns {Promise<WebAssembly.Module>}
  */
-export async function compileSolver(source) {
+export async function compileSolver(given) {
   checkEngine();
+  const source = await given;
   if (source instanceof WebAssembly.Module) return source;
   const found = typeof source === 'string' || source instanceof URL ? await open(source) : source;
   if (typeof Response === 'function' && found instanceof Response) {
