@@ -1,6 +1,6 @@
 /** The surface and its path as glTF. Loaded when it is asked for: the writer is large. */
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Line, LineBasicMaterial, Mesh, MeshStandardMaterial, Scene } from 'three';
+import { BufferAttribute, BufferGeometry, DoubleSide, Line, Mesh, MeshBasicMaterial, MeshStandardMaterial, Scene } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
@@ -21,7 +21,7 @@ export async function toGltf(geometry, path) {
   scene.add(Object.assign(surface, { name: 'surface' }));
   if (path && placesOf(path).length > 0) {
     const places = new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(placesOf(path)), 3));
-    scene.add(Object.assign(new Line(places, new LineBasicMaterial({ color: themeColor('path') })), { name: 'path' }));
+    scene.add(Object.assign(new Line(places, new MeshBasicMaterial({ color: themeColor('path') })), { name: 'path' }));
   }
   return JSON.stringify(await new GLTFExporter().parseAsync(scene));
 }

@@ -29,6 +29,7 @@ const player = new Player((moment) => {
 function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
+    Object.assign(window, { surfpathView: view });
     view.onFirst = () => find('poster').remove();
     startShow(view);
     return view;

@@ -39,12 +39,9 @@ export function startPlane() {
 function drag({ clientX, clientY }) {
   const picture = find('plane').querySelector('svg');
   if (held < 0 || !drawn || !picture) return;
-  const { left, top, width } = picture.getBoundingClientRect();
-  const scale = WIDTH / width;
+  const { x: across, y: down } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
   const { from, low, high, periodic } = drawn.frame;
-  const point = from([(clientX - left) * scale, (clientY - top) * scale]).map((x, i) =>
-    periodic[i] ? x : Math.min(Math.max(x, low[i]), high[i]),
-  );
+  const point = from([across, down]).map((x, i) => (periodic[i] ? x : Math.min(Math.max(x, low[i]), high[i])));
   change({ ends: state.sketch.ends.map((end, i) => (i === held ? point : end)) }, `plane ${held}`);
 }
 
@@ -118,15 +115,18 @@ function indicatrices(frame) {
     [i % cells, Math.floor(i / cells)].map((x, k) => frame.low[k] + ((x + 0.5) / cells) * (frame.high[k] - frame.low[k])),
   );
   const values = gauge.evaluate(Float64Array.from(places.flat()));
-  const radii = places.map((_, i) => 1 / Math.sqrt(Math.max(values[3 * i], values[3 * i + 2])));
+  const radii = places.map((_, i) => longestRadius(values.subarray(3 * i, 3 * i + 3)));
   const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...radii.filter(Number.isFinite));
   return places.map((place, i) => ellipse(place, values.subarray(3 * i, 3 * i + 3), size, frame));
 }
 
+/** Of an ellipse E a² + 2F ab + G b² = 1. @param {Float64Array} metric */
+const longestRadius = ([E, F, G]) => 1 / Math.sqrt((E + G) / 2 - Math.hypot((E - G) / 2, F));
+
 /** @param {number[]} place @param {Float64Array} metric E F G @param {number} size @param {Frame} frame */
 function ellipse(place, [E, F, G], size, frame) {
-  const points = Array.from({ length: 25 }, (_, i) => {
-    const [a, b] = [Math.cos((i * Math.PI) / 12), Math.sin((i * Math.PI) / 12)];
+  const points = Array.from({ length: 48 }, (_, i) => {
+    const [a, b] = [Math.cos((i * Math.PI) / 24), Math.sin((i * Math.PI) / 24)];
     const radius = size / Math.sqrt(E * a * a + 2 * F * a * b + G * b * b);
     return frame.to([place[0] + radius * a, place[1] + radius * b]);
   });
@@ -190,9 +190,9 @@ export function planeFile() {
   const { root } = picture(frameOf(domain));
   root.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   root.setAttribute('width', '960');
-  root.append(svg('style', {}, STYLE));
   for (const target of root.querySelectorAll('.target')) target.remove();
-  return new XMLSerializer().serializeToString(root);
+  // As text: a style element in this document would be refused by its policy.
+  return new XMLSerializer().serializeToString(root).replace(/<\/svg>$/, `<style>${STYLE}</style></svg>`);
 }
 
 const STYLE = `text{font:10px system-ui,sans-serif;fill:#5b6876}.letter{font-weight:600;fill:#1d2733}

@@ -23,7 +23,7 @@ function describeStart(length, start) {
 }
 
 /** @param {import('./state.js').State} state */
-function renderResult({ sketch, solved, problem, busy, moving, surface }) {
+function renderResult({ sketch, solved, problem, busy, moving, surface, gauge }) {
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   document.documentElement.toggleAttribute('data-busy', busy || moving);
@@ -31,7 +31,10 @@ function renderResult({ sketch, solved, problem, busy, moving, surface }) {
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
   write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
   if (!moving) {
-    write('start-length', Number.isFinite(solved.straightLength) ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
+    write(
+      'start-length',
+      Number.isFinite(solved.straightLength) && !gauge && !sketch.density ? describeStart(path?.length ?? NaN, solved.straightLength) : '–',
+    );
     write('iterations', path ? String(path.iterations) : '–');
     write('time', Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }

@@ -16,21 +16,15 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { GeodesicLine } from 'surfpath/three';
 import { fitView } from './fit.js';
-import { Handle } from './handles.js';
 import { addLights } from './light.js';
-import { CurveLine } from './line.js';
-import { SurfaceObject } from './surface-mesh.js';
+import { SurfaceObject } from './surface-object.js';
 
-/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'hidden' | 'sky' | 'ground' | 'via', string>} Theme colours */
-/** @typedef {{ element: HTMLElement, point: ArrayLike<number>, away?: number }} Anchor an element that stands over a point; away: which anchor its letter keeps away from */
+/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
+/** @typedef {{ element: HTMLElement, point: ArrayLike<number> }} Anchor an element that stands over a point */
 /** @typedef {{ starts: Float64Array[], paths: Float64Array[], others: Float64Array[], warmth: number }} Curves */
 
-/**
- * The lines are drawn this much nearer to the eye, scaled about it: on the screen they stay where they are, in depth a line some pixels wide clears a
- * surface that slopes up to 75 degrees. (A polygon offset in proportion to the slope would let the far side shine through at every silhouette.)
- */
-const LIFT = 0.99;
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
 const MOST_PIXELS = 2;
@@ -40,22 +34,32 @@ const COVERED = 64;
 const MARGIN = 0.1;
 /** In CSS pixels, at least: the legend stands there on small screens. */
 const LEAST_MARGIN = 56;
-/** CSS pixels from a handle to its letter. */
-const LETTER = 23;
-const ORDER = { others: 10, starts: 20, paths: 30, handles: 60 };
+/** Drawn after one another; the markers of handles come after all. */
+const ORDER = { others: 1, starts: 4, paths: 7 };
 const WIDTH = { others: 2.5, starts: 2, paths: 4 };
+
+/** Thin lines a hair nearer to the eye than the surface they lie on. */
+function grainMaterial() {
+  const material = new LineBasicMaterial({ transparent: true, opacity: 0.7, depthWrite: false, toneMapped: false });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <project_vertex>',
+      '#include <project_vertex>\ngl_Position.z -= 2e-3 * gl_Position.w;',
+    );
+  };
+  return material;
+}
 
 export class View {
   #renderer;
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   #controls;
-  #lifted = new Group();
+  #curves = new Group();
   #surface = new SurfaceObject();
   #sky = new HemisphereLight();
-  /** @type {Record<'starts' | 'paths' | 'others', CurveLine[]>} */ #lines = { starts: [], paths: [], others: [] };
-  #grain = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false }));
-  /** @type {Handle[]} */ #handles = [];
+  /** @type {Record<'starts' | 'paths' | 'others', GeodesicLine[]>} */ #lines = { starts: [], paths: [], others: [] };
+  #grain = new LineSegments(new BufferGeometry(), grainMaterial());
   /** @type {Anchor[]} */ #anchors = [];
   #bounds = new Sphere(new Vector3(), 1);
   #size = { width: 1, height: 1 };
@@ -65,6 +69,7 @@ export class View {
   /** @type {Theme | null} */ #theme = null;
   #warmth = 1;
   /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
+  /** Called before each frame. @type {() => void} */ onDraw = () => {};
 
   /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
   constructor(element, canvas) {
@@ -73,8 +78,8 @@ export class View {
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, this.#sky);
     this.#grain.visible = false;
-    this.#lifted.add(this.#grain);
-    this.#scene.add(this.#camera, this.#surface, this.#lifted);
+    this.#curves.add(this.#grain);
+    this.#scene.add(this.#camera, this.#surface, this.#curves);
     this.#controls = new OrbitControls(this.#camera, canvas);
     Object.assign(this.#controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
     this.#controls.addEventListener('change', () => this.invalidate());
@@ -98,6 +103,20 @@ export class View {
     return this.#camera;
   }
 
+  get controls() {
+    return this.#controls;
+  }
+
+  /** The theme's colours. */
+  get theme() {
+    return this.#theme;
+  }
+
+  /** Adds what is placed in the surface's coordinates. @param {import('three').Object3D} object */
+  add(object) {
+    this.#scene.add(object);
+  }
+
   /** Numbers of geometries, textures and programs that the graphics card holds for this view. */
   get memory() {
     const { memory, programs } = this.#renderer.info;
@@ -107,7 +126,7 @@ export class View {
   /** @param {Theme} theme */
   setTheme(theme) {
     this.#theme = theme;
-    this.#surface.setColor(theme.surface);
+    this.#surface.setColour(theme.surface);
     this.#sky.color.set(theme.sky);
     this.#sky.groundColor.set(theme.ground);
     this.#paint();
@@ -119,16 +138,15 @@ export class View {
     this.#surface.setMesh(mesh);
     this.#bounds.copy(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere));
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
-    for (const line of Object.values(this.#lines).flat()) line.setDash(this.#bounds.radius / 45);
     this.invalidate();
     const growth = this.#bounds.radius / last.radius;
     return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
   }
 
-  /** Colours the surface by a number a vertex. @param {string} colour @param {Float32Array | null} values */
-  setShade(colour, values) {
-    this.#surface.setShade(colour, values);
+  /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
+  setValues(quantity, values) {
     this.invalidate();
+    return this.#surface.setValues(quantity, values);
   }
 
   /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */
@@ -151,58 +169,35 @@ export class View {
   #fill(role, curves) {
     const lines = this.#lines[role];
     while (lines.length > curves.length) {
-      const line = /** @type {CurveLine} */ (lines.pop());
-      this.#lifted.remove(line);
+      const line = /** @type {GeodesicLine} */ (lines.pop());
       line.dispose();
     }
     for (const [i, points] of curves.entries()) {
       if (!lines[i]) {
-        lines[i] = new CurveLine(WIDTH[role], ORDER[role]);
-        lines[i].setDash(this.#bounds.radius / 45);
-        this.#lifted.add(lines[i]);
+        lines[i] = new GeodesicLine(null, { width: WIDTH[role] });
+        lines[i].setOrder(ORDER[role]);
+        this.#curves.add(lines[i]);
       }
-      lines[i].setPoints(points);
+      lines[i].setPath(points);
     }
   }
 
-  /** Handles of the ends and of the points between, and the elements over them. @param {Anchor[]} anchors the first `handles` of them have a handle @param {number} handles */
-  setAnchors(anchors, handles) {
+  /** @param {Anchor[]} anchors */
+  setAnchors(anchors) {
     this.#anchors = anchors;
-    while (this.#handles.length > handles) {
-      const handle = /** @type {Handle} */ (this.#handles.pop());
-      this.#lifted.remove(handle);
-      handle.dispose();
-    }
-    for (let i = 0; i < handles; i++) {
-      if (!this.#handles[i]) {
-        this.#handles[i] = new Handle(ORDER.handles + 4 * i);
-        this.#lifted.add(this.#handles[i]);
-      }
-      this.#handles[i].position.set(anchors[i].point[0], anchors[i].point[1], anchors[i].point[2]);
-    }
-    this.#paint();
-  }
-
-  /** @param {number} handle @param {boolean} active */
-  setActive(handle, active) {
-    this.#handles[handle]?.setActive(active);
     this.invalidate();
   }
 
   #paint() {
     const theme = this.#theme;
     if (!theme) return;
-    const dim = (/** @type {Color} */ color, /** @type {number} */ share) => color.clone().lerp(new Color(theme.hidden), share);
+    const colours = (/** @type {Color} */ colour) => ({ colour, halo: theme.halo });
     const [start, other] = [new Color(theme.start), new Color(theme.other)];
     this.#grain.material.color.set(theme.via);
     const path = start.clone().lerp(new Color(theme.path), this.#warmth);
-    for (const line of this.#lines.starts) line.setColors(start, theme.halo, dim(start, 0.55));
-    for (const line of this.#lines.others) line.setColors(other, theme.halo, dim(other, 0.5));
-    for (const line of this.#lines.paths) line.setColors(path, theme.halo, dim(path, 0.45));
-    for (const [i, handle] of this.#handles.entries()) {
-      const color = i < 2 ? theme.path : theme.via;
-      handle.setColors(color, theme.halo, dim(new Color(color), 0.5));
-    }
+    for (const line of this.#lines.starts) line.setColours(colours(start));
+    for (const line of this.#lines.others) line.setColours(colours(other));
+    for (const line of this.#lines.paths) line.setColours(colours(path));
     this.invalidate();
   }
 
@@ -252,11 +247,9 @@ export class View {
     this.#camera.near = Math.max(distance - 1.6 * radius, 0.01 * radius);
     this.#camera.far = distance + 1.6 * radius;
     this.#camera.updateProjectionMatrix();
-    this.#lifted.scale.setScalar(LIFT);
-    this.#lifted.position.copy(this.#camera.position).multiplyScalar(1 - LIFT);
     this.#scene.updateMatrixWorld();
-    for (const handle of this.#handles) handle.follow(this.#camera, this.#size.height);
     this.#placeAnchors();
+    this.onDraw();
     this.#renderer.render(this.#scene, this.#camera);
     if (this.onFirst && this.#surface.geometry.index) {
       this.onFirst();
@@ -271,16 +264,9 @@ export class View {
   }
 
   #placeAnchors() {
-    const places = this.#anchors.map(({ point }) => this.toScreen(point));
-    for (const [i, { element, away }] of this.#anchors.entries()) {
-      const [x, y] = places[i];
+    for (const { element, point } of this.#anchors) {
+      const [x, y] = this.toScreen(point);
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-      if (away === undefined) continue;
-      // The letter stands on the side away from the other end, where the path does not run.
-      const [dx, dy] = [x - places[away][0], y - places[away][1]];
-      const far = LETTER / Math.max(Math.hypot(dx, dy), 1);
-      const letter = /** @type {HTMLElement} */ (element.firstElementChild);
-      letter.style.transform = `translate(${(dx * far).toFixed(1)}px, ${(dy * far).toFixed(1)}px)`;
     }
   }
 

@@ -1,28 +1,30 @@
 /** Shows the state in the 3D view: the surface's colours, the curves at the moment that is played, the handles, the legend and the scale. */
 
-import { renderAnchors, startAnchors } from './anchors.js';
+import { startAnchors } from './anchors.js';
 import { blend, smooth } from './curves.js';
 import { create, find, say, themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
 import { strokes } from './grain.js';
-import { chosenPath, lastIterate, onRender, state } from './state.js';
+import { chosenPath, lastIterate, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
 /** @typedef {import('./scene.js').View} View */
 /** @typedef {import('./state.js').State} State */
 
-const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'hidden', 'sky', 'ground', 'via']);
+const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'sky', 'ground', 'via']);
 /** @type {unknown} */ let shadeShown = null;
 /** @type {unknown} */ let meshShown = null;
 
 /** @param {View} view */
 export function startShow(view) {
-  startAnchors(view);
   applyTheme(view);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => applyTheme(view));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    applyTheme(view);
+    render();
+  });
   onRender(() => renderShade(view));
   onRender(() => renderCurves(view));
-  onRender(renderAnchors);
+  startAnchors(view);
 }
 
 /** @param {View} view */
@@ -49,7 +51,7 @@ function renderCurves(view) {
     starts: several ? solved.films.map((film) => film[0]) : solved.straight ? [solved.straight] : [],
     paths: playing && (several || chosen === 0) ? films : final,
     others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
-    warmth: playing ? moment * moment : 1,
+    warmth: playing ? moment : 1,
   };
   const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
@@ -82,11 +84,12 @@ function renderShade(view) {
   if (mesh !== meshShown) view.setGrain(gauge && drawn ? strokes(gauge, drawn) : null);
   if (shade === shadeShown && mesh === meshShown) return;
   [shadeShown, meshShown] = [shade, mesh];
-  view.setShade(sketch.colour, shade?.values ?? null);
+  const colours = view.setValues(sketch.colour, shade);
   const scale = find('scale');
-  scale.hidden = !shade;
-  if (!shade) return;
-  scale.dataset.colour = sketch.colour;
-  const [low, high] = [shade.low, shade.high].map((x) => (Math.abs(x) < 1e-9 ? '0' : formatNumber(x, 3)));
-  scale.replaceChildren(create('span', {}, SCALES[sketch.colour]), create('i', {}), create('b', {}, low), create('b', {}, high));
+  scale.hidden = !colours;
+  if (!colours) return;
+  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < 1e-9 ? '0' : formatNumber(x, 3)));
+  const bar = create('i', {});
+  bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
+  scale.replaceChildren(create('span', {}, SCALES[sketch.colour]), bar, create('b', {}, low), create('b', {}, high));
 }

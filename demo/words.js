@@ -17,7 +17,7 @@ const OUTCOMES = {
   'singular-metric': ['No path', 'The surface has a crease or a tip on the way: narrow its ranges or move the ends.'],
   'sheet-jump': [
     'No path',
-    'The straight start jumps to another part of the surface: start from a search of the whole surface, or move the ends nearer to each other.',
+    'The straight start jumps to another part of the surface: start from a global search, or move the ends nearer to each other.',
   ],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': ['No path', 'The formula has no value somewhere on the way: narrow its ranges or move the ends.'],

@@ -211,7 +211,7 @@ test('straight ahead from A: the length is the one that was asked for', async ()
   await openEntry(page, 'parametricTorus');
   await doing(() => page.check('[name=task][value=trace]'));
   assert.ok(Math.abs((await length()) - 6) < 1e-9);
-  assert.equal(await page.locator('.handle').count(), 1);
+  assert.equal(await page.locator('.surfpath-handle').count(), 1);
   await doing(() => page.fill('#reach', '11'));
   assert.ok(Math.abs((await length()) - 11) < 0.05, 'a step of the slider away at most');
 });
