@@ -5,9 +5,9 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench accuracy site thumbnails demo format clean help tools
+.PHONY: all test browsers check tidy bench bench-peers accuracy site thumbnails demo format clean help tools
 
-ENTRIES := index slim gallery
+ENTRIES := index slim gallery pool
 VIEWS := three
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
@@ -34,6 +34,9 @@ endif
 ifneq ($(filter test check format,$(MAKECMDGOALS)),)
 TOOLS += clang-format:clang-format
 endif
+ifneq ($(filter browsers,$(MAKECMDGOALS)),)
+TOOLS += chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
+endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
 TOOLS += clang-tidy:clang-tidy
 endif
@@ -41,10 +44,13 @@ ifneq ($(filter test thumbnails,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 
-all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
+all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all site check $(NATIVE_TESTS) build/native/core.o ## build, check, and run every test
+test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
+
+browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
+	@node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/biome check --colors=off --error-on-warnings
@@ -55,8 +61,16 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
 
-bench: all build/native/core.o ## run the benchmarks
+bench: all build/native/core.o build/march/core.o build/named.wasm ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
+
+bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it installs
+	@tests/helpers/install.sh g++:g++ /usr/include/CGAL/Surface_mesh_shortest_path.h:libcgal-dev /usr/lib/python3/dist-packages/scipy:python3-scipy
+	@mkdir -p build/peers
+	@cp .npmrc tests/bench/peers/npm/*.json build/peers/
+	@cd build/peers && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null >/dev/null
+	@g++ -std=c++17 -O3 -DNDEBUG tests/bench/peers/mesh.cpp -o build/peers/mesh -lgmp -lmpfr
+	@node tests/bench/peers/peers.js
 
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
@@ -77,7 +91,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -100,6 +114,10 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@mkdir -p $(@D)
 	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
+# The same with the names of its functions, for profiles.
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+
 # JavaScript and types
 
 dist/wasm.js: dist/surfpath.wasm
@@ -109,9 +127,18 @@ dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+
+# The pool shares the default entry's file with the rest of a page, and so its classes.
+dist/pool.js: BUNDLE += '--external:./index.*'
+
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+	@$(BUNDLE)
+
+dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
+	@echo $@
+	@$(BUNDLE)
 
 # Made to be used with the reader's own three.js.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
@@ -152,7 +179,14 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+build/march/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(NATIVE) -march=native -c $< -o $@
+
 build/native/core.o: $(WASM:%.c=build/native/%.o)
+	@ld -r $^ -o $@
+
+build/march/core.o: $(WASM:%.c=build/march/%.o)
 	@ld -r $^ -o $@
 
 -include $(wildcard build/*/*.d build/*/*/*.d)

@@ -1,11 +1,12 @@
 /** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined, compressed. */
 
 import text from '../dist/wasm.js';
-import { makeLoad } from './instance.js';
+import { makeCompile, makeLoad } from './instance.js';
 import { unpack } from './runtime/unpack.js';
 
 export { ExpressionError } from './expression/error.js';
-export const load = makeLoad(() => unpack(text));
+export const compileModule = makeCompile(() => unpack(text));
+export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./surface.js').Surface} Surface */
