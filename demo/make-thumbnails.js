@@ -1,4 +1,4 @@
-/** Renders the pictures of the gallery with the page itself, in headless Chromium: `make thumbnails`. The ground is left transparent, for both themes. */
+/** Renders the pictures of the gallery and of the manual with the page itself, in headless Chromium: `make thumbnails`. The ground is left transparent, for both themes. */
 
 import { writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
@@ -22,7 +22,8 @@ try {
   const { page } = await openPage(context, address);
   await settled(page);
   await page.addStyleTag({ content: BARE });
-  for (const name of Object.keys(ENTRIES)) {
+  const wanted = process.argv.slice(2);
+  for (const name of wanted.length > 0 ? wanted : Object.keys(ENTRIES)) {
     const sketch = Buffer.from(JSON.stringify({ entry: name })).toString('base64url');
     await page.evaluate((hash) => location.replace(hash), `#1.${sketch}`);
     await page.waitForTimeout(100);
@@ -35,6 +36,23 @@ try {
   }
 } finally {
   await close();
+}
+
+await takePicture();
+
+/** The picture of the manual: the page as it is, with the distances from A. */
+async function takePicture() {
+  const browser = await openBrowser([], { viewport: { width: 1280, height: 800 } });
+  try {
+    const sketch = Buffer.from(JSON.stringify({ entry: 'parametricTorus', colour: 'distance' })).toString('base64url');
+    const { page } = await openPage(browser.context, `${browser.address}#1.${sketch}`);
+    await settled(page);
+    await page.waitForSelector('#scale:not([hidden])');
+    await nextFrame(page);
+    await page.screenshot({ path: fileURLToPath(new URL('picture.png', import.meta.url)) });
+  } finally {
+    await browser.close();
+  }
 }
 
 /** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @returns {Promise<Buffer>} WebP */

@@ -28,6 +28,8 @@ function renderResult({ sketch, solved, problem, busy, moving, surface, gauge })
   const exists = path !== null && Number.isFinite(path.length);
   document.documentElement.toggleAttribute('data-busy', busy || moving);
   find('result').setAttribute('aria-busy', String(busy));
+  // All digits, for those who read the page by program.
+  find('length').dataset.exact = exists ? String(path.length) : '';
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
   write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
   if (!moving) {
