@@ -63,8 +63,8 @@ async function attempt(run) {
   }
 }
 
-/** The surface of the formulas, anew; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[], animated?: boolean }} options */
-export async function rebuild({ frame, direction, animated = true }) {
+/** The surface of the formulas, anew; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
+export async function rebuild({ frame, direction }) {
   const mine = ++turn;
   clearTimeout(timer);
   const { kind, texts } = state.sketch;
@@ -83,7 +83,7 @@ export async function rebuild({ frame, direction, animated = true }) {
     return render();
   }
   repairEnds();
-  await solve(animated);
+  await solve(true);
   if (mine === turn && chosenPath()?.status === 'off-surface') {
     state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()) };
     await solve(true);
@@ -199,7 +199,26 @@ export async function deform(parameters) {
   render();
   if (mine !== turn) return;
   clearTimeout(timer);
-  timer = window.setTimeout(() => rebuild({ frame: false, animated: false }), SETTLE);
+  timer = window.setTimeout(refine, SETTLE);
+}
+
+/** Surface and path exactly, after a parameter has come to rest. */
+async function refine() {
+  const mine = ++turn;
+  const { kind, texts } = state.sketch;
+  try {
+    if (state.surface?.kind === 'implicit') {
+      const mesh = await live.ask('mesh', { definition: surfaceOf(state.sketch) });
+      if (!mesh || mine !== turn) return;
+      stage?.setSurface(mesh);
+      Object.assign(state, { mesh, shade: null });
+    }
+  } catch (error) {
+    state.problem = problemOf(error, kind, texts);
+    return render();
+  }
+  repairEnds();
+  return solve(false);
 }
 
 /** Colours for the surface as the sketch wishes them. */
