@@ -13,7 +13,7 @@ WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch])
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/coverage/*.c)
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
 
@@ -23,12 +23,14 @@ CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-co
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20 -msimd128 -mbulk-memory -DNDEBUG
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+# The analyzer takes a vector of 64-bit lanes for one bit.
+ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
 TOOLS := emcc:emscripten
-ifneq ($(filter test bench,$(MAKECMDGOALS)),)
+ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
 ifneq ($(filter test check format,$(MAKECMDGOALS)),)
@@ -38,10 +40,13 @@ ifneq ($(filter browsers,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
 endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
-TOOLS += clang-tidy:clang-tidy
+TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
-ifneq ($(filter test thumbnails,$(MAKECMDGOALS)),)
+ifneq ($(filter test packages thumbnails,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
+endif
+ifneq ($(filter coverage,$(MAKECMDGOALS)),)
+TOOLS += clang:clang llvm-cov:llvm
 endif
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
@@ -58,8 +63,11 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/tsc -p demo
 	@clang-format --dry-run -Werror $(C_FILES)
 
-tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
+tidy: | tools ## look for mistakes in the C with gcc's analyzer, cppcheck, clang-tidy and valgrind (slow, so not part of check)
+	@for file in $(WASM); do $(ANALYZER) -c $$file -o /dev/null || exit 1; done
+	@cppcheck --std=c11 --enable=warning,performance,portability,style --suppressions-list=.cppcheck -Iwasm --quiet --error-exitcode=1 wasm
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
+	@$(MAKE) valgrind
 
 bench: all build/native/core.o build/march/core.o build/named.wasm ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
@@ -91,7 +99,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile tests/release.mk | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -189,4 +197,6 @@ build/native/core.o: $(WASM:%.c=build/native/%.o)
 build/march/core.o: $(WASM:%.c=build/march/%.o)
 	@ld -r $^ -o $@
 
--include $(wildcard build/*/*.d build/*/*/*.d)
+include tests/release.mk
+
+-include $(wildcard build/*/*.d build/*/*/*.d build/*/*/*/*.d)

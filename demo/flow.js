@@ -94,16 +94,25 @@ export async function rebuild({ frame, direction }) {
 function open(definition) {
   const surface = surfpath.surface(definition);
   let [drawn, gauge] = [surface, surface.kind === 'metric' ? surface : null];
-  const { u, v, parameters, metric } = definition;
   try {
     drawn = drawnOf(surfpath, surface, definition);
-    if (metric) gauge = surfpath.metric({ ...metric, u, v, parameters });
+    gauge ??= gaugeOf(surface, definition);
   } catch (error) {
     surface.dispose();
     throw error;
   }
   for (const old of surfaces()) old.dispose();
   Object.assign(state, { surface, drawn, gauge });
+}
+
+/** The metric alone, to draw it; null where there is none, or it is written with more than u and v. @param {import('surfpath').Surface} surface @param {any} definition */
+function gaugeOf({ domain }, { metric, parameters }) {
+  if (!metric || !domain) return null;
+  try {
+    return surfpath.metric({ ...metric, u: [domain.u[0], domain.u[1]], v: [domain.v[0], domain.v[1]], parameters });
+  } catch {
+    return null;
+  }
 }
 
 /** All that the state holds, each once. */

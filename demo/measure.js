@@ -9,9 +9,6 @@ import { onRender, state } from './state.js';
 
 const PATIENCE = 150;
 const TENSOR = ['metric.E', 'metric.F', 'metric.G'];
-/** Kinds that take a density; of them, those that take a metric by E, F and G. */
-const WITH_DENSITY = ['parametric', 'implicit'];
-const WITH_METRIC = ['parametric'];
 
 let timer = 0;
 let built = '';
@@ -83,23 +80,17 @@ function grainAngle() {
 /** @param {import('./state.js').State} state */
 function renderMeasure({ sketch, problem }) {
   const { kind, density, tensor } = sketch;
-  const [takesDensity, takesMetric] = [WITH_DENSITY.includes(kind), WITH_METRIC.includes(kind)];
+  // A metric of the implicit kind has six entries: more than a reader wants to write.
+  const takesMetric = kind !== 'implicit' && kind !== 'metric';
   find('measure-card').hidden = kind === 'metric';
-  find('measure-fields').hidden = find('measure-presets').hidden = !takesDensity;
   find('measure-presets').querySelector('[data-preset=grain]')?.toggleAttribute('hidden', !takesMetric);
-  say(
-    find('measure-hint'),
-    takesDensity
-      ? 'Length counts more where the density is large, so that paths go around.'
-      : 'On this kind of surface space alone measures length. Write it as a parametric one to change that.',
-  );
-  const wanted = `${takesDensity} ${takesMetric}`;
+  const wanted = String(takesMetric);
   if (built !== wanted) {
     built = wanted;
     const space = kind === 'implicit' ? 'x, y, z' : 'u, v, x, y, z';
     const names = takesMetric ? TENSOR : [];
     find('measure-fields').replaceChildren(
-      ...(takesDensity ? [formulaField('density', `ρ(${space}), density`, density)] : []),
+      formulaField('density', `ρ(${space}), density`, density),
       ...names.map((name) => formulaField(name, `${name.slice(-1)}(u, v) in place of space’s`, '')),
     );
   }

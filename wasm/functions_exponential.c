@@ -172,9 +172,9 @@ sp_pair sp_pow(sp_pair x, sp_pair y) {
     sp_pair magnitude = sp_absolute(x), infinity = sp_splat(SP_INFINITY);
     sp_pair power = sp_select(y > LARGEST_POWER, sp_splat(LARGEST_POWER), y);
     power = sp_select(y < -LARGEST_POWER, sp_splat(-LARGEST_POWER), power);
-    struct sp_wide logarithm = wide_logarithm(magnitude);
-    struct sp_wide product = sp_multiply_exactly(power, logarithm.high);
-    product.low += power * logarithm.low;
+    struct sp_wide exponent = wide_logarithm(magnitude);
+    struct sp_wide product = sp_multiply_exactly(power, exponent.high);
+    product.low += power * exponent.low;
     sp_pair value = exponential(product, sp_splat(0.0));
 
     sp_mask whole = is_integer(y), odd = whole & ~is_integer(0.5 * y);

@@ -13,6 +13,7 @@ export const load = makeLoad(compileModule);
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
 /** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
 /** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
 /** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
@@ -22,3 +23,5 @@ export const load = makeLoad(compileModule);
 /** @typedef {import('./path.js').Status} Status */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
+/** @typedef {import('./field.js').FieldOptions} FieldOptions */
+/** @typedef {import('./field.js').DistanceField} DistanceField */

@@ -1,6 +1,7 @@
 // A stranger's program: the same path through both entries, and the gallery. Run by package.test.js where the package is installed.
 import assert from 'node:assert/strict';
-import { load } from 'surfpath';
+import { inspect } from 'node:util';
+import { ExpressionError, load } from 'surfpath';
 import * as gallery from 'surfpath/gallery';
 import { createPool } from 'surfpath/pool';
 import { load as loadSlim } from 'surfpath/slim';
@@ -24,4 +25,11 @@ const [length] = await pool.lengths(
   { points: 50 },
 );
 assert.equal(length, path.length);
+
+// What a console prints of a mistake begins with its class's name, whatever minification made of that.
+const surfpath = await load();
+assert.throws(
+  () => surfpath.implicit({ f: 'x +' }),
+  (error) => error instanceof ExpressionError && inspect(error).startsWith('ExpressionError: f: '),
+);
 console.log('ok');

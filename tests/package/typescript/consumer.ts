@@ -1,6 +1,6 @@
 // A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
-import { ExpressionError, load } from 'surfpath';
 import { createPool } from 'surfpath/pool';
+import { type DistanceField, ExpressionError, type FieldOptions, load } from 'surfpath';
 import { load as loadSlim } from 'surfpath/slim';
 
 const surfpath = await load();
@@ -11,6 +11,8 @@ const points: Float64Array = path.points;
 const converged: boolean = path.converged;
 const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
 slim.dispose();
+const wanted: FieldOptions = { resolution: 8, exact: false };
+const field: DistanceField = torus.distanceField([4, 0, 0], wanted);
 
 const pool = createPool({ workers: 2 });
 const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' } as const;
@@ -40,4 +42,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, length, lengths, one, points };
+export { converged, field, length, lengths, one, points };
