@@ -16,6 +16,7 @@ const LETTER = 23;
 /** @type {HTMLElement[]} */ const labels = [];
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
+/** @type {unknown} */ let themeOfHandles = null;
 
 /** @param {View} view */
 export function startAnchors(view) {
@@ -91,14 +92,20 @@ function renderHandles(view) {
   const shown = drawn && wanted.every((point) => hasPlace(drawn, point)) ? wanted : [];
   while (handles.length > shown.length) handles.pop()?.dispose();
   if (!drawn) return;
+  if (themeOfHandles !== view.theme) colourHandles(view);
   const isNew = surfaceOfHandles !== drawn || meshOfHandles !== mesh;
   [surfaceOfHandles, meshOfHandles] = [drawn, mesh];
   for (const [i, point] of shown.entries()) {
     if (!handles[i]) handles[i] = makeHandle(view, drawn, i, point);
     else if (isNew) handles[i].setSurface(drawn, point, view.surface);
     else if (handles[i].point.some((x, k) => x !== point[k])) handles[i].setPoint(point);
-    handles[i].setColours({ colour: i < 2 ? view.theme?.path : view.theme?.via, ring: view.theme?.halo });
   }
+}
+
+/** @param {View} view */
+function colourHandles({ theme }) {
+  themeOfHandles = theme;
+  for (const [i, handle] of handles.entries()) handle.setColours({ colour: i < 2 ? theme?.path : theme?.via, ring: theme?.halo });
 }
 
 /** A letter stands on the side away from the other end, where the path does not run. @param {View} view */

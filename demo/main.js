@@ -30,7 +30,7 @@ function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
     Object.assign(window, { surfpathView: view });
-    view.onFirst = () => find('poster').remove();
+    view.onFirst = () => document.getElementById('poster')?.remove();
     startShow(view);
     return view;
   } catch {
@@ -92,6 +92,8 @@ function pressed(event) {
 function openAddress() {
   const sketch = fromHash(location.hash);
   if (location.hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
+  // The picture that stands in for the scene until it is drawn is that of the first one.
+  if (sketch && sketch.entry !== FIRST) document.getElementById('poster')?.remove();
   return openSketch(sketch ?? sketchOf(FIRST));
 }
 

@@ -1,24 +1,11 @@
 /** The 3D view: camera, light, surface, curves and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  Group,
-  HemisphereLight,
-  LineBasicMaterial,
-  LineSegments,
-  NeutralToneMapping,
-  PerspectiveCamera,
-  Scene,
-  Sphere,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { Color, Group, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GeodesicLine } from 'surfpath/three';
 import { fitView } from './fit.js';
 import { addLights } from './light.js';
+import { Strokes } from './strokes.js';
 import { SurfaceObject } from './surface-object.js';
 
 /** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
@@ -38,18 +25,6 @@ const LEAST_MARGIN = 56;
 const ORDER = { others: 1, starts: 4, paths: 7 };
 const WIDTH = { others: 2.5, starts: 2, paths: 4 };
 
-/** Thin lines a hair nearer to the eye than the surface they lie on. */
-function grainMaterial() {
-  const material = new LineBasicMaterial({ transparent: true, opacity: 0.7, depthWrite: false, toneMapped: false });
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace(
-      '#include <project_vertex>',
-      '#include <project_vertex>\ngl_Position.z -= 2e-3 * gl_Position.w;',
-    );
-  };
-  return material;
-}
-
 export class View {
   #renderer;
   #scene = new Scene();
@@ -59,7 +34,7 @@ export class View {
   #surface = new SurfaceObject();
   #sky = new HemisphereLight();
   /** @type {Record<'starts' | 'paths' | 'others', GeodesicLine[]>} */ #lines = { starts: [], paths: [], others: [] };
-  #grain = new LineSegments(new BufferGeometry(), grainMaterial());
+  #strokes = new Strokes();
   /** @type {Anchor[]} */ #anchors = [];
   #bounds = new Sphere(new Vector3(), 1);
   #size = { width: 1, height: 1 };
@@ -77,8 +52,7 @@ export class View {
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, this.#sky);
-    this.#grain.visible = false;
-    this.#curves.add(this.#grain);
+    this.#curves.add(this.#strokes);
     this.#scene.add(this.#camera, this.#surface, this.#curves);
     this.#controls = new OrbitControls(this.#camera, canvas);
     Object.assign(this.#controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
@@ -150,11 +124,8 @@ export class View {
   }
 
   /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */
-  setGrain(ends) {
-    this.#grain.geometry.dispose();
-    this.#grain.visible = ends !== null && ends.length > 0;
-    this.#grain.geometry = new BufferGeometry();
-    if (ends && ends.length > 0) this.#grain.geometry.setAttribute('position', new BufferAttribute(Float32Array.from(ends), 3));
+  setStrokes(ends) {
+    this.#strokes.setEnds(ends);
     this.invalidate();
   }
 
@@ -193,7 +164,7 @@ export class View {
     if (!theme) return;
     const colours = (/** @type {Color} */ colour) => ({ colour, halo: theme.halo });
     const [start, other] = [new Color(theme.start), new Color(theme.other)];
-    this.#grain.material.color.set(theme.via);
+    this.#strokes.material.color.set(theme.via);
     const path = start.clone().lerp(new Color(theme.path), this.#warmth);
     for (const line of this.#lines.starts) line.setColours(colours(start));
     for (const line of this.#lines.others) line.setColours(colours(other));

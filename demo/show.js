@@ -81,7 +81,7 @@ function renderShade(view) {
   const { shade, mesh, sketch, shadeProblem, gauge, drawn } = state;
   say(find('colour-problem'), shadeProblem);
   /** @type {HTMLSelectElement} */ (find('colour')).value = sketch.colour;
-  if (mesh !== meshShown) view.setGrain(gauge && drawn ? strokes(gauge, drawn) : null);
+  if (mesh !== meshShown) view.setStrokes(gauge && drawn ? strokes(gauge, drawn) : null);
   if (shade === shadeShown && mesh === meshShown) return;
   [shadeShown, meshShown] = [shade, mesh];
   const colours = view.setValues(sketch.colour, shade);

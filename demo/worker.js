@@ -15,11 +15,18 @@ function describe(error) {
     : { name, message };
 }
 
+/** The memory of a mesh, which is handed over rather than copied: it is large, and nobody needs it here. @param {any} result */
+function buffersOf(result) {
+  const arrays = [result?.positions, result?.normals, result?.parameters, result?.indices].filter(ArrayBuffer.isView);
+  return [...new Set(arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength).map(({ buffer }) => buffer))];
+}
+
 self.addEventListener('message', async ({ data: { id, task, request } }) => {
   const report = (/** @type {unknown} */ progress) => self.postMessage({ id, progress });
   try {
     workshop ??= new Workshop(await loading);
-    self.postMessage({ id, result: workshop.run(task, request, report) });
+    const result = /** @type {any} */ (workshop.run(task, request, report));
+    self.postMessage({ id, result }, { transfer: buffersOf(result?.mesh ?? result) });
   } catch (error) {
     self.postMessage({ id, error: describe(error) });
   }

@@ -30,6 +30,7 @@ async function start([program, ...options], pattern, environment = {}) {
       // It has ended by itself.
     }
   };
+  process.once('exit', end);
   const found = await new Promise((resolve, reject) => {
     let output = '';
     const timer = setTimeout(() => reject(new Error(`${program} says nothing in time: ${output}`)), PATIENCE);
@@ -53,7 +54,7 @@ async function start([program, ...options], pattern, environment = {}) {
 /** A screen in memory. @returns {Promise<{ display: string, end: () => void }>} */
 async function startScreen() {
   // It writes the number that it chose to the file descriptor named.
-  const { found, end } = await start(['Xvfb', '-displayfd', '1', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], /^(\d+)\n/);
+  const { found, end } = await start(['Xvfb', '-displayfd', '1', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], /^(\d+)\n/m);
   return { display: `:${found}`, end };
 }
 
