@@ -58,7 +58,8 @@ describe('sizes and themes', () => {
         assert.ok(sizes.low <= height, 'the page scrolls');
         assert.equal(sizes.canvas, sizes.shown);
         await page.screenshot({ path: `${SCREENSHOTS}page-${width}x${height}-${colorScheme}.png` });
-        assert.deepEqual(await violations(page), []);
+        // Structure is that of the size, colours are those of the theme: every one of both is looked at once.
+        if (colorScheme === 'light' || width === 1440) assert.deepEqual(await violations(page), []);
       });
 
   test('on a phone every card is behind a tab, and none scrolls sideways', async () => {
