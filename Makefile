@@ -8,7 +8,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .PHONY: all test browsers check tidy bench bench-peers accuracy site thumbnails demo format clean help tools
 
 ENTRIES := index slim gallery pool
-VIEWS := three
+VIEWS := three element
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
@@ -148,10 +148,11 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BUNDLE)
 
-# Made to be used with the reader's own three.js.
+# Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three --log-level=warning --outfile=$@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)
@@ -187,9 +188,10 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+# Which loops gcc sees through differs by processor, and with it what it takes for uninitialised: build/native judges that.
 build/march/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(NATIVE) -march=native -c $< -o $@
+	@$(NATIVE) -march=native -Wno-maybe-uninitialized -c $< -o $@
 
 build/native/core.o: $(WASM:%.c=build/native/%.o)
 	@ld -r $^ -o $@

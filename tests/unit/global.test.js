@@ -319,3 +319,24 @@ test('misuse of geodesics', () => {
   surface.dispose();
   assert.throws(() => surface.geodesics([0, 0], [1, 1]), /disposed/);
 });
+
+test('two ends beyond a cusp: the shortest path crosses it twice', () => {
+  const dini = surfpath.parametric({
+    x: '2*cos(u)*sin(v)',
+    y: '2*sin(u)*sin(v)',
+    z: '2*(cos(v) + log(tan(v/2)) + 0.4*u)',
+    u: ['-2*pi', '2*pi'],
+    v: [0.1, 2],
+  });
+  const [from, to] = [
+    [4.795361300721137, 1.8774924020261037],
+    [-2.4873834935722763, 1.8146692353626248],
+  ];
+  const [path, round] = dini.geodesics(from, to);
+  assert.ok(path.converged && path.crossesSingularity && !path.touchesBoundary);
+  // Along the wall v = 2 it is half as long again. In between is a way that starts from a given crossing of v < pi/2.
+  assert.ok(round.touchesBoundary && round.length > 1.45 * path.length);
+  const start = [...from, 1, 1, ...to];
+  assert.ok(Math.abs(dini.shortestPath(from, to, { start }).length - path.length) < 1e-9 * path.length);
+  dini.dispose();
+});

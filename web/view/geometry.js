@@ -16,7 +16,7 @@ import { gaussianCurvature } from './curvature.js';
  * @property {'none' | 'curvature' | 'distance' | ((mesh: Mesh) => ArrayLike<number>)} [colour] 'curvature': Gaussian curvature, zero neutral; 'distance': geodesic
  *   distance `from` a point; or a function that gives one number a vertex of the mesh; default 'none'
  * @property {ArrayLike<number>} [from] 'distance': u v or x y z
- * @property {boolean} [exact] 'distance': as for `surface.distanceField`; needed with a density or a metric
+ * @property {boolean} [exact] 'distance': as for `surface.distanceField`
  */
 
 /** Cells between parameter lines along the surface's longer side. */
