@@ -104,11 +104,13 @@ static struct climbed climb(struct sp_newton *newton, const struct sp_options *o
     return climbed;
 }
 
-/* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
+/* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. Between conjugate ends the way
+ * is one of many of the same length, and may move among them. */
 static int strayed(const struct climbed *climbed, double first_length) {
     double change = climbed->length / first_length - 1;
     if (climbed->outcome.status < 0 || climbed->outcome.status == SP_STALLED) return 1;
-    return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || climbed->moved > DISPLACEMENT_GUARD * climbed->length);
+    int moved = climbed->outcome.status != SP_ILL_CONDITIONED && climbed->moved > DISPLACEMENT_GUARD * climbed->length;
+    return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || moved);
 }
 
 /* Enough for a step more to be below the tolerance. */
@@ -166,8 +168,11 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         double previous = change;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
-        if (!astray && from_elements && now.moved <= allowed && change <= allowed)
-            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
+        /* Between conjugate ends positions never settle; the length, which is that of all the ways, does. */
+        int undetermined = now.outcome.status == SP_ILL_CONDITIONED, at_rest = undetermined ? settled : now.moved <= allowed;
+        double doubt = undetermined ? previous : smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous);
+        if (!astray && from_elements && at_rest && change <= allowed)
+            return finish(newton, now, larger(undetermined ? 2 * change : change, doubt));
         if (astray)
             before = *first;
         else
