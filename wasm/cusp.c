@@ -343,8 +343,7 @@ static struct sp_refined cross(struct sp_newton *newton, const struct bridge *br
     return whole;
 }
 
-int sp_cusp_divides(const struct sp_newton *newton) {
-    const struct sp_polyline *line = &newton->system.line;
+int32_t sp_cusp_turns(const struct sp_polyline *line) {
     const sp_pair *charts = line->nodes.charts;
     int32_t turns = 0, last = line->fold.both;
     sp_polyline_charts(line, line->nodes);
@@ -352,7 +351,12 @@ int sp_cusp_divides(const struct sp_newton *newton) {
         sp_pair product = sp_dot(sp_chart_normal(charts + SP_CHART * k), sp_chart_normal(charts + SP_CHART * (k + 1)));
         turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
     }
-    return turns % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
+    return turns;
+}
+
+int sp_cusp_divides(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
 }
 
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,

@@ -75,7 +75,7 @@ export function findPaths(problem, options, most) {
   }
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
+  const crossing = tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
