@@ -206,12 +206,15 @@ export function liftNear({ lower, upper, periodic }, point, near) {
   });
 }
 
+/** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */
+export function isAtPole({ lower, upper }, point, pole) {
+  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  return point[across] === (side ? upper : lower)[across];
+}
+
 /** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
-function freeCoordinate({ lower, upper, poles }, point) {
-  const at = poles.find((pole) => {
-    const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
-    return point[across] === (side ? upper : lower)[across];
-  });
+function freeCoordinate(domain, point) {
+  const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
   return at === undefined ? -1 : 1 - ((at - 1) >> 1);
 }
 

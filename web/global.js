@@ -3,7 +3,7 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { liftNear } from './domain.js';
+import { isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
@@ -149,10 +149,11 @@ function straightEnds({ from, to, domain }) {
  * Paths over a pole, which no chart shows as stationary: taken only where they are shorter than all others.
  * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath }[]} others
  */
-function overPoles({ to, domain, solve }, options, others) {
+function overPoles({ from, to, domain, solve }, options, others) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   const shortest = Math.min(...others.map(({ path }) => path.length));
   return domain.poles
+    .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
     .map((pole) => ({ to, path: solve(to, null, options, pole) }))
     .filter(({ path }) => holds(path) && path.length < shortest - path.lengthError)
     .sort((a, b) => a.path.length - b.path.length)

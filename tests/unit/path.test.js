@@ -61,8 +61,8 @@ describe('options', () => {
           [1, 1],
         ],
       },
-      RangeError,
-      /start\[0\] must be a finite number, not an array of 2/,
+      TypeError,
+      /start must be a flat array of u v, not one of arrays; write points\.flat\(\)/,
     ],
   ];
   for (const [options, kind, message] of bad)
