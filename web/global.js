@@ -75,7 +75,9 @@ export function findPaths(problem, options, most) {
   }
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
+  const crossing = isPointed(problem)
+    ? []
+    : tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
@@ -170,6 +172,14 @@ function acrossCusps({ solve }, options, crossing) {
     .slice(0, MOST_CROSSING)
     .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
     .filter(({ path }) => holds(path));
+}
+
+/**
+ * Whether an end is a pole or an apex, and no other place singular: ways that turn around it are singular there, and lead across nothing.
+ * @param {Problem} problem
+ */
+function isPointed({ from, to, domain, graph }) {
+  return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
