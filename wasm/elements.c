@@ -125,8 +125,8 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     return energy;
 }
 
-/* The order of an element's unknowns in its matrix: inner nodes, then the outer border, then the inner one (towards the middle), then the
- * right-hand side. */
+/* The order of an element's unknowns in its matrix, of which only the lower triangle is stored: inner nodes, then the outer border, then
+ * the inner one (towards the middle), then the right-hand side, as a row. */
 static int32_t position(int32_t degree, int32_t i) { return i == 0 ? 2 * (degree - 1) : i == degree ? 2 * degree : 2 * (i - 1); }
 
 /* The tangent vectors of a node, zero in held coordinates. */
@@ -139,9 +139,9 @@ static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vect
     }
 }
 
-/* Puts a number into the upper triangle. */
+/* Puts a number into the lower triangle. */
 static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair value) {
-    matrix[i < j ? i * order + j : j * order + i] = value;
+    matrix[i > j ? i * order + j : j * order + i] = value;
 }
 
 /* K_ij B_i'B_j between the nodes of an element. */
@@ -176,42 +176,84 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
         }
 }
 
-/* The upper triangle of one element's matrix but for its couplings: the diagonal blocks of its inner nodes, in the last column their
- * right-hand sides. */
+/* One element's matrix but for its couplings: the diagonal blocks of its inner nodes, and their right-hand sides; those of the borders are
+ * the skeleton's. */
 static void fill_matrix(const struct sp_elements *elements, const struct sp_row *rows, double shift, sp_pair *matrix) {
-    int32_t p = elements->reference.degree, order = sp_elements_order(p);
-    for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
-        matrix[k] = sp_splat(0.0);
-    for (int32_t k = 0; k < 2 * (p - 1); k++)
-        matrix[k * order + order - 1] = sp_splat(0.0);
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), right = 2 * (p + 1);
     for (int32_t i = 1; i < p; i++) {
-        int32_t row = position(p, i);
         const struct sp_row *node = rows + i;
-        sp_pair by = shift * node->weight;
-        put(matrix, order, row, row, node->a + by * node->e);
-        put(matrix, order, row, row + 1, node->b + by * node->f);
-        put(matrix, order, row + 1, row + 1, node->d + by * node->g);
-        put(matrix, order, row, order - 1, node->r1), put(matrix, order, row + 1, order - 1, node->r2);
+        int32_t at = position(p, i);
+        sp_pair by = shift * node->weight, *row = matrix + at * order, *sides = matrix + right * order + at;
+        row[at] = node->a + by * node->e;
+        row[order + at] = node->b + by * node->f, row[order + at + 1] = node->d + by * node->g;
+        sides[0] = node->r1, sides[1] = node->r2;
+        sides[order] = sides[order + 1] = sp_splat(0.0);
+    }
+    for (int32_t first = position(p, 0), row = first; row < order; row++)
+        for (int32_t j = first; j <= row; j++)
+            matrix[row * order + j] = sp_splat(0.0);
+}
+
+/* sum_k L_ik u_jk of two rows of L and two of u. */
+static void multiply(const sp_pair *l, const sp_pair *u, int32_t order, int32_t count, sp_pair sum[4]) {
+    const sp_pair *next_l = l + order, *next_u = u + order;
+    sp_pair s00 = sp_splat(0.0), s01 = s00, s10 = s00, s11 = s00;
+    for (int32_t k = 0; k < count; k++) {
+        s00 += u[k] * l[k], s01 += u[k] * next_l[k];
+        s10 += next_u[k] * l[k], s11 += next_u[k] * next_l[k];
+    }
+    sum[0] = s00, sum[1] = s01, sum[2] = s10, sum[3] = s11;
+}
+
+/* Turns the entries of two rows left of their diagonal block from those of H into u = L D, all but for the columns from `inner` on, which
+ * become their Schur complement. */
+static void reduce_rows(sp_pair *matrix, int32_t order, int32_t inner, int32_t j) {
+    sp_pair *u = matrix + j * order, *next = u + order, sum[4];
+    for (int32_t i = 0; i < j; i += 2) {
+        const sp_pair *l = matrix + i * order;
+        multiply(l, u, order, i < inner ? i : inner, sum);
+        u[i] -= sum[0], u[i + 1] -= sum[1], next[i] -= sum[2], next[i + 1] -= sum[3];
+        if (i >= inner) continue;
+        u[i + 1] -= l[order + i] * u[i], next[i + 1] -= l[order + i] * next[i];
     }
 }
 
-/* LDL' of the first `inner` rows, in place: D on the diagonal, L' and, in the last column, D^-1 L^-1 r beside it; what is left below is the
- * Schur complement. */
+/* Divides `count` entries of two rows by the pivots, whose reciprocals stand on the diagonal, and takes the products with what they were
+ * from the diagonal block. */
+static void divide_rows(sp_pair *matrix, int32_t order, int32_t count, int32_t j) {
+    sp_pair *u = matrix + j * order, *next = u + order, a = u[j], b = next[j], d = next[j + 1];
+    for (int32_t k = 0; k < count; k++) {
+        sp_pair reciprocal = matrix[k * order + k], first = u[k] * reciprocal, second = next[k] * reciprocal;
+        a -= first * u[k], b -= first * next[k], d -= second * next[k];
+        u[k] = first, next[k] = second;
+    }
+    u[j] = a, next[j] = b, next[j + 1] = d;
+}
+
+/* Counts a pivot and turns it into its reciprocal. */
+static void invert(sp_pair *pivot, struct sp_inertia *inertia) {
+    for (int lane = 0; lane < 2; lane++) {
+        double value = (*pivot)[lane];
+        if (!(value != 0 && value - value == 0)) inertia->usable = 0;
+        inertia->negative += value < 0;
+    }
+    *pivot = 1.0 / *pivot;
+}
+
+/* LDL' of the first `inner` rows, in place, by rows in twos: L, on its diagonal D^-1; below, what is left on the borders is the Schur
+ * complement, and beside the right-hand side's stands D^-1 L^-1 r. */
 static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
     struct sp_inertia inertia = {0, 1};
-    for (int32_t k = 0; k < inner; k++) {
-        sp_pair *row = matrix + k * order, pivot = row[k], reciprocal = 1.0 / pivot;
-        for (int lane = 0; lane < 2; lane++) {
-            if (!(pivot[lane] != 0 && pivot[lane] - pivot[lane] == 0)) inertia.usable = 0;
-            inertia.negative += pivot[lane] < 0;
-        }
-        for (int32_t i = k + 1; i < order - 1; i++) {
-            sp_pair factor = row[i] * reciprocal, *target = matrix + i * order;
-            for (int32_t j = i; j < order; j++)
-                target[j] -= factor * row[j];
-        }
-        for (int32_t j = k + 1; j < order; j++)
-            row[j] *= reciprocal;
+    for (int32_t j = 0; j < order; j += 2) {
+        sp_pair *row = matrix + j * order, *next = row + order;
+        reduce_rows(matrix, order, inner, j);
+        divide_rows(matrix, order, j < inner ? j : inner, j);
+        if (j >= inner) continue;
+        sp_pair coupling = next[j];
+        invert(row + j, &inertia);
+        next[j] = coupling * row[j];
+        next[j + 1] -= next[j] * coupling;
+        invert(next + j + 1, &inertia);
     }
     return inertia;
 }
@@ -230,18 +272,18 @@ static void start_skeleton(const struct sp_elements *elements, const struct sp_r
 
 /* Adds what condensing element pair e leaves to its two borders. */
 static void add_schur(const struct sp_elements *elements, const sp_pair *matrix, int32_t e) {
-    int32_t p = elements->reference.degree, order = sp_elements_order(p), outer = 2 * (p - 1), inner = 2 * p, last = order - 1;
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), outer = 2 * (p - 1), inner = 2 * p;
+    const sp_pair *first = matrix + outer * order + outer, *second = matrix + inner * order + inner, *right = matrix + (inner + 2) * order;
+    const sp_pair *between = matrix + inner * order + outer;
     struct sp_row *before = elements->skeleton + e, *after = before + 1;
-    sp_pair a = matrix[inner * order + inner], b = matrix[inner * order + inner + 1], d = matrix[(inner + 1) * order + inner + 1];
-    sp_pair r1 = matrix[inner * order + last], r2 = matrix[(inner + 1) * order + last];
+    sp_pair a = second[0], b = second[order], d = second[order + 1], r1 = right[inner], r2 = right[inner + 1];
     if (e == elements->count / 2 - 1) a += sp_swap(a), b += sp_swap(b), d += sp_swap(d), r1 += sp_swap(r1), r2 += sp_swap(r2);
     after->a += a, after->b += b, after->d += d, after->r1 += r1, after->r2 += r2;
-    before->q11 = -matrix[outer * order + inner], before->q12 = -matrix[outer * order + inner + 1];
-    before->q21 = -matrix[(outer + 1) * order + inner], before->q22 = -matrix[(outer + 1) * order + inner + 1];
+    before->q11 = -between[0], before->q12 = -between[order];
+    before->q21 = -between[1], before->q22 = -between[order + 1];
     if (e == 0) return;
-    before->a += matrix[outer * order + outer], before->b += matrix[outer * order + outer + 1];
-    before->d += matrix[(outer + 1) * order + outer + 1];
-    before->r1 += matrix[outer * order + last], before->r2 += matrix[(outer + 1) * order + last];
+    before->a += first[0], before->b += first[order], before->d += first[order + 1];
+    before->r1 += right[outer], before->r2 += right[outer + 1];
 }
 
 static struct sp_fold skeleton_fold(const struct sp_elements *elements) { return sp_fold_of(elements->count - 1); }
@@ -274,18 +316,18 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
 /* Inner unknowns of element pair e from its borders, which `x` holds: backwards through L'. */
 static void back_substitute(const struct sp_elements *elements, int32_t e, int32_t from, int add_right, sp_pair *x) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p), inner = 2 * (p - 1);
-    const sp_pair *matrix = matrix_of(elements, e);
+    const sp_pair *matrix = matrix_of(elements, e), *right = matrix + (inner + 4) * order;
     sp_pair values[2 * (SP_MAX_DEGREE + 1)], *nodes = x + 2 * e * p;
     for (int32_t j = 0; j < inner; j++)
         values[j] = nodes[2 + j];
     values[inner] = nodes[0], values[inner + 1] = nodes[1];
     values[inner + 2] = nodes[2 * p], values[inner + 3] = nodes[2 * p + 1];
-    for (int32_t k = from; k >= 0; k--) {
-        const sp_pair *row = matrix + k * order;
-        sp_pair sum = add_right ? row[order - 1] : sp_splat(0.0);
-        for (int32_t j = k + 1; j < inner + 4; j++)
-            sum -= row[j] * values[j];
-        values[k] = sum;
+    for (int32_t k = 0; k <= from; k++)
+        values[k] = add_right ? right[k] : sp_splat(0.0);
+    for (int32_t j = inner + 3; j > 0; j--) {
+        const sp_pair *row = matrix + j * order, value = values[j];
+        for (int32_t k = 0; k < j && k <= from; k++)
+            values[k] -= row[k] * value;
     }
     for (int32_t j = 0; j < inner; j++)
         nodes[2 + j] = values[j];

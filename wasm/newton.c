@@ -31,7 +31,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
-    newton->decrement = DECREMENT;
+    newton->decrement = DECREMENT, newton->enough = 0, newton->draft = 0;
     newton->history_count = 0, newton->history_capacity = options->max_iterations + HISTORY_EXTRA,
     newton->record_points = options->point_count;
     newton->history = sp_arena_take(arena, (size_t)newton->history_capacity, sizeof(struct sp_iterate));
@@ -278,33 +278,50 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
     }
 }
 
-/* One full step more: at the stopping decrement the error left is of its square. Kept only if the energy does not rise. */
-static void polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
-    sp_system_solve(&newton->system, newton->step);
+/* One full step more: at the stopping decrement the error left is of its square. Returns 0, taking none, where the energy rises. */
+static int polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
     double now = try_step(newton, 1);
-    if (!(now <= round->energy.squares * (1 + SLACK))) return;
+    if (!(now <= round->energy.squares * (1 + SLACK))) return 0;
     note(newton, round, 1);
     accept(newton);
     outcome->iterations++;
+    if (newton->draft) {
+        round->energy.squares = now;
+        return 1;
+    }
     assemble(newton, options, round);
     outcome->status = certify(newton, round);
+    return 1;
+}
+
+/* Steps, and the one more. A draft that may not take it goes on with shorter ones. */
+static void converge(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, struct round *round,
+                     struct sp_outcome *outcome) {
+    int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
+    iterate(newton, options, iterations_left, round, outcome);
+    if (!by_decrement || outcome->status != SP_CONVERGED || round->energy.squares == 0 || round->decrement <= newton->enough) return;
+    if (outcome->iterations >= iterations_left) {
+        if (newton->draft) outcome->status = SP_ITERATION_LIMIT;
+        return;
+    }
+    if (polish(newton, options, round, outcome) || !newton->draft) return;
+    double wanted = newton->decrement;
+    newton->decrement = DECREMENT;
+    iterate(newton, options, iterations_left, round, outcome);
+    newton->decrement = wanted;
 }
 
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left) {
     struct sp_outcome outcome = {SP_NOT_FINITE, 0, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
-    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
         enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);
         if (metric < 0) outcome.status = metric;
         return outcome;
     }
-    iterate(newton, options, iterations_left, &round, &outcome);
-    int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
-    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && outcome.iterations < iterations_left)
-        polish(newton, options, &round, &outcome);
-    note(newton, &round, 0);
+    converge(newton, options, iterations_left, &round, &outcome);
+    if (!newton->draft) note(newton, &round, 0);
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.squares = round.energy.squares, outcome.gradient_norm = round.gradient_norm;
     outcome.active = touches_wall(newton, newton->system.line.nodes.places);

@@ -15,7 +15,9 @@ struct sp_newton {
     int32_t history_count, history_capacity, record_points;
     double scale;     /* size of the coordinates, for rounding */
     double size;      /* the same in the unit of length, which a metric may change */
-    double decrement; /* stop at this relative Newton decrement */
+    double decrement; /* stop at this relative Newton decrement, and take one step more */
+    double enough;    /* at this one without that step */
+    int32_t draft;    /* 1: that step is the last thing done, and where it leads neither assembled nor certified */
 };
 
 /* How a run ended. */
@@ -31,8 +33,8 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
 /* Bytes that sp_newton_take takes. */
 double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner);
 
-/* Runs until converged or beaten, or out of steps (`iterations_left`); the path is left in newton->system.line and never has more energy
- * than the start. */
+/* Runs until converged or beaten, or out of steps (`iterations_left`), from a path whose charts are filled (sp_polyline_charts); the path
+ * is left in newton->system.line and never has more energy than the start. */
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left);
 
 #endif

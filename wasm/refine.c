@@ -8,12 +8,14 @@ struct rung {
     int32_t degree, count;
 };
 
-static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
+static const struct rung LADDER[] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {32, 16}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
-static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
+/* Why these: MATH.md, "The ladder". */
+static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100;
+static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
@@ -88,17 +90,28 @@ struct climbed {
     double length, moved;
 };
 
+/* Runs Newton from the path as it stands and measures where it leads. */
+static void run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, const struct start *start,
+                struct climbed *climbed) {
+    climbed->outcome = sp_newton_run(newton, options, iterations_left);
+    if (climbed->outcome.status < 0) return;
+    climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
+    climbed->moved = displacement(&newton->system, start);
+}
+
 static struct climbed climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, struct rung rung,
-                            int32_t iterations_left, struct sp_arena *arena) {
+                            int32_t iterations_left, struct start *start, struct sp_arena *arena) {
     struct climbed climbed = {0};
-    struct start start;
-    climbed.outcome.status = start_rung(newton, from, rung, &start, arena);
-    if (climbed.outcome.status != SP_CONVERGED) return climbed;
-    climbed.outcome = sp_newton_run(newton, options, iterations_left);
-    if (climbed.outcome.status < 0) return climbed;
-    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes);
-    climbed.moved = displacement(&newton->system, &start);
+    climbed.outcome.status = start_rung(newton, from, rung, start, arena);
+    if (climbed.outcome.status == SP_CONVERGED) run(newton, options, iterations_left, start, &climbed);
     return climbed;
+}
+
+/* A draft is one step from a small decrement, not looked at again; any other run ends at rest. */
+static void aim(struct sp_newton *newton, const struct sp_options *options, int32_t draft) {
+    newton->draft = draft;
+    newton->decrement = draft ? DRAFT_DECREMENT : options->tolerance < 1e-8 ? 1e-8 : 1e-6;
+    newton->enough = draft ? 0 : ENOUGH * options->tolerance;
 }
 
 /* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
@@ -120,16 +133,23 @@ static struct sp_refined finish(const struct sp_newton *newton, struct climbed c
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
 static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *before,
                                     const struct sp_system *first, double first_length, struct rung rung, int32_t iterations,
-                                    struct sp_arena *arena) {
+                                    struct start *start, struct sp_arena *arena) {
     size_t bottom = arena->used;
-    struct climbed now = climb(newton, options, before, rung, options->max_iterations - iterations, arena);
+    struct climbed now = climb(newton, options, before, rung, options->max_iterations - iterations, start, arena);
     if (strayed(&now, first_length) && before->elements.reference.degree > 1) {
         iterations += now.outcome.iterations;
         arena->used = bottom;
-        now = climb(newton, options, first, rung, options->max_iterations - iterations, arena);
+        now = climb(newton, options, first, rung, options->max_iterations - iterations, start, arena);
     }
     now.outcome.iterations += iterations;
     return now;
+}
+
+/* Whether a path that moved so far from that of the rung before is itself within `allowed`: how far it moved is the error of that one, its
+ * own is smaller, if rungs converge, by as much as the last two moves differ. */
+static int is_settled(double moved, double moved_before, double allowed) {
+    double ratio = larger(moved / moved_before, SLOWEST_TRUSTED);
+    return moved <= allowed || SAFETY * ratio * moved <= allowed;
 }
 
 /* A path that took many chords has nothing to learn from a few nodes, and Newton on them wanders. */
@@ -140,30 +160,42 @@ static int first_rung(const struct sp_system *first) {
     return r;
 }
 
+static double distance(double a, double b) { return a > b ? a - b : b - a; }
+
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
                                    const struct sp_system *first, double first_length, int32_t iterations, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
-    double last = first_length, change = first_length;
+    double last = first_length, change = first_length, moved = 0;
     int settled = 0;
+    struct start start;
     struct sp_storage storage;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
-    newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
     size_t bottom = arena->used;
     for (int r = 0; r < rungs; r++) {
+        int from_elements = before.elements.reference.degree > 1;
         arena->used = bottom;
-        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], iterations, arena);
+        aim(newton, options, r < rungs - 1);
+        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], iterations, &start, arena);
         iterations = now.outcome.iterations;
-        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
-            return finish(newton, now, now.length > last ? now.length - last : last - now.length);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
-        int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
+        int astray = strayed(&now, first_length);
+        int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
+        if (agrees && newton->draft) {
+            aim(newton, options, 0);
+            run(newton, options, options->max_iterations - iterations, &start, &now);
+            iterations = now.outcome.iterations += iterations;
+            astray = strayed(&now, first_length);
+        }
+        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
+            return finish(newton, now, distance(now.length, last));
         settled = !astray && from_elements && change <= allowed;
-        change = now.length > last ? now.length - last : last - now.length;
+        change = distance(now.length, last);
         last = now.length;
-        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
+        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed)) return finish(newton, now, change);
+        moved = from_elements && !astray ? now.moved : 0;
         if (astray)
             before = *first;
         else
@@ -189,6 +221,7 @@ double sp_refine_bytes(void) {
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                  double *error) {
     struct climbed now = {0};
+    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     for (;;) {
         int32_t iterations = now.outcome.iterations, count = 2 * (newton->system.line.fold.inner + 1);
         now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
@@ -210,7 +243,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     double error = 0;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
-    newton->decrement = FIRST_DECREMENT;
+    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0;
     first = find_first(newton, options, &storage, &error);
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
@@ -231,12 +264,16 @@ struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_opt
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena) {
     struct rung rung = {from->elements.reference.degree, from->elements.count};
-    return finish(newton, climb(newton, options, from, rung, options->max_iterations, arena), 0);
+    struct start start;
+    aim(newton, options, 0);
+    return finish(newton, climb(newton, options, from, rung, options->max_iterations, &start, arena), 0);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
-    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
+    struct start start;
+    newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, &start, arena);
     double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
 }

@@ -116,6 +116,7 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
 
 /* The polyline through exactly K points. */
 static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
+    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
     if (refined.outcome.status < 0) return refined;
     refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
