@@ -243,7 +243,7 @@ static void invert(sp_pair *pivot, struct sp_inertia *inertia) {
 /* LDL' of the first `inner` rows, in place, by rows in twos: L, on its diagonal D^-1; below, what is left on the borders is the Schur
  * complement, and beside the right-hand side's stands D^-1 L^-1 r. */
 static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
-    struct sp_inertia inertia = {0, 1};
+    struct sp_inertia inertia = {0, 1, 0};
     for (int32_t j = 0; j < order; j += 2) {
         sp_pair *row = matrix + j * order, *next = row + order;
         reduce_rows(matrix, order, inner, j);
@@ -255,6 +255,9 @@ static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner
         next[j + 1] -= next[j] * coupling;
         invert(next + j + 1, &inertia);
     }
+    /* The right-hand side's own Schur complement is -r'H^-1 r. */
+    sp_pair ascent = matrix[(inner + 4) * order + inner + 4];
+    inertia.descent = -(ascent[0] + ascent[1]);
     return inertia;
 }
 
@@ -296,7 +299,7 @@ static sp_pair *matrix_of(const struct sp_elements *elements, int32_t e) {
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
                                      const sp_mask *held, double shift) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
-    struct sp_inertia inertia = {0, 1};
+    struct sp_inertia inertia = {0, 1, 0};
     start_skeleton(elements, rows, shift);
     for (int32_t e = 0; e < elements->count / 2; e++) {
         sp_pair *matrix = matrix_of(elements, e);
@@ -306,11 +309,11 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
         else
             fill_couplings(elements, e, element_charts(elements, line->nodes.charts, e), held + 2 * e * p, matrix);
         struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));
-        inertia.negative += inner.negative, inertia.usable &= inner.usable;
+        inertia.negative += inner.negative, inertia.usable &= inner.usable, inertia.descent += inner.descent;
         add_schur(elements, matrix, e);
     }
     struct sp_inertia skeleton = sp_blocks_factor(skeleton_fold(elements), elements->skeleton, 0);
-    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable};
+    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable, inertia.descent + skeleton.descent};
 }
 
 /* Inner unknowns of element pair e from its borders, which `x` holds: backwards through L'. */

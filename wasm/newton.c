@@ -155,15 +155,15 @@ struct round {
     double gradient_norm, decrement, shift;
 };
 
+static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
+
 static void assemble(struct sp_newton *newton, const struct sp_options *options, struct round *round) {
     enum sp_hessian hessian = options->algorithm == SP_PAPER ? SP_COORDINATE : SP_COVARIANT;
     round->energy = sp_system_assemble(&newton->system, hessian);
-    round->inertia = sp_system_factor(&newton->system, 0);
+    round->inertia = round->energy.inertia;
     round->gradient_norm = 2.0 * sp_system_segments(&newton->system) * root(round->energy.gradient_squared);
     round->decrement = not_a_number();
-    if (!round->inertia.usable) return;
-    sp_system_solve(&newton->system, newton->step);
-    if (round->inertia.negative == 0) round->decrement = root(2 * sp_system_descent(&newton->system, newton->step) / round->energy.squares);
+    if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
 }
 
 /* The step of H + shift M, with a shift that makes it positive definite. Returns 0 if none does. */
@@ -174,7 +174,7 @@ static int shifted_step(struct sp_newton *newton, struct round *round, double le
     for (int i = 0; i < SHIFTS; i++, shift *= 4) {
         struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
         if (!inertia.usable || inertia.negative) continue;
-        round->shift = shift;
+        round->shift = shift, round->inertia.descent = inertia.descent;
         sp_system_solve(&newton->system, newton->step);
         return 1;
     }
@@ -184,22 +184,25 @@ static int shifted_step(struct sp_newton *newton, struct round *round, double le
 /* One step of the certified method. Returns its scale, 0 if nothing lowers the energy. */
 static double step_certified(struct sp_newton *newton, struct round *round) {
     double squares = round->energy.squares;
-    int definite = round->inertia.usable && round->inertia.negative == 0;
+    int definite = is_definite(round);
     if (!definite && sp_system_steepness(&newton->system, squares) <= STATIONARY && sp_system_negative(&newton->system, newton->step))
         return search_escape(newton, squares);
-    if (!definite && !shifted_step(newton, round, 0)) return 0;
-    double scale = search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
+    if (definite)
+        sp_system_solve(&newton->system, newton->step);
+    else if (!shifted_step(newton, round, 0))
+        return 0;
+    double scale = search_armijo(newton, squares, round->inertia.descent);
     if (scale > 0 || !shifted_step(newton, round, 1)) return scale;
-    return search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
+    return search_armijo(newton, squares, round->inertia.descent);
 }
 
 /* One step of the paper's method: Newton's, or its reverse where Eq. 25 fails. */
 static double step_paper(struct sp_newton *newton, struct round *round) {
+    double slope = round->inertia.descent;
     if (!round->inertia.usable) return 0;
-    double slope = sp_system_descent(&newton->system, newton->step);
-    if (slope < 0)
-        for (int32_t k = 0; k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
-            newton->step[k] = -newton->step[k];
+    sp_system_solve(&newton->system, newton->step);
+    for (int32_t k = 0; slope < 0 && k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
+        newton->step[k] = -newton->step[k];
     return search_paper(newton, round->energy.squares, slope < 0 ? -slope : slope);
 }
 
@@ -257,8 +260,7 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
                     struct sp_outcome *outcome) {
     for (int32_t idle = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
-        int definite = round->inertia.usable && round->inertia.negative == 0;
-        if (rest && (definite || !certified || round->energy.squares == 0)) {
+        if (rest && (is_definite(round) || !certified || round->energy.squares == 0)) {
             outcome->status = certify(newton, round);
             return;
         }
@@ -280,6 +282,7 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
 
 /* One full step more: at the stopping decrement the error left is of its square. Returns 0, taking none, where the energy rises. */
 static int polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+    sp_system_solve(&newton->system, newton->step);
     double now = try_step(newton, 1);
     if (!(now <= round->energy.squares * (1 + SLACK))) return 0;
     note(newton, round, 1);

@@ -25,10 +25,15 @@ double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
 }
 
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
+    struct sp_polyline *line = &system->line;
+    struct sp_energy energy;
+    if (is_polyline(system) && !has_metric(system)) return sp_polyline_assemble(line, hessian, system->rows, system->straight);
     if (has_metric(system))
-        return sp_metric_assemble(&system->elements.reference, &system->line, hessian, system->rows, system->straight, system->held);
-    if (is_polyline(system)) return sp_polyline_assemble(&system->line, hessian, system->rows, system->straight);
-    return sp_elements_assemble(&system->elements, &system->line, hessian, system->rows, system->straight, system->held);
+        energy = sp_metric_assemble(&system->elements.reference, line, hessian, system->rows, system->straight, system->held);
+    else
+        energy = sp_elements_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
+    energy.inertia = sp_system_factor(system, 0);
+    return energy;
 }
 
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift) {
@@ -51,14 +56,6 @@ int sp_system_negative(const struct sp_system *system, sp_pair *x) {
 double sp_system_conditioning(const struct sp_system *system) {
     if (is_polyline(system)) return sp_blocks_conditioning(system->line.fold, system->rows);
     return sp_elements_conditioning(&system->elements);
-}
-
-double sp_system_descent(const struct sp_system *system, const sp_pair *x) {
-    struct sp_fold fold = system->line.fold;
-    double sum = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        sum += sp_fold_sum(fold, k, system->rows[k].r1 * x[2 * k] + system->rows[k].r2 * x[2 * k + 1]);
-    return sum;
 }
 
 double sp_system_steepness(const struct sp_system *system, double squares) {

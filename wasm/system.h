@@ -23,15 +23,12 @@ double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes);
 /* Length of the path of these nodes: sum of chords, or quadrature. */
 double sp_system_length(const struct sp_system *system, struct sp_nodes nodes);
 
-/* The pieces of a Newton step: energy.h, blocks.h, elements.h. */
+/* The pieces of a Newton step: energy.h, blocks.h, elements.h. Assembling factors, too, without a shift. */
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian);
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift);
 void sp_system_solve(const struct sp_system *system, sp_pair *x);
 int sp_system_negative(const struct sp_system *system, sp_pair *x);
 double sp_system_conditioning(const struct sp_system *system);
-
-/* r . x over all unknowns: minus the slope of the scaled energy along x. */
-double sp_system_descent(const struct sp_system *system, const sp_pair *x);
 
 /* sqrt(2 g'M^-1 g / squares): how far from stationary, whatever the Hessian. */
 double sp_system_steepness(const struct sp_system *system, double squares);
