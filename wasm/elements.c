@@ -7,81 +7,77 @@ static const sp_pair *element_charts(const struct sp_elements *elements, const s
     return charts + (size_t)SP_CHART * (size_t)(e * elements->reference.degree);
 }
 
-/* Whether element pair e is the graded one. */
-static int is_graded(const struct sp_elements *elements, int32_t e) { return e == 0 && (elements->singular[0] || elements->singular[1]); }
+/* What differentiates and integrates over an element pair: at how many points; per point weights in the energy, lane by lane, and in the
+ * length; D, K lane by lane. */
+struct integral {
+    int32_t points;
+    const double *weight[2], *length_weight, *derivative, *stiffness[2];
+};
 
-/* Points of the quadrature of element pair e; their weights in the energy and in the length. */
-static int32_t point_count(const struct sp_elements *elements, int32_t e) {
-    return is_graded(elements, e) ? elements->graded.count : elements->reference.degree + 1;
-}
-static sp_pair energy_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
-    if (is_graded(elements, e)) return (sp_pair){elements->graded.weight[0][q], elements->graded.weight[1][q]};
-    return sp_splat(elements->reference.weight[q]);
-}
-static double length_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
-    return is_graded(elements, e) ? elements->graded.length_weight[q] : elements->reference.weight[q];
-}
-static const double *derivative_row(const struct sp_elements *elements, int32_t e, int32_t q) {
-    return (is_graded(elements, e) ? elements->graded.derivative : elements->reference.derivative) + q * (elements->reference.degree + 1);
-}
-static sp_pair stiffness_of(const struct sp_elements *elements, int32_t e, int32_t i, int32_t j) {
-    int32_t at = i * (elements->reference.degree + 1) + j;
-    if (is_graded(elements, e)) return (sp_pair){elements->graded.stiffness[0][at], elements->graded.stiffness[1][at]};
-    return sp_splat(elements->reference.stiffness[at]);
+static struct integral integral_of(const struct sp_elements *elements, int32_t e) {
+    const struct sp_reference *plain = &elements->reference;
+    const struct sp_graded *graded = &elements->graded;
+    if (e == 0 && (elements->singular[0] || elements->singular[1]))
+        return (struct integral){graded->count,
+                                 {graded->weight[0], graded->weight[1]},
+                                 graded->length_weight,
+                                 graded->derivative,
+                                 {graded->stiffness[0], graded->stiffness[1]}};
+    return (struct integral){
+        plain->degree + 1, {plain->weight, plain->weight}, plain->weight, plain->derivative, {plain->stiffness, plain->stiffness}};
 }
 
-/* V_q = sum_j D_qj (X_j - X_o), the derivative of the interpolated path at the points of element pair e, into `velocity`; X_o a node near
- * q, which keeps short elements exact. */
-static void differentiate(const struct sp_elements *elements, int32_t e, const sp_pair *charts) {
-    int32_t p = elements->reference.degree, points = point_count(elements, e);
-    for (int32_t q = 0; q < points; q++) {
-        const double *row = derivative_row(elements, e, q);
-        int32_t origin = points == p + 1 ? q : 0;
-        struct sp_vector here = sp_load(charts + SP_CHART * origin), sum = {{0}, {0}, {0}};
-        for (int32_t j = 0; j <= p; j++) {
-            if (j == origin) continue;
-            struct sp_vector there = sp_load(charts + SP_CHART * j);
-            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(row[j])));
-        }
-        sp_store(sum, elements->velocity + 3 * q);
+static sp_pair stiffness_at(const struct integral *integral, int32_t at) {
+    return (sp_pair){integral->stiffness[0][at], integral->stiffness[1][at]};
+}
+
+/* An element pair's share in the energy and in the length. */
+struct share {
+    sp_pair squares, length;
+};
+
+/* V_q = sum_j D_qj (X_j - X_o), the derivative of the interpolated path at the points of an element pair, times weight_q, into `velocity`;
+ * X_o a node near q, which keeps short elements exact. */
+static struct share differentiate(const struct integral *integral, int32_t p, const sp_pair *charts, sp_pair *velocity) {
+    struct share share = {{0}, {0}};
+    const double *row = integral->derivative;
+    for (int32_t q = 0; q < integral->points; q++, row += p + 1) {
+        struct sp_vector here = sp_load(charts + (integral->points == p + 1 ? SP_CHART * q : 0)), sum = {{0}, {0}, {0}};
+        const sp_pair *there = charts;
+        for (int32_t j = 0; j <= p; j++, there += SP_CHART)
+            sum = sp_add(sum, sp_scale(sp_subtract(sp_load(there), here), sp_splat(row[j])));
+        sp_pair squared = sp_dot(sum, sum), weight = {integral->weight[0][q], integral->weight[1][q]};
+        share.squares += weight * squared;
+        share.length += integral->length_weight[q] * sp_square_root(squared);
+        sp_store(sp_scale(sum, weight), velocity + 3 * q);
     }
-}
-
-/* The share of element pair e, in `velocity`, in the energy and in the length. */
-static sp_pair element_squares(const struct sp_elements *elements, int32_t e, sp_pair *length) {
-    sp_pair squares = sp_splat(0.0);
-    *length = sp_splat(0.0);
-    for (int32_t q = 0; q < point_count(elements, e); q++) {
-        struct sp_vector v = sp_load(elements->velocity + 3 * q);
-        sp_pair squared = sp_dot(v, v);
-        squares += energy_weight(elements, e, q) * squared;
-        *length += length_weight(elements, e, q) * sp_square_root(squared);
-    }
-    return squares;
+    return share;
 }
 
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length) {
-    sp_pair squares = sp_splat(0.0), along = sp_splat(0.0), share;
+    struct share sum = {{0}, {0}};
     for (int32_t e = 0; e < elements->count / 2; e++) {
-        differentiate(elements, e, element_charts(elements, charts, e));
-        squares += element_squares(elements, e, &share);
-        along += share;
+        struct integral integral = integral_of(elements, e);
+        struct share share = differentiate(&integral, elements->reference.degree, element_charts(elements, charts, e), elements->velocity);
+        sum.squares += share.squares, sum.length += share.length;
     }
-    if (length) *length = along[0] + along[1];
-    return squares[0] + squares[1];
+    if (length) *length = sum.length[0] + sum.length[1];
+    return sum.squares[0] + sum.squares[1];
 }
 
-/* D_i = sum_q D_qi weight_q V_q, what node i of the element pair e in `velocity` adds to minus the force on it. */
-static struct sp_vector element_pull(const struct sp_elements *elements, int32_t e, int32_t i) {
+/* D_i = sum_q D_qi weight_q V_q, what node i of the element pair in `velocity` adds to minus the force on it. */
+static struct sp_vector element_pull(const struct integral *integral, int32_t p, const sp_pair *velocity, int32_t i) {
     struct sp_vector sum = {{0}, {0}, {0}};
-    for (int32_t q = 0; q < point_count(elements, e); q++)
-        sum = sp_add(sum, sp_scale(sp_load(elements->velocity + 3 * q), derivative_row(elements, e, q)[i] * energy_weight(elements, e, q)));
+    const double *at = integral->derivative + i;
+    for (int32_t q = 0; q < integral->points; q++, at += p + 1)
+        sum = sp_add(sum, sp_scale(sp_load(velocity + 3 * q), sp_splat(*at)));
     return sum;
 }
 
 struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts) {
-    differentiate(elements, 0, charts);
-    return element_pull(elements, 0, 0);
+    struct integral integral = integral_of(elements, 0);
+    differentiate(&integral, elements->reference.degree, charts, elements->velocity);
+    return element_pull(&integral, elements->reference.degree, elements->velocity, 0);
 }
 
 /* One row, and the coordinates of it that are held. */
@@ -102,13 +98,13 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     int32_t p = elements->reference.degree, pairs = elements->count / 2;
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
-    sp_pair squares = sp_splat(0.0), length, carried_weight = sp_splat(0.0);
+    sp_pair squares = sp_splat(0.0), carried_weight = squares;
     for (int32_t e = 0; e < pairs; e++) {
-        differentiate(elements, e, element_charts(elements, line->nodes.charts, e));
-        squares += element_squares(elements, e, &length);
+        struct integral integral = integral_of(elements, e);
+        squares += differentiate(&integral, p, element_charts(elements, line->nodes.charts, e), elements->velocity).squares;
         for (int32_t i = e == 0; i <= p; i++) {
-            struct sp_vector pull = element_pull(elements, e, i);
-            sp_pair weight = stiffness_of(elements, e, i, i);
+            struct sp_vector pull = element_pull(&integral, p, elements->velocity, i);
+            sp_pair weight = stiffness_at(&integral, i * (p + 1) + i);
             int32_t k = e * p + i;
             if (i == 0) pull = sp_add(pull, carried), weight += carried_weight;
             if (i == p && e < pairs - 1) {
@@ -125,10 +121,6 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     return energy;
 }
 
-/* The order of an element's unknowns in its matrix, of which only the lower triangle is stored: inner nodes, then the outer border, then
- * the inner one (towards the middle), then the right-hand side, as a row. */
-static int32_t position(int32_t degree, int32_t i) { return i == 0 ? 2 * (degree - 1) : i == degree ? 2 * degree : 2 * (i - 1); }
-
 /* The tangent vectors of a node, zero in held coordinates. */
 static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vector frame[2]) {
     sp_pair zero = sp_splat(0.0);
@@ -139,24 +131,25 @@ static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vect
     }
 }
 
-/* Puts a number into the lower triangle. */
-static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair value) {
-    matrix[i > j ? i * order + j : j * order + i] = value;
-}
+/* The node whose two unknowns stand at rows 2 rank and 2 rank + 1 of an element's matrix, of which only the lower triangle is stored: inner
+ * nodes, then the outer border, then the inner one (towards the middle). Then follows the right-hand side, as a row. */
+static int32_t node_at(int32_t degree, int32_t rank) { return rank < degree - 1 ? rank + 1 : rank == degree ? degree : 0; }
 
 /* K_ij B_i'B_j between the nodes of an element. */
 static void fill_couplings(const struct sp_elements *elements, int32_t e, const sp_pair *charts, const sp_mask *held, sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    struct integral integral = integral_of(elements, e);
     struct sp_vector frames[2 * (SP_MAX_DEGREE + 1)];
-    for (int32_t i = 0; i <= p; i++) {
-        int32_t row = position(p, i);
-        load_frame(charts + SP_CHART * i, held + 2 * i, frames + 2 * i);
-        for (int32_t j = 0; j < i; j++) {
-            sp_pair stiffness = stiffness_of(elements, e, i, j);
-            int32_t column = position(p, j);
-            for (int32_t a = 0; a < 2; a++)
-                for (int32_t b = 0; b < 2; b++)
-                    put(matrix, order, row + a, column + b, stiffness * sp_dot(frames[2 * i + a], frames[2 * j + b]));
+    for (int32_t rank = 0; rank <= p; rank++) {
+        int32_t i = node_at(p, rank);
+        struct sp_vector *frame = frames + 2 * rank;
+        sp_pair *row = matrix + 2 * rank * order;
+        load_frame(charts + SP_CHART * i, held + 2 * i, frame);
+        for (int32_t other = 0; other < rank; other++, row += 2) {
+            sp_pair stiffness = stiffness_at(&integral, i * (p + 1) + node_at(p, other));
+            const struct sp_vector *there = frames + 2 * other;
+            row[0] = stiffness * sp_dot(frame[0], there[0]), row[1] = stiffness * sp_dot(frame[0], there[1]);
+            row[order] = stiffness * sp_dot(frame[1], there[0]), row[order + 1] = stiffness * sp_dot(frame[1], there[1]);
         }
     }
 }
@@ -167,12 +160,11 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_metric_element element;
     sp_metric_open(&elements->reference, line, line->nodes, e, &element);
-    for (int32_t i = 0; i <= p; i++)
-        for (int32_t j = 0; j < i; j++) {
-            sp_pair block[4];
-            sp_metric_couple(&element, i, j, held, block);
-            for (int32_t a = 0; a < 4; a++)
-                put(matrix, order, position(p, i) + a / 2, position(p, j) + a % 2, block[a]);
+    for (int32_t rank = 0; rank <= p; rank++)
+        for (int32_t other = 0; other < rank; other++) {
+            sp_pair block[4], *row = matrix + 2 * rank * order + 2 * other;
+            sp_metric_couple(&element, node_at(p, rank), node_at(p, other), held, block);
+            row[0] = block[0], row[1] = block[1], row[order] = block[2], row[order + 1] = block[3];
         }
 }
 
@@ -182,25 +174,25 @@ static void fill_matrix(const struct sp_elements *elements, const struct sp_row 
     int32_t p = elements->reference.degree, order = sp_elements_order(p), right = 2 * (p + 1);
     for (int32_t i = 1; i < p; i++) {
         const struct sp_row *node = rows + i;
-        int32_t at = position(p, i);
+        int32_t at = 2 * (i - 1);
         sp_pair by = shift * node->weight, *row = matrix + at * order, *sides = matrix + right * order + at;
         row[at] = node->a + by * node->e;
         row[order + at] = node->b + by * node->f, row[order + at + 1] = node->d + by * node->g;
         sides[0] = node->r1, sides[1] = node->r2;
         sides[order] = sides[order + 1] = sp_splat(0.0);
     }
-    for (int32_t first = position(p, 0), row = first; row < order; row++)
+    for (int32_t first = 2 * (p - 1), row = first; row < order; row++)
         for (int32_t j = first; j <= row; j++)
             matrix[row * order + j] = sp_splat(0.0);
 }
 
-/* sum_k L_ik u_jk of two rows of L and two of u. */
+/* sum_k L_ik u_jk of two rows of L and two of u; an even count. */
 static void multiply(const sp_pair *l, const sp_pair *u, int32_t order, int32_t count, sp_pair sum[4]) {
     const sp_pair *next_l = l + order, *next_u = u + order;
     sp_pair s00 = sp_splat(0.0), s01 = s00, s10 = s00, s11 = s00;
-    for (int32_t k = 0; k < count; k++) {
-        s00 += u[k] * l[k], s01 += u[k] * next_l[k];
-        s10 += next_u[k] * l[k], s11 += next_u[k] * next_l[k];
+    for (int32_t k = 0; k < count; k += 2, l += 2, next_l += 2, u += 2, next_u += 2) {
+        s00 += u[0] * l[0], s01 += u[0] * next_l[0], s10 += next_u[0] * l[0], s11 += next_u[0] * next_l[0];
+        s00 += u[1] * l[1], s01 += u[1] * next_l[1], s10 += next_u[1] * l[1], s11 += next_u[1] * next_l[1];
     }
     sum[0] = s00, sum[1] = s01, sum[2] = s10, sum[3] = s11;
 }
