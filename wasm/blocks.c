@@ -112,21 +112,20 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
 }
 
 /* Smaller eigenvalue of P relative to M: the smaller root of det(P - x M) = 0. */
-static double relative_eigenvalue(const struct sp_row *row, int lane) {
-    double a = row->pa[lane], b = row->pb[lane], d = row->pd[lane];
-    double weight = row->weight[lane], e = weight * row->e[lane], f = weight * row->f[lane], g = weight * row->g[lane];
-    double second = e * g - f * f, first = 0.5 * (a * g + d * e - 2 * b * f), zeroth = a * d - b * b;
-    double root = first * first - second * zeroth;
-    return zeroth / (first + sp_square_root(sp_splat(root > 0 ? root : 0))[0]);
+static sp_pair relative_eigenvalue(const struct sp_row *row) {
+    sp_pair e = row->weight * row->e, f = row->weight * row->f, g = row->weight * row->g;
+    sp_pair second = e * g - f * f, first = 0.5 * (row->pa * g + row->pd * e - 2.0 * row->pb * f);
+    sp_pair zeroth = row->pa * row->pd - row->pb * row->pb, squared = first * first - second * zeroth;
+    return zeroth / (first + sp_square_root(sp_select(squared > sp_splat(0.0), squared, sp_splat(0.0))));
 }
 
 double sp_blocks_conditioning(struct sp_fold fold, const struct sp_row *rows) {
-    int32_t meeting = sp_fold_unknown(fold);
-    double smallest = 0.5 * (fold.inner + 1) * relative_eigenvalue(rows + meeting, 1);
-    for (int32_t k = 1; k <= fold.both; k++)
-        for (int lane = 0; lane < 2; lane++) {
-            double value = is_meeting(fold, k, lane) ? smallest : relative_eigenvalue(rows + k, lane);
-            if (value < smallest) smallest = value;
-        }
-    return smallest;
+    sp_pair smallest = 0.5 * (fold.inner + 1) * relative_eigenvalue(rows + sp_fold_unknown(fold));
+    smallest = sp_splat(smallest[1]);
+    for (int32_t k = 1; k <= fold.both; k++) {
+        sp_pair value = relative_eigenvalue(rows + k);
+        if (is_meeting(fold, k, 1)) value[1] = smallest[1];
+        smallest = sp_select(value < smallest, value, smallest);
+    }
+    return smallest[0] < smallest[1] ? smallest[0] : smallest[1];
 }

@@ -136,7 +136,7 @@ static sp_mask is_plain_implicit(const sp_pair *chart, const sp_pair *seen) {
 }
 
 /* |S_u u + S_v v|^2 */
-static sp_pair pair_speed_squared(const sp_pair *chart, const sp_pair step[2]) {
+static inline __attribute__((always_inline)) sp_pair pair_speed_squared(const sp_pair *chart, const sp_pair step[2]) {
     struct sp_vector velocity = sp_add(sp_scale(sp_load(chart + SP_CHART_1), step[0]), sp_scale(sp_load(chart + SP_CHART_2), step[1]));
     return sp_dot(velocity, velocity);
 }

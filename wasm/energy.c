@@ -118,27 +118,22 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     sp_pair squares = sp_splat(0.0), slopes = squares, middle = squares;
     const sp_pair *chart = line->nodes.charts + SP_CHART;
     struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
-    for (int32_t k = 1; k <= fold.both; k++, chart += SP_CHART) {
-        struct sp_vector next = sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
-        straight[k] = coordinate;
-        assemble_node(chart, sp_subtract(chord, next), sp_splat(2.0), coordinate, rows + k);
-        assemble_coupling(chart, chart + SP_CHART, rows + k);
-        if (line->surface->kind == SP_PARAMETRIC) energy.active += hold_active(line, k, rows, straight);
+    for (int32_t k = 1; k <= fold.both + 1; k++, chart += SP_CHART) {
+        if (k <= sp_fold_unknown(fold)) {
+            int mirrored = k > fold.both;
+            struct sp_vector next = mirrored ? sp_swap_vector(chord) : sp_subtract(sp_load(chart), sp_load(chart + SP_CHART));
+            straight[k] = coordinate;
+            assemble_node(chart, sp_add(chord, next), sp_splat(2.0), coordinate, rows + k);
+            if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
+            if (line->surface->kind == SP_PARAMETRIC) energy.active += hold_active(line, k, rows, straight);
+            sp_pair slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2, zero = sp_splat(0.0);
+            squares += sp_dot(chord, chord);
+            slopes += mirrored ? zero : slope, middle = mirrored ? slope : zero;
+            chord = sp_subtract((struct sp_vector){zero, zero, zero}, next);
+        }
         /* Q of the row before waited for the coordinates that this one holds. */
         if (k > 1) sp_eliminate(fold, rows, k - 1, 0, &carry, &tally);
-        squares += sp_dot(chord, chord);
-        slopes += rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2;
-        chord = next;
     }
-    if (fold.odd) {
-        int32_t k = fold.both + 1;
-        straight[k] = coordinate;
-        assemble_node(chart, sp_add(chord, sp_swap_vector(chord)), sp_splat(2.0), coordinate, rows + k);
-        if (line->surface->kind == SP_PARAMETRIC) energy.active += hold_active(line, k, rows, straight);
-        squares += sp_dot(chord, chord);
-        middle = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2;
-    }
-    if (fold.both > 0) sp_eliminate(fold, rows, fold.both, 0, &carry, &tally);
     energy.inertia = sp_blocks_join(fold, rows, 0, carry, tally);
     energy.squares = squares[0] + squares[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
     energy.gradient_squared = slopes[0] + slopes[1] + middle[0];

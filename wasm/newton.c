@@ -227,7 +227,7 @@ static double decrement_floor(const struct sp_newton *newton, double squares) {
 /* Whether the stopping rule holds, whatever the index. */
 static int at_rest(const struct sp_newton *newton, const struct sp_options *options, const struct round *round) {
     if (round->energy.squares == 0) return 1;
-    double tolerance = options->gradient_tolerance;
+    double tolerance = newton->draft ? 0 : options->gradient_tolerance;
     if (options->algorithm == SP_PAPER && !(tolerance > 0)) tolerance = PAPER_TOLERANCE;
     if (tolerance > 0) return round->gradient_norm <= tolerance;
     return round->decrement <= decrement_floor(newton, round->energy.squares);
@@ -300,7 +300,7 @@ static int polish(struct sp_newton *newton, const struct sp_options *options, st
 /* Steps, and the one more. A draft that may not take it goes on with shorter ones. */
 static void converge(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, struct round *round,
                      struct sp_outcome *outcome) {
-    int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
+    int by_decrement = options->algorithm != SP_PAPER && (newton->draft || !(options->gradient_tolerance > 0));
     iterate(newton, options, iterations_left, round, outcome);
     if (!by_decrement || outcome->status != SP_CONVERGED || round->energy.squares == 0 || round->decrement <= newton->enough) return;
     if (outcome->iterations >= iterations_left) {

@@ -277,3 +277,46 @@ struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_opt
     double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
 }
+
+/* From how many chords on a coarser polyline helps, how few it may have, and by what it is coarser. */
+enum { LEAST_CHORDS = 128, COARSE_CHORDS = 16, COARSEN = 4 };
+
+int32_t sp_refine_coarsest(int32_t count) {
+    int32_t coarse = count;
+    while (count >= LEAST_CHORDS && coarse >= COARSEN * COARSE_CHORDS)
+        coarse = (coarse + COARSEN - 1) / COARSEN;
+    return coarse;
+}
+
+/* The next of the numbers of chords between `chords` and `count`. */
+static int32_t finer(int32_t chords, int32_t count) {
+    int32_t next = count;
+    while ((next + COARSEN - 1) / COARSEN > chords)
+        next = (next + COARSEN - 1) / COARSEN;
+    return next;
+}
+
+double sp_refine_polyline_bytes(int32_t dimension, int32_t count) {
+    return (count / (2.0 * COARSEN) + 4) * dimension * sizeof(sp_pair) + 2 * (SP_MAX_DEGREE + 1) * sizeof(double) + 3 * 16;
+}
+
+int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena,
+                       int32_t *iterations) {
+    struct sp_polyline *line = &newton->system.line;
+    struct sp_storage storage;
+    int32_t largest = (count + COARSEN - 1) / COARSEN;
+    if (!sp_storage_take(&storage, line->kind->dimension, largest - 1, arena)) return 0;
+    double wanted = newton->decrement;
+    newton->draft = 1, newton->decrement = DRAFT_DECREMENT;
+    sp_polyline_charts(line, line->nodes);
+    enum sp_status status = SP_CONVERGED;
+    for (int32_t chords = line->fold.inner + 1; status == SP_CONVERGED && chords < count; chords = line->fold.inner + 1) {
+        struct sp_outcome outcome = sp_newton_run(newton, options, options->max_iterations - *iterations);
+        *iterations += outcome.iterations;
+        if (outcome.status != SP_CONVERGED) break;
+        struct sp_system before = sp_storage_keep(&storage, &newton->system);
+        status = carry_over(newton, &before, finer(chords, count));
+    }
+    newton->draft = 0, newton->decrement = wanted;
+    return status == SP_CONVERGED && line->fold.inner + 1 == count;
+}

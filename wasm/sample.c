@@ -19,18 +19,19 @@ static void combine(const struct sp_system *system, int32_t first, int32_t count
     }
 }
 
-/* The places of a polyline at t and 1 - t: cubic through the four nodes around each. */
+/* The places of a polyline at t and 1 - t: cubic through the four nodes around each; linear where there are fewer. */
 static void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
-    int32_t last = system->line.fold.inner + 1, first = (int32_t)(t * last) - 1, count = last < 3 ? last + 1 : 4;
-    first = first < 0 ? 0 : first > last + 1 - count ? last + 1 - count : first;
-    double weights[4], at = t * last - first;
-    for (int32_t i = 0; i < count; i++) {
-        double product = 1, divisor = 1;
-        for (int32_t k = 0; k < count; k++)
-            if (k != i) product *= at - k, divisor *= i - k;
-        weights[i] = product / divisor;
+    int32_t last = system->line.fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
+    int32_t first = before > most ? most : before;
+    if (last < 3) {
+        double s = t * last - first, weights[2] = {1 - s, s};
+        combine(system, first, 2, weights, place);
+        return;
     }
-    combine(system, first, count, weights, place);
+    if (first < 1) first = 1;
+    double s = t * last - first, ahead = 1 - s, both = s * ahead;
+    double weights[4] = {both * (s - 2) / 6, ahead * (1 + s) * (2 - s) / 2, s * (1 + s) * (2 - s) / 2, -both * (1 + s) / 6};
+    combine(system, first - 1, 4, weights, place);
 }
 
 static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }

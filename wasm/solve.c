@@ -30,7 +30,8 @@ static int32_t inner_nodes(const struct sp_options *options) {
 double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double kept = (SP_REFINE_INNER / 2 + 3) * 3.0 * sizeof(sp_pair); /* the start, for arcs to begin from */
-    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept : 0;
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept
+                                                   : sp_refine_polyline_bytes(sp_kind_of(surface)->dimension, clean.point_count + 1);
     return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
@@ -114,10 +115,10 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
-/* The polyline through exactly K points. */
-static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
-    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
-    struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
+/* The polyline through exactly K points, after `iterations` steps of coarser ones. */
+static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t iterations) {
+    struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations - iterations), 0, 0};
+    refined.outcome.iterations += iterations;
     if (refined.outcome.status < 0) return refined;
     refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
     refined.length_error = sp_check_length_error(&newton->system.line, newton->size, refined.outcome.active);
@@ -140,6 +141,25 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
+/* The first path: of elements, few chords; of many points from the straight line, by way of coarser polylines; else all points at once,
+ * which is also what is left where that leads nowhere. */
+static enum sp_status start_path(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                 const double from[3], const double to[3], struct sp_arena *arena, int32_t *iterations) {
+    struct sp_polyline *line = &newton->system.line;
+    int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
+    newton->size = newton->scale;
+    line->fold = sp_fold_of(options->algorithm == SP_ELEMENTS ? first_inner(request) : coarse - 1);
+    if (options->algorithm == SP_ELEMENTS) return sp_start_polyline(line, request, from, to, newton->scale, arena);
+    int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && line->kind->components == 0;
+    if (climbs && sp_start_polyline(line, request, from, to, newton->scale, arena) == SP_CONVERGED &&
+        sp_refine_polyline(newton, options, count, arena, iterations))
+        return SP_CONVERGED;
+    line->fold = sp_fold_of(options->point_count);
+    enum sp_status status = sp_start_polyline(line, request, from, to, newton->scale, arena);
+    if (status == SP_CONVERGED) sp_polyline_charts(line, line->nodes);
+    return status;
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -147,19 +167,19 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     struct sp_polyline *line = &newton.system.line;
     double from[3] = {0}, to[3] = {0};
     int elements = options->algorithm == SP_ELEMENTS;
+    int32_t iterations = 0;
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
-    if (elements) line->fold = sp_fold_of(first_inner(request));
     int reversed = order_ends(surface, request, from, to);
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, from);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
-    if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
+    if (status == SP_CONVERGED) status = start_path(&newton, request, options, from, to, arena, &iterations);
     if (status != SP_CONVERGED) return status;
     newton.size = size_of(&newton);
     struct sp_arcs arcs;
     arcs.count = 0;
     struct sp_refined refined =
-        elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options);
+        elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options, iterations);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
