@@ -192,14 +192,29 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
     return metric < 0 ? metric : worst;
 }
 
-/* (2 a^2 - a b + 2 b^2)/30 of the chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
- */
-static sp_pair angle_correction(const sp_pair *chart) {
-    struct sp_vector from = sp_chart_normal(chart), to = sp_chart_normal(chart + SP_CHART), chord = chord_of(chart);
-    sp_pair zero = sp_splat(0.0), length = sp_square_root(sp_dot(chord, chord));
-    sp_pair first = sp_square_root(sp_dot(from, from)), second = sp_square_root(sp_dot(to, to));
-    sp_pair a = sp_select(first > zero, sp_dot(chord, from) / first, zero), b = sp_select(second > zero, sp_dot(chord, to) / second, zero);
-    return sp_select(length > zero, (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * length), zero);
+/* The normal of unit length; zero where there is none. */
+static struct sp_vector unit_normal(const sp_pair *chart) {
+    struct sp_vector normal = sp_chart_normal(chart);
+    sp_pair zero = sp_splat(0.0), squared = sp_dot(normal, normal);
+    return sp_scale(normal, sp_select(squared > zero, 1.0 / sp_square_root(squared), zero));
+}
+
+/* (2 a^2 - a b + 2 b^2)/30 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
+ * Here of all chords, which it measures, too. */
+static double angle_corrections(const struct sp_polyline *line, double *length) {
+    struct sp_vector from = unit_normal(line->nodes.charts);
+    sp_pair zero = sp_splat(0.0), sum = zero, lengths = zero, last = zero, last_length = zero;
+    for (int32_t k = 0; k <= line->fold.both; k++) {
+        const sp_pair *chart = line->nodes.charts + SP_CHART * k;
+        struct sp_vector to = unit_normal(chart + SP_CHART), chord = chord_of(chart);
+        sp_pair a = sp_dot(chord, from), b = sp_dot(chord, to);
+        sum += last, lengths += last_length;
+        last_length = sp_square_root(sp_dot(chord, chord));
+        last = sp_select(last_length > zero, (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * last_length), zero);
+        from = to;
+    }
+    *length = lengths[0] + lengths[1] + last_length[0] + (line->fold.odd ? last_length[1] : 0);
+    return sum[0] + sum[1] + last[0] + (line->fold.odd ? last[1] : 0);
 }
 
 /* A third of what the polyline through every second node is shorter. */
@@ -220,13 +235,7 @@ double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-1
 
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
     if (line->kind->components) return sp_metric_length_error(line);
-    double length = sp_polyline_length(line->fold, line->nodes.charts), least = sp_check_rounding(length, scale);
-    sp_pair sum = sp_splat(0.0), last = sum;
-    for (int32_t k = 0; k <= line->fold.both; k++) {
-        sum += last;
-        last = angle_correction(line->nodes.charts + SP_CHART * k);
-    }
-    double error = sum[0] + sum[1] + last[0] + (line->fold.odd ? last[1] : 0);
+    double length, error = angle_corrections(line, &length), least = sp_check_rounding(length, scale);
     double halved = touches ? halving_error(line, length) : 0;
     if (halved > error) error = halved;
     return error > least ? error : least;

@@ -93,9 +93,8 @@ static void hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_ma
 }
 
 /* Holds the active coordinates of pair k; the node takes the coordinate Hessian and a straight step. */
-static int32_t hold_active(const struct sp_polyline *line, int32_t k, struct sp_row *rows, sp_mask *straight) {
-    sp_mask held[2], none[2] = {{0}, {0}};
-    if (!sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held)) return 0;
+static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_mask held[2], struct sp_row *rows, sp_mask *straight) {
+    sp_mask none[2] = {{0}, {0}};
     straight[k] |= held[0] | held[1];
     sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), sp_splat(2.0), straight[k], rows + k);
     sp_row_hold(rows + k, held);
@@ -114,7 +113,7 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     struct sp_energy energy = {0};
     struct sp_carry carry = {{0}, {0}, {0}, {0}, {0}};
     struct sp_tally tally = {{0}, {0}, {0}};
-    sp_mask coordinate = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
+    sp_mask held[2], coordinate = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
     sp_pair squares = sp_splat(0.0), slopes = squares, middle = squares;
     const sp_pair *chart = line->nodes.charts + SP_CHART;
     struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
@@ -125,7 +124,8 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
             straight[k] = coordinate;
             assemble_node(chart, sp_add(chord, next), sp_splat(2.0), coordinate, rows + k);
             if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
-            if (line->surface->kind == SP_PARAMETRIC) energy.active += hold_active(line, k, rows, straight);
+            if (line->surface->kind == SP_PARAMETRIC && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
+                energy.active += hold_active(line, k, held, rows, straight);
             sp_pair slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2, zero = sp_splat(0.0);
             squares += sp_dot(chord, chord);
             slopes += mirrored ? zero : slope, middle = mirrored ? slope : zero;

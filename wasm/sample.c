@@ -142,21 +142,22 @@ struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct 
     return kept;
 }
 
-/* A node: its chart knows where it lies, unless it is a chart of u and v themselves. */
-static void write_node(const struct sp_system *system, int32_t i, double *point, double *parameters) {
+/* The pair of nodes k, as samples k and last - k: charts know where they lie, unless they are charts of u and v themselves. */
+static void write_nodes(const struct sp_system *system, int32_t k, int32_t last, double *points, double *parameters) {
     const struct sp_polyline *line = &system->line;
-    int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
-    for (int32_t j = 0; parameters && j < 2; j++)
-        parameters[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
-    for (int32_t j = 0; !flat && j < 3; j++)
-        point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
-    if (!flat || !point) return;
-    sp_pair place[2], position[SP_PARAMETRIC_VALUES];
-    for (int32_t j = 0; j < 2; j++)
-        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
-    line->surface->value(1, place, position);
-    for (int j = 0; j < 3; j++)
-        point[j] = position[j][0];
+    const sp_pair *place = line->nodes.places + line->kind->dimension * k, *position = line->nodes.charts + SP_CHART * k;
+    sp_pair flat[SP_PARAMETRIC_VALUES];
+    if (points && line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR) {
+        line->surface->value(1, place, flat);
+        position = flat;
+    }
+    for (int lane = 0; lane < 2; lane++) {
+        int32_t at = lane ? last - k : k;
+        for (int j = 0; points && j < 3; j++)
+            points[3 * at + j] = position[j][lane];
+        for (int j = 0; parameters && j < 2; j++)
+            parameters[2 * at + j] = place[j][lane];
+    }
 }
 
 /* Samples i and last - i of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
@@ -187,11 +188,10 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
 }
 
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
-    struct sp_fold fold = system->line.fold;
-    int32_t last = point_count + 1, end = fold.inner + 1, half = last / 2;
-    int nodes = system->elements.reference.degree == 1 && fold.inner == point_count;
-    for (int32_t i = 0; i <= last; i += nodes ? 1 : last)
-        write_node(system, nodes || i == 0 ? i : end, points ? points + 3 * i : NULL, parameters ? parameters + 2 * i : NULL);
+    int32_t last = point_count + 1, half = last / 2;
+    int nodes = system->elements.reference.degree == 1 && system->line.fold.inner == point_count;
+    for (int32_t k = 0; k <= (nodes ? half : 0); k++)
+        write_nodes(system, k, last, points, parameters);
     for (int32_t i = 1; !nodes && i <= half; i += BLOCK)
         write_block(system, scale, i, half - i < BLOCK ? half - i + 1 : BLOCK, last, points, parameters);
 }
