@@ -2,9 +2,9 @@
 
 /**
  * How a path ended. `converged`: as asked. Usable, weaker: `iteration-limit`, `stalled`, `tolerance-not-met`, `ill-conditioned`, `saddle`, `edge-reached`.
- * No path: `disconnected`, `singular-metric`, `sheet-jump`, `off-surface`, `not-finite`, `out-of-memory`.
+ * No path: `disconnected`, `singular-metric`, `sheet-jump`, `off-surface`, `not-finite`, `out-of-memory`; from a pool also `worker-died`.
  * @typedef {'converged' | 'iteration-limit' | 'stalled' | 'tolerance-not-met' | 'ill-conditioned' | 'saddle' | 'edge-reached'
- *   | 'disconnected' | 'singular-metric' | 'sheet-jump' | 'off-surface' | 'not-finite' | 'out-of-memory'} Status
+ *   | 'disconnected' | 'singular-metric' | 'sheet-jump' | 'off-surface' | 'not-finite' | 'out-of-memory' | 'worker-died'} Status
  */
 
 /** @type {Map<number, Status>} enum sp_status of wasm/status.h */

@@ -14,9 +14,9 @@ import { joinPaths, shareOut } from './via.js';
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
  * @property {number[] | null} box of an implicit surface
- * @property {import('./graphs.js').Graphs | null} graphs null: it has no positions
+ * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
- * @property {<T>(call: (heap: Heap, record: number, shape: number) => T) => T} run record: the surface as it measures length; shape: as space does
+ * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
@@ -49,18 +49,17 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
   const swap = different >= 0 && from[different] > to[different];
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  const own = (/** @type {import('./runtime/heap.js').Graph | null | undefined} */ graph) =>
-    graph && !isPlain ? { ...graph, unique: false } : (graph ?? null);
-  const raw = run((heap, record, shape) =>
+  const raw = run((heap, record) =>
     findPaths(
       {
         from: a,
         to: b,
+        isPlain,
         domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
         solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
-        graph: (level) => own(graphs?.find(heap, shape, place, level)),
-        flood: (level) => own(graphs?.flood(heap, shape, a, b, level)),
-        search: (graph, points) => heap.searchGraph(shape, graph, a, b, points),
+        graph: (level) => graphs.find(heap, record, place, level),
+        flood: (level) => graphs.flood(heap, record, a, b, level),
+        search: (graph, points) => heap.searchGraph(record, graph, a, b, points),
       },
       options,
       most,
@@ -86,7 +85,6 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
 export function passThrough(field, caller, places, options, start) {
   if (start !== 'global' && start !== 'straight')
     throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
-  if (!field.graphs) throw new RangeError(`${caller}: options.via is not built yet for surfaces without positions`);
   const count = places.length - 1;
   const least = 2 * count - 1;
   if (options.points < least)

@@ -7,7 +7,7 @@ import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
-import { checkMetric, compileMetric, METRIC } from './metric.js';
+import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath, LAYOUT } from './runtime/heap.js';
@@ -31,7 +31,8 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
-const MOST_GEODESICS = 8;
+/** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
+const MOST_GEODESICS = 16;
 
 /** What the kinds differ in. */
 const SHAPE = {
@@ -47,8 +48,8 @@ export class Surface {
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /** @type {ReturnType<typeof compile>} */ #compiled;
-  /** What measures length, if it is not space alone. */
-  #metric;
+  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
+  /** @type {ReturnType<typeof compileMetric>} */ #metric = null;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
@@ -67,7 +68,7 @@ export class Surface {
   /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
-    checkMetric(kind, definition);
+    this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
@@ -75,7 +76,6 @@ export class Surface {
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
-    this.#metric = compileMetric(this.kind, definition, this.#shape.variables, this.#parameters, solver.apply);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
     this.#compiled = this.#compile();
@@ -122,7 +122,7 @@ export class Surface {
    * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
@@ -182,11 +182,11 @@ export class Surface {
    * @param {number} length how far, ≥ 0
    * @param {TraceOptions} [options]
    * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   *   (null also where that is not computed: on an implicit surface with a `metric`)
    */
   trace(from, direction, length, options) {
     const caller = 'trace';
     this.#checkAlive(caller);
-    if (this.kind === 'metric' || this.#metric) throw new RangeError(`${caller}: a density or a metric is not built yet here`);
     const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
     const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
     const wanted = readTraceOptions(caller, options);
@@ -312,6 +312,7 @@ export class Surface {
     const { outputs, names, variables } = this.#shape;
     const { wanted } = this.#reference;
     this.#reference.compiled = wanted;
+    this.#metric = compileMetric(this.kind, this.#measure, this.#shape, wanted, this.#parameters, this.#solver.apply);
     return compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, wanted) : outputs,
       names,
@@ -445,9 +446,9 @@ export class Surface {
       kind: KIND[this.kind],
       domain: this.#domain,
       box: this.#box,
-      graphs: this.kind === 'metric' ? null : this.#graphs,
+      graphs: this.#graphs,
       isPlain: this.kind !== 'metric' && !this.#metric,
-      run: (call) => this.#run((heap) => call(heap, this.#record, this.#shapeRecord)),
+      run: (call) => this.#run((heap) => call(heap, this.#record)),
     };
   }
 
