@@ -2,7 +2,7 @@
 #include "metric.h"
 
 sp_pair sp_metric_product(int32_t components, const sp_pair *t, const sp_pair *a, const sp_pair *b) {
-    if (components == 1) return t[0] * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    if (components <= 1) return (components ? t[0] : sp_splat(1.0)) * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
     sp_pair product = (t[0] * a[0] + t[1] * a[1]) * b[0] + (t[1] * a[0] + t[2] * a[1]) * b[1];
     if (components == 3) return product;
     return product + t[3] * (a[0] * b[2] + a[2] * b[0]) + t[4] * (a[1] * b[2] + a[2] * b[1]) + t[5] * a[2] * b[2];

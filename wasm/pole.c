@@ -1,6 +1,5 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
-#include "arcs.h"
 #include "piece.h"
 
 enum { ROUNDS = 12 };
@@ -22,10 +21,10 @@ static double extrapolated(const struct sp_system *system, int32_t j) {
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
 static int fit(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int32_t across, double range,
-               struct sp_arena *arena, int32_t *iterations) {
+               struct sp_arena *arena) {
     double *end = piece->joint[1].place + 1 - across;
     for (int round = 0; round < ROUNDS; round++) {
-        if (!sp_piece_solve(newton, options, piece, arena, iterations)) return 0;
+        if (!sp_piece_solve(newton, options, 1, piece, arena)) return 0;
         sp_piece_keep(newton, piece);
         double next = extrapolated(&piece->system, 1 - across), change = next - *end;
         if (change * change <= ENOUGH * ENOUGH * range * range) return 1;
@@ -38,12 +37,12 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
                               struct sp_arcs *arcs) {
     struct sp_polyline *line = &newton->system.line;
     const struct sp_surface *surface = line->surface;
-    struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
+    struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     struct sp_storage storage;
-    int32_t across = edge / 2, last = line->fold.inner + 1, iterations = 0;
+    int32_t across = edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
     arcs->count = 0;
-    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return refined;
+    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
     open.lower[across] = -__builtin_inf(), open.upper[across] = __builtin_inf();
     line->surface = &open;
@@ -54,15 +53,13 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         piece.joint[1].place[across] = edge % 2 ? surface->upper[across] : surface->lower[across];
         if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
-        refined.outcome.status = SP_SINGULAR_METRIC;
-        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena, &iterations)) break;
-        arcs->arc[arcs->count++] = (struct sp_arc){.length = piece.length, .system = piece.system, .reversed = i};
-        refined.length_error += piece.error;
+        none.outcome.status = SP_SINGULAR_METRIC;
+        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena)) break;
+        arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }
     line->surface = surface;
-    if (arcs->count < 2) return arcs->count = 0, refined;
-    refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
-    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
-    refined.length = sp_arcs_measure(arcs, surface, arena);
-    return refined;
+    if (arcs->count < 2) return arcs->count = 0, none;
+    struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
+    whole.outcome.active = 1;
+    return whole;
 }

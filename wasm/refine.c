@@ -10,15 +10,18 @@ struct rung {
 
 static const struct rung LADDER[] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {32, 16}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
+static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* Why these: MATH.md, "The ladder". */
 static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100;
 static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
+/* A change of the length that happens to be small says little: MATH.md, "The ladder". */
+static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* Where a rung started, to see how far it moved. */
 struct start {
@@ -91,26 +94,28 @@ struct climbed {
 };
 
 /* Runs Newton from the path as it stands and measures where it leads. */
-static void run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, const struct start *start,
-                struct climbed *climbed) {
-    climbed->outcome = sp_newton_run(newton, options, iterations_left);
+static void run(struct sp_newton *newton, const struct sp_options *options, const struct start *start, struct climbed *climbed) {
+    climbed->outcome = sp_newton_run(newton, options);
     if (climbed->outcome.status < 0) return;
     climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
     climbed->moved = displacement(&newton->system, start);
 }
 
 static struct climbed climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, struct rung rung,
-                            int32_t iterations_left, struct start *start, struct sp_arena *arena) {
+                            struct start *start, struct sp_arena *arena) {
     struct climbed climbed = {0};
     climbed.outcome.status = start_rung(newton, from, rung, start, arena);
-    if (climbed.outcome.status == SP_CONVERGED) run(newton, options, iterations_left, start, &climbed);
+    if (climbed.outcome.status == SP_CONVERGED) run(newton, options, start, &climbed);
     return climbed;
 }
+
+/* Enough for a step more to be below the tolerance. */
+static double decrement_of(const struct sp_options *options) { return options->tolerance < 1e-8 ? 1e-8 : 1e-6; }
 
 /* A draft is one step from a small decrement, not looked at again; any other run ends at rest. */
 static void aim(struct sp_newton *newton, const struct sp_options *options, int32_t draft) {
     newton->draft = draft;
-    newton->decrement = draft ? DRAFT_DECREMENT : options->tolerance < 1e-8 ? 1e-8 : 1e-6;
+    newton->decrement = draft ? DRAFT_DECREMENT : decrement_of(options);
     newton->enough = draft ? 0 : ENOUGH * options->tolerance;
 }
 
@@ -132,16 +137,14 @@ static struct sp_refined finish(const struct sp_newton *newton, struct climbed c
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
 static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *before,
-                                    const struct sp_system *first, double first_length, struct rung rung, int32_t iterations,
-                                    struct start *start, struct sp_arena *arena) {
+                                    const struct sp_system *first, double first_length, struct rung rung, struct start *start,
+                                    struct sp_arena *arena) {
     size_t bottom = arena->used;
-    struct climbed now = climb(newton, options, before, rung, options->max_iterations - iterations, start, arena);
+    struct climbed now = climb(newton, options, before, rung, start, arena);
     if (strayed(&now, first_length) && before->elements.reference.degree > 1) {
-        iterations += now.outcome.iterations;
         arena->used = bottom;
-        now = climb(newton, options, first, rung, options->max_iterations - iterations, start, arena);
+        now = climb(newton, options, first, rung, start, arena);
     }
-    now.outcome.iterations += iterations;
     return now;
 }
 
@@ -164,7 +167,7 @@ static double distance(double a, double b) { return a > b ? a - b : b - a; }
 
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
-                                   const struct sp_system *first, double first_length, int32_t iterations, struct sp_arena *arena) {
+                                   const struct sp_system *first, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
     double last = first_length, change = first_length, moved = 0;
@@ -175,26 +178,26 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
     size_t bottom = arena->used;
     for (int r = 0; r < rungs; r++) {
-        int from_elements = before.elements.reference.degree > 1;
+        int from_elements = r > 0 && before.elements.reference.degree > 1;
         arena->used = bottom;
         aim(newton, options, r < rungs - 1);
-        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], iterations, &start, arena);
-        iterations = now.outcome.iterations;
+        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], &start, arena);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length);
         int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
         if (agrees && newton->draft) {
             aim(newton, options, 0);
-            run(newton, options, options->max_iterations - iterations, &start, &now);
-            iterations = now.outcome.iterations += iterations;
+            run(newton, options, &start, &now);
             astray = strayed(&now, first_length);
         }
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, distance(now.length, last));
         settled = !astray && from_elements && change <= allowed;
+        double previous = change;
         change = distance(now.length, last);
         last = now.length;
-        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed)) return finish(newton, now, change);
+        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed))
+            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
         moved = from_elements && !astray ? now.moved : 0;
         if (astray)
             before = *first;
@@ -223,9 +226,8 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
     struct climbed now = {0};
     sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     for (;;) {
-        int32_t iterations = now.outcome.iterations, count = 2 * (newton->system.line.fold.inner + 1);
-        now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
-        now.outcome.iterations += iterations;
+        int32_t count = 2 * (newton->system.line.fold.inner + 1);
+        now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) return now;
         now.length = sp_system_length(&newton->system, newton->system.line.nodes);
         *error = sp_check_length_error(&newton->system.line, newton->size, now.outcome.active);
@@ -248,17 +250,22 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
-    int touches = first.outcome.active && newton->system.line.kind->components == 0;
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
-    if (!at_rest || first.outcome.squares == 0 || touches) return finish(newton, first, error);
+    if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
     int lowest = first_rung(&newton->system);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, first.outcome.iterations, arena);
+    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, arena);
 }
 
-struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                   struct sp_arena *arena) {
-    return climb_all(newton, options, GRADED, GRADED_RUNGS, from, 0, 0, arena);
+struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
+                                  struct sp_arena *arena) {
+    const int32_t *singular = newton->system.elements.singular;
+    int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
+    const struct rung *ladder = graded ? GRADED : LADDER;
+    int32_t nodes = from->elements.reference.degree * from->elements.count;
+    while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
+        lowest++;
+    return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
@@ -266,14 +273,15 @@ struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_optio
     struct rung rung = {from->elements.reference.degree, from->elements.count};
     struct start start;
     aim(newton, options, 0);
-    return finish(newton, climb(newton, options, from, rung, options->max_iterations, &start, arena), 0);
+    newton->decrement = larger(newton->decrement, 10 * options->tolerance);
+    return finish(newton, climb(newton, options, from, rung, &start, arena), 0);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
     struct start start;
     newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
-    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, &start, arena);
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, &start, arena);
     double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
 }
@@ -300,8 +308,7 @@ double sp_refine_polyline_bytes(int32_t dimension, int32_t count) {
     return (count / (2.0 * COARSEN) + 4) * dimension * sizeof(sp_pair) + 2 * (SP_MAX_DEGREE + 1) * sizeof(double) + 3 * 16;
 }
 
-int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena,
-                       int32_t *iterations) {
+int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena) {
     struct sp_polyline *line = &newton->system.line;
     struct sp_storage storage;
     int32_t largest = (count + COARSEN - 1) / COARSEN;
@@ -311,8 +318,7 @@ int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *option
     sp_polyline_charts(line, line->nodes);
     enum sp_status status = SP_CONVERGED;
     for (int32_t chords = line->fold.inner + 1; status == SP_CONVERGED && chords < count; chords = line->fold.inner + 1) {
-        struct sp_outcome outcome = sp_newton_run(newton, options, options->max_iterations - *iterations);
-        *iterations += outcome.iterations;
+        struct sp_outcome outcome = sp_newton_run(newton, options);
         if (outcome.status != SP_CONVERGED) break;
         struct sp_system before = sp_storage_keep(&storage, &newton->system);
         status = carry_over(newton, &before, finer(chords, count));

@@ -27,7 +27,7 @@ struct sp_options {
                                   Newton decrement of 1e-7. SP_PAPER reads 0 as 1e-6 */
     int32_t algorithm;         /* enum sp_algorithm */
     int32_t point_count;       /* K, unknown inner points: 1 … 100,000 */
-    int32_t max_iterations;    /* Newton steps, 0 … 10,000 */
+    int32_t max_iterations;    /* Newton steps, of all stages together, 0 … 10,000 */
     int32_t record;            /* 1: keep the polyline of every iterate */
 };
 
@@ -42,7 +42,8 @@ struct sp_request {
     int32_t pole; /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; 0: none */
 };
 
-/* One Newton step. The last entry is where the path came to rest; its step is 0. */
+/* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are
+ * multiplied by what the same path has more on the finer discretisation, so that they fall from step to step. */
 struct sp_iterate {
     double energy;        /* E = (n + 1) sum |chord|^2, Eq. 19 */
     double gradient_norm; /* |grad E| */
@@ -67,7 +68,7 @@ struct sp_result {
     int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
 };
 
-/* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 100 iterations, no record. */
+/* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 200 iterations, no record. */
 void sp_default_options(struct sp_options *options);
 
 /* Bytes of arena that sp_solve_path needs for these options on this surface (start_count: of the request); monotone in K. */

@@ -55,7 +55,7 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
         from: a,
         to: b,
         isPlain,
-        domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
+        domain,
         solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
         graph: (level) => graphs.find(heap, record, place, level),
         flood: (level) => graphs.flood(heap, record, a, b, level),

@@ -391,6 +391,16 @@ export class Surface {
     return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
   }
 
+  /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */
+  #tensors() {
+    if (this.#metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
+    if (this.kind !== 'metric') return null;
+    return (points) => {
+      const jets = this.#evaluate('jet', points);
+      return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
+    };
+  }
+
   /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
     if (this.kind === 'implicit') return null;
@@ -413,6 +423,7 @@ export class Surface {
     const surface = {
       jets: (/** @type {number[]} */ points) => this.#evaluate('jet', points),
       metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
+      tensors: this.#tensors(),
     };
     const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
     if (range) this.#domain = findDomain(periodic, surface, range);
