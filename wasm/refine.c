@@ -14,7 +14,7 @@ static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8},
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* Why these: MATH.md, "The ladder". */
-static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100;
+static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
 static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
@@ -116,7 +116,7 @@ static double decrement_of(const struct sp_options *options) { return options->t
 static void aim(struct sp_newton *newton, const struct sp_options *options, int32_t draft) {
     newton->draft = draft;
     newton->decrement = draft ? DRAFT_DECREMENT : decrement_of(options);
-    newton->enough = draft ? 0 : ENOUGH * options->tolerance;
+    newton->enough = draft ? 0 : ENOUGH * smaller(options->tolerance, LOOSEST);
 }
 
 /* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
@@ -126,9 +126,9 @@ static int strayed(const struct climbed *climbed, double first_length) {
     return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || climbed->moved > DISPLACEMENT_GUARD * climbed->length);
 }
 
-/* The smallest relative error that the coordinates' rounding allows. */
+/* No looser than what ends of arcs are fitted to, no tighter than what the coordinates' rounding allows. */
 static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
-    return larger(options->tolerance, 8 * 2.2e-16 * newton->size / length);
+    return larger(smaller(options->tolerance, LOOSEST), 8 * 2.2e-16 * newton->size / length);
 }
 
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
@@ -151,6 +151,7 @@ static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_op
 /* Whether a path that moved so far from that of the rung before is itself within `allowed`: how far it moved is the error of that one, its
  * own is smaller, if rungs converge, by as much as the last two moves differ. */
 static int is_settled(double moved, double moved_before, double allowed) {
+    if (!(moved_before > 0)) return moved <= allowed;
     double ratio = larger(moved / moved_before, SLOWEST_TRUSTED);
     return moved <= allowed || SAFETY * ratio * moved <= allowed;
 }
@@ -198,7 +199,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         last = now.length;
         if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed))
             return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
-        moved = from_elements && !astray ? now.moved : 0;
+        moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
         else
