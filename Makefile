@@ -113,6 +113,10 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 
+# What a path meets once, not in every step, is compiled to be small.
+COLD := arcs contact cusp mesh mesh_vertices piece pole project refine solve start
+$(COLD:%=build/wasm/%.o): EMCC += -Os
+
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) -c $< -o $@

@@ -30,7 +30,8 @@ static int32_t inner_nodes(const struct sp_options *options) {
 double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double kept = (SP_REFINE_INNER / 2 + 3) * 3.0 * sizeof(sp_pair); /* the start, for arcs to begin from */
-    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept : 0;
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept
+                                                   : sp_refine_polyline_bytes(sp_kind_of(surface)->dimension, clean.point_count + 1);
     return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
@@ -148,6 +149,25 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
+/* The first path: of elements, few chords; of many points from the straight line, by way of coarser polylines; else all points at once,
+ * which is also what is left where that leads nowhere. */
+static enum sp_status start_path(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                 const double from[3], const double to[3], struct sp_arena *arena) {
+    struct sp_polyline *line = &newton->system.line;
+    int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
+    newton->size = newton->scale;
+    line->fold = sp_fold_of(options->algorithm == SP_ELEMENTS ? first_inner(request) : coarse - 1);
+    if (options->algorithm == SP_ELEMENTS) return sp_start_polyline(line, request, from, to, newton->scale, arena);
+    int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && line->kind->components == 0;
+    if (climbs && sp_start_polyline(line, request, from, to, newton->scale, arena) == SP_CONVERGED &&
+        sp_refine_polyline(newton, options, count, arena))
+        return SP_CONVERGED;
+    line->fold = sp_fold_of(options->point_count);
+    enum sp_status status = sp_start_polyline(line, request, from, to, newton->scale, arena);
+    if (status == SP_CONVERGED) sp_polyline_charts(line, line->nodes);
+    return status;
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -156,12 +176,11 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     double from[3] = {0}, to[3] = {0};
     int elements = options->algorithm == SP_ELEMENTS;
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
-    if (elements) line->fold = sp_fold_of(first_inner(request));
     int reversed = order_ends(surface, request, from, to);
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, from);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
-    if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
+    if (status == SP_CONVERGED) status = start_path(&newton, request, options, from, to, arena);
     if (status != SP_CONVERGED) return status;
     newton.size = size_of(&newton);
     struct sp_arcs arcs;

@@ -145,7 +145,7 @@ export class Surface {
    * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
    */
   lengths(pairs, options) {
-    return Float64Array.from(this.#solvePairs('lengths', pairs, options), ({ length }) => length);
+    return Float64Array.from(this.#solvePairs('lengths', pairs, options, true), ({ length }) => length);
   }
 
   /**
@@ -477,10 +477,16 @@ export class Surface {
     );
   }
 
-  /** The path of each pair, one by one. @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @returns {Iterable<Path>} */
-  *#solvePairs(caller, pairs, options) {
+  /**
+   * The path of each pair, one by one.
+   * @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @param {boolean} [shapeless] only lengths are wanted
+   * @returns {Iterable<Path>}
+   */
+  *#solvePairs(caller, pairs, options, shapeless = false) {
     this.#checkAlive(caller);
     const { solve, start } = readPairOptions(caller, options);
+    // Elements are sampled in the end, chords are what is solved.
+    if (shapeless && solve.algorithm === 0) solve.points = 1;
     for (const ends of readPairs(caller, pairs, SHAPE[this.kind].variables, this.#domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
       else yield start === 'global' ? findGlobal(this.#field(), ends, solve, 1)[0] : solveNear(this.#field(), ends, solve, null);
