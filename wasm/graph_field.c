@@ -24,7 +24,7 @@ static int sort_into_slabs(struct slabs *slabs, const struct sp_graph *graph, st
         lower = x < lower ? x : lower, upper = x > upper ? x : upper;
     }
     double wide = (upper - lower) / (SP_ATTACHED_NEAR * graph->spacing);
-    slabs->count = wide < graph->vertex_count ? (int32_t)wide + 1 : graph->vertex_count;
+    slabs->count = wide >= 0 && wide < graph->vertex_count ? (int32_t)wide + 1 : graph->vertex_count;
     slabs->lower = lower, slabs->width = SP_ATTACHED_NEAR * graph->spacing;
     slabs->first = sp_graph_take(arena, (size_t)slabs->count + 2, sizeof(int32_t));
     slabs->vertices = sp_graph_take(arena, (size_t)graph->vertex_count, sizeof(int32_t));

@@ -129,7 +129,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     int plain = newton->system.line.surface->kind == SP_PARAMETRIC && newton->system.line.kind->components == 0;
-    if (pole > 0 && plain) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (pole >= 1 && pole <= 4 && plain) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, newton->system.line.fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     refined = sp_refine_run(newton, options, arena);
@@ -137,6 +137,20 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     if (refined.outcome.status != SP_SINGULAR_METRIC || !plain) return refined;
     result->crosses_singularity = 1;
     return sp_cusp_run(newton, options, &start, arena, arcs);
+}
+
+static int are_finite(const double *numbers, int32_t count) {
+    double sum = 0;
+    for (int32_t i = 0; numbers && i < count; i++)
+        sum += numbers[i] - numbers[i];
+    return sum == 0;
+}
+
+/* What is handed out is a path, however a surface that is not smooth, or NaN in places, has led the stages astray. */
+static int is_sound(const struct sp_result *result, int32_t point_count) {
+    int32_t count = point_count + 2;
+    return are_finite(&result->length, 1) && result->length_error >= 0 && are_finite(result->points, 3 * count) &&
+           are_finite(result->parameters, 2 * count);
 }
 
 /* The stages in order; the first that fails decides. */
@@ -165,6 +179,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status < 0) return status;
     fill(&refined, &newton, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
+    if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
     return status > 0 ? status : (enum sp_status)refined.outcome.status;
 }
 

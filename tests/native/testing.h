@@ -24,7 +24,7 @@ static int checks_failed(void) {
 }
 
 /* Seeded random numbers in [0, 1): xorshift64*. */
-static double random_unit(uint64_t *state) {
+static inline double random_unit(uint64_t *state) {
     *state ^= *state >> 12, *state ^= *state << 25, *state ^= *state >> 27;
     return (double)((*state * 0x2545F4914F6CDD1DULL) >> 11) / 9007199254740992.0;
 }
