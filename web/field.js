@@ -2,6 +2,7 @@
 
 import { checkNames, describe, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
+import { OUT_OF_MEMORY } from './runtime/heap.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -43,9 +44,12 @@ function search({ domain, box, graphs, run }, caller, from, places) {
   for (let level = 0; lengths.includes(Infinity); level++) {
     const found = run((heap, _, shape) => {
       const graph = graphs?.find(heap, shape, place, level);
+      if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
       return graph && heap.measureField(shape, graph, from, places);
     });
     if (!found) break;
+    if (found.status === OUT_OF_MEMORY)
+      throw new RangeError(`${caller}: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed`);
     if (found.status === CONVERGED) lengths = lengths.map((length, i) => (length < Infinity ? length : found.lengths[i]));
   }
   if (!lengths.some((length) => length < Infinity))

@@ -95,6 +95,7 @@ function findStarts(problem) {
   /** @type {Start[]} */
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
   const search = (/** @type {Graph} */ graph) => {
+    if (graph.status !== STATUS.converged) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
     return status;

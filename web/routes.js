@@ -3,6 +3,7 @@
 import { facePoles, liftEnds } from './domain.js';
 import { findPaths, reverse } from './global.js';
 import { makePath } from './path.js';
+import { emptyPath, OUT_OF_MEMORY } from './runtime/heap.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -51,23 +52,30 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   const own = (/** @type {import('./runtime/heap.js').Graph | null | undefined} */ graph) =>
     graph && !isPlain ? { ...graph, unique: false } : (graph ?? null);
-  const raw = run((heap, record, shape) =>
+  let exhausted = false;
+  /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
+  const watch = (answer) => {
+    exhausted ||= answer?.status === OUT_OF_MEMORY;
+    return answer;
+  };
+  const found = run((heap, record, shape) =>
     findPaths(
       {
         from: a,
         to: b,
         domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
-        solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
-        graph: (level) => own(graphs?.find(heap, shape, place, level)),
-        flood: (level) => own(graphs?.flood(heap, shape, a, b, level)),
-        search: (graph, points) => heap.searchGraph(shape, graph, a, b, points),
+        solve: (end, start, asked, pole) => watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked)),
+        graph: (level) => watch(own(graphs?.find(heap, shape, place, level))),
+        flood: (level) => watch(own(graphs?.flood(heap, shape, a, b, level))),
+        search: (graph, points) => watch(heap.searchGraph(shape, graph, a, b, points)),
       },
       options,
       most,
     ),
   );
-  return raw.map((found) => {
-    const path = makePath(swap ? reverse(found) : found);
+  const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
+  return raw.map((one) => {
+    const path = makePath(swap ? reverse(one) : one);
     const { parameters } = path;
     if (parameters)
       shift(
