@@ -53,7 +53,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
             piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
         piece.joint[1].place[across] = edge % 2 ? surface->upper[across] : surface->lower[across];
         if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
-        refined.outcome.status = SP_STALLED;
+        refined.outcome.status = SP_SINGULAR_METRIC;
         if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena, &iterations)) break;
         arcs->arc[arcs->count++] = (struct sp_arc){.length = piece.length, .system = piece.system, .reversed = i};
         refined.length_error += piece.error;

@@ -42,6 +42,16 @@ static void check_rectangle(void) {
     CHECK(result.status < 0 && isnan(result.length), "status %d, length %g", result.status, result.length);
 }
 
+/* A path over an edge that is no pole, from so far away that it could not be solved, was called usable, with another end. */
+static void check_unsolved_pole(void) {
+    struct sp_surface surface = globe_surface;
+    surface.lower[0] = -2.5;
+    surface.upper[0] = (double)INFINITY;
+    struct sp_request request = {{5e303, -1.2, 0}, {-2.5, -1.2, 0}, NULL, 0, 1};
+    struct sp_result result = solve(&surface, &request);
+    CHECK(result.status < 0 && isnan(result.length), "status %d, length %g", result.status, result.length);
+}
+
 static void one(int32_t count, const sp_pair *in, sp_pair *out) {
     (void)in;
     for (int32_t i = 0; i < count * SP_PARAMETRIC_JET; i++)
@@ -106,6 +116,7 @@ static void check_empty_graph(void) {
 int main(void) {
     check_pole();
     check_rectangle();
+    check_unsolved_pole();
     check_projection();
     check_mesh();
     check_empty_graph();
