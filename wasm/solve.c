@@ -180,7 +180,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     fill(&refined, &newton, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
     if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
-    return status > 0 ? status : (enum sp_status)refined.outcome.status;
+    if (status > 0) return status;
+    return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
 
 int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,

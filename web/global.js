@@ -81,6 +81,8 @@ export function findPaths(problem, options, most) {
   const usable = solved.filter(({ path }) => holds(path));
   usable.push(...overPoles(problem, options, usable));
   if (usable.length === 0) return [solved[0].path];
+  const beside = most === 1 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
+  if (beside) return [beside];
   return distinct(usable)
     .slice(0, most)
     .map(({ path }) => path);
@@ -140,6 +142,19 @@ function overPoles({ to, domain, solve }, options, others) {
     .filter(({ path }) => holds(path) && path.length < shortest - path.lengthError)
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1);
+}
+
+/**
+ * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
+ * @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options @param {RawPath} best
+ */
+function besidePole({ domain, solve }, tried, options, best) {
+  if (!domain || domain.poles.length === 0) return null;
+  const [weak] = tried
+    .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))
+    .sort((a, b) => estimate(a.path) - estimate(b.path));
+  const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
+  return path && path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
