@@ -5,14 +5,15 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench accuracy fuzz endurance golden golden-update demo format clean help tools
+.PHONY: all test check tidy bench bench-peers accuracy fuzz endurance golden golden-update demo format clean help tools
 
-ENTRIES := index slim gallery
+ENTRIES := index slim gallery pool
+VIEWS := three
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/fuzz/*.[ch] tests/golden/*.[ch])
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/fuzz/*.[ch] tests/golden/*.[ch] tests/coverage/*.c)
 FUZZERS := expressions definitions straight global
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
@@ -26,37 +27,42 @@ SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,und
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
 FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined -fno-sanitize=pointer-overflow \
     -fno-sanitize-recover=all
+# The analyzer takes a vector of 64-bit lanes for one bit.
+ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
 TOOLS := emcc:emscripten
-ifneq ($(filter test bench,$(MAKECMDGOALS)),)
+ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
 ifneq ($(filter test check format,$(MAKECMDGOALS)),)
 TOOLS += clang-format:clang-format
 endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
-TOOLS += clang-tidy:clang-tidy
+TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
-ifneq ($(filter test,$(MAKECMDGOALS)),)
+ifneq ($(filter test packages,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
+ifneq ($(filter coverage,$(MAKECMDGOALS)),)
+TOOLS += clang:clang llvm-cov:llvm
+endif
 
-ifneq ($(filter test fuzz golden golden-update,$(MAKECMDGOALS)),)
+ifneq ($(filter test fuzz golden,$(MAKECMDGOALS)),)
 TOOLS += clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev
 endif
-ifneq ($(filter golden golden-update,$(MAKECMDGOALS)),)
+ifneq ($(filter golden,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
 endif
 
 # How long each fuzzer of `make fuzz` runs.
 SECONDS ?= 60
 
-all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
+all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o build/fuzz/core ## build, check, and run every test
+test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
@@ -65,11 +71,22 @@ check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/tsc -p demo
 	@clang-format --dry-run -Werror $(C_FILES)
 
-tidy: | tools ## look for mistakes in the C with clang-tidy (slow, so not part of check)
+tidy: | tools ## look for mistakes in the C with gcc's analyzer, cppcheck, clang-tidy and valgrind (slow, so not part of check)
+	@for file in $(WASM); do $(ANALYZER) -c $$file -o /dev/null || exit 1; done
+	@cppcheck --std=c11 --enable=warning,performance,portability,style --suppressions-list=.cppcheck -Iwasm --quiet --error-exitcode=1 wasm
 	@clang-tidy --quiet $(WASM) -- -std=c17 -Iwasm 2>/dev/null
+	@$(MAKE) valgrind
 
-bench: all build/native/core.o ## run the benchmarks
+bench: all build/native/core.o build/march/core.o build/named.wasm ## run the benchmarks
 	@set -e; for file in $(sort $(wildcard tests/bench/*.bench.js)); do node $$file; done
+
+bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it installs
+	@tests/helpers/install.sh g++:g++ /usr/include/CGAL/Surface_mesh_shortest_path.h:libcgal-dev /usr/lib/python3/dist-packages/scipy:python3-scipy
+	@mkdir -p build/peers
+	@cp .npmrc tests/bench/peers/npm/*.json build/peers/
+	@cd build/peers && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error </dev/null >/dev/null
+	@g++ -std=c++17 -O3 -DNDEBUG tests/bench/peers/mesh.cpp -o build/peers/mesh -lgmp -lmpfr
+	@node tests/bench/peers/peers.js
 
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
@@ -100,7 +117,7 @@ clean: ## remove what was built
 	@rm -rf build dist
 
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile tests/release.mk | expand -t 16
 
 tools:
 	@tests/helpers/install.sh $(TOOLS)
@@ -123,21 +140,36 @@ dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@mkdir -p $(@D)
 	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
+# The same with the names of its functions, for profiles.
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+
 # JavaScript and types
 
 dist/wasm.js: dist/surfpath.wasm
-	@{ printf '// Generated: the bytes of surfpath.wasm. No data: URL, which a strict CSP refuses, and no Buffer, which browsers lack.\n'; \
-	printf "const text =\n  '%s';\n" "$$(base64 <$< | tr -d '\n')"; \
-	printf 'const binary = atob(text);\nconst bytes = new Uint8Array(binary.length);\n'; \
-	printf 'for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);\nexport default bytes;\n'; } >$@
+	@printf "// Generated: surfpath.wasm, gzip in base64.\nexport default '%s';\n" "$$(gzip -9cn <$< | base64 | tr -d '\n')" >$@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
-	@printf 'declare const bytes: Uint8Array<ArrayBuffer>;\nexport default bytes;\n' >$@
+	@printf 'declare const text: string;\nexport default text;\n' >$@
+
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+
+# The pool shares the default entry's file with the rest of a page, and so its classes.
+dist/pool.js: BUNDLE += '--external:./index.*'
 
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+	@$(BUNDLE)
+
+dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
+	@echo $@
+	@$(BUNDLE)
+
+# Made to be used with the reader's own three.js.
+$(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
+	@echo $@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three --log-level=warning --outfile=$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)
@@ -173,7 +205,16 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+build/march/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(NATIVE) -march=native -c $< -o $@
+
 build/native/core.o: $(WASM:%.c=build/native/%.o)
 	@ld -r $^ -o $@
 
--include $(wildcard build/*/*.d build/*/*/*.d)
+build/march/core.o: $(WASM:%.c=build/march/%.o)
+	@ld -r $^ -o $@
+
+include tests/release.mk
+
+-include $(wildcard build/*/*.d build/*/*/*.d build/*/*/*/*.d)

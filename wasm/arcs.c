@@ -1,5 +1,6 @@
 /* Lists of arcs: lengths of pieces of edges, and points at equal steps along all of them. MATH.md, "Arcs". */
 #include "arcs.h"
+#include "metric.h"
 #include "sample.h"
 
 enum { PANELS = 64, EDGE_DEGREE = 16 };
@@ -8,13 +9,14 @@ static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* |S_t| at a place of an edge. */
+/* What a unit of the coordinate along an edge is long at a place of it. */
 static double edge_speed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
-    sp_pair place[2], chart[SP_CHART];
+    const struct sp_kind *kind = sp_kind_of(surface);
+    sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
     place[arc->across] = sp_splat(arc->value), place[1 - arc->across] = sp_splat(t);
-    sp_parametric_kind.charts(surface, 1, place, chart, NULL);
-    struct sp_vector along = sp_load(chart + (arc->across ? SP_CHART_1 : SP_CHART_2));
-    return root(sp_dot(along, along)[0]);
+    kind->charts(surface, 1, place, chart, metric);
+    struct sp_form form = sp_metric_form(kind->components, chart, metric);
+    return root((arc->across ? form.e : form.g)[0]);
 }
 
 /* Length of an edge arc from its start to `to`: Gauss–Lobatto panels, doubled until they agree. */
@@ -32,17 +34,32 @@ static double edge_length(const struct sp_surface *surface, const struct sp_arc 
     return last;
 }
 
-double sp_arcs_measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena) {
+/* Sets the lengths of the pieces of edges and returns the whole length; NaN if the arena is full. */
+static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena) {
     struct sp_reference reference;
     if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return __builtin_nan("");
     double length = 0;
     for (int32_t i = 0; i < arcs->count; i++) {
         struct sp_arc *arc = arcs->arc + i;
         arc->system.line.surface = surface;
-        if (arc->on_edge) arc->length = edge_length(surface, arc, &reference, arc->ends[1]);
+        if (arc->on_edge) arc->length = edge_length(surface, arc, &reference, arc->ends[1]), arc->energy = arc->length * arc->length;
         length += arc->length;
     }
     return length;
+}
+
+/* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
+struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena) {
+    struct sp_refined whole = {.outcome = {.status = SP_CONVERGED}, .length = measure(arcs, newton->system.line.surface, arena)};
+    double squared = 4 * whole.length * whole.length * slopes;
+    for (int32_t i = 0; i < arcs->count; i++) {
+        const struct sp_arc *arc = arcs->arc + i;
+        double share = arc->length > 0 ? whole.length / arc->length : 0, gradient = share * arc->gradient_norm;
+        whole.length_error += arc->error, whole.outcome.energy += share * arc->energy, squared += gradient * gradient;
+    }
+    whole.outcome.gradient_norm = root(squared);
+    sp_newton_tell_end(newton, (struct sp_iterate){whole.outcome.energy, whole.outcome.gradient_norm, __builtin_nan(""), 0});
+    return whole;
 }
 
 /* The coordinate along an edge arc that is `distance` further than `from`. */
@@ -91,7 +108,7 @@ int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface,
             sp_sample_place(&arc->system, arc->reversed ? 1 - t : t, place);
         }
         if (i == 0 || i == point_count + 1) arc_end(arcs->arc + (i ? arcs->count - 1 : 0), i > 0, place);
-        sp_sample_point(surface, scale, place, points + 3 * i, parameters + 2 * i);
+        sp_sample_point(surface, scale, place, points ? points + 3 * i : NULL, parameters + 2 * i);
     }
     return 1;
 }

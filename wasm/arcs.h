@@ -8,10 +8,11 @@
 enum { SP_MAX_ARCS = 16 };
 
 struct sp_arc {
-    double length;
-    struct sp_system system; /* a free arc: its elements; places and reference in the arena */
-    int32_t reversed;        /* 1: the free arc runs from its system's end to its start */
-    int32_t on_edge;         /* 1: along an edge, on which coordinate `across` is `value` and the other runs from ends[0] to ends[1] */
+    double length, error;
+    double energy, gradient_norm; /* a free arc: as sp_outcome's, run through in a unit of time */
+    struct sp_system system;      /* a free arc: its elements; places and reference in the arena */
+    int32_t reversed;             /* 1: the free arc runs from its system's end to its start */
+    int32_t on_edge;              /* 1: along an edge, on which coordinate `across` is `value` and the other runs from ends[0] to ends[1] */
     int32_t across;
     double value, ends[2];
 };
@@ -31,15 +32,22 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
-/* Solves a path across a curve where S_u x S_v vanishes and turns over: two arcs that meet in a point of it, the best of several seeds.
- * `given`: a path from end to end that crosses the curve once, not in newton's own arrays. SP_SINGULAR_METRIC where that fails. */
+/* Whether a path leads from one side of such a curve to the other (sp_cusp_run), so that no smooth path can be near it. newton->system.line
+ * holds the path; its charts are computed. */
+int sp_cusp_divides(const struct sp_newton *newton);
+
+/* Solves a path across a curve where S_u x S_v vanishes and turns over, or several: arcs that meet in points of them. `given`: a path from
+ * end to end that crosses as often, at most three times, not in newton's own arrays; of one crossing several seeds are tried.
+ * SP_SINGULAR_METRIC where that fails. */
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs);
 
-/* Sets the lengths of the pieces of edges, by quadrature, and returns the whole length; NaN if the arena is full. */
-double sp_arcs_measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena);
+/* The whole that solved arcs make, the lengths of the pieces of edges by quadrature: converged, of index 0, run through in a unit of time
+ * at constant speed, which is what `energy` and `gradient_norm` are those of. `slopes`: sum of the squared derivatives of its length by
+ * the joints' coordinates. It is the last entry of the history. */
+struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena);
 
-/* Writes K + 2 points and places at equal steps of length along the arcs. Returns 0 if the arena is full. */
+/* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs. Returns 0 if the arena is full. */
 int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
                    double *parameters, struct sp_arena *arena);
 

@@ -1,7 +1,6 @@
 /* Contacts with the walls: where a free arc meets an edge it must be tangent to it, sin(angle) = 0, one equation for one unknown.
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
-#include "arcs.h"
-#include "check.h"
+#include "metric.h"
 #include "piece.h"
 
 static const double DIFFERENCE = 1e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
@@ -47,27 +46,27 @@ static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_
     return kept;
 }
 
-/* Sine of the angle between the path and the edge at both ends, inwards positive: from the force that holds the end node, which is accurate
- * to the order of the length. */
+/* Sine of the angle between the path and the edge at both ends: from the force p that holds the end node, which is accurate to the order
+ * of the length; across the edge over all of it, (g^-1 p)^c / sqrt(p'g^-1 p g^cc). */
 static void contact_sines(const struct sp_newton *newton, struct sp_piece *piece) {
-    const struct sp_system *system = &newton->system;
-    struct sp_vector inwards = sp_scale(sp_elements_end_pull(&system->elements, system->line.nodes.charts), sp_splat(-1.0));
-    const sp_pair *chart = system->line.nodes.charts;
-    struct sp_vector normal = sp_chart_normal(chart);
+    const struct sp_polyline *line = &newton->system.line;
+    struct sp_form form = sp_metric_form(line->kind->components, line->nodes.charts, line->nodes.metrics);
+    sp_pair p[2];
+    sp_system_end_pull(&newton->system, p);
+    sp_pair squared = form.g * p[0] * p[0] - 2.0 * form.f * p[0] * p[1] + form.e * p[1] * p[1];
     for (int end = 0; end < 2; end++) {
-        struct sp_vector along = sp_load(chart + (piece->joint[end].across ? SP_CHART_1 : SP_CHART_2)), beside = sp_cross(normal, along);
-        double across = sp_dot(inwards, beside)[end] / root(sp_dot(beside, beside)[end]);
-        double forwards = sp_dot(inwards, along)[end] / root(sp_dot(along, along)[end]);
-        piece->sine[end] = piece->joint[end].slides ? across / root(across * across + forwards * forwards) : 0;
+        int32_t across = piece->joint[end].across;
+        double along = (across ? form.e : form.g)[end];
+        piece->speed[end] = root(along);
+        piece->sine[end] =
+            piece->joint[end].slides ? (along * p[across][end] - form.f[end] * p[1 - across][end]) / root(squared[end] * along) : 0;
     }
 }
 
-/* Solves a piece, to the tolerance or on the elements it has, keeps it, and measures its angles. */
+/* Solves a piece, keeps it, and measures its angles. */
 static int solve_piece(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
-                       struct sp_arena *arena, int32_t *iterations) {
-    int solved =
-        checked ? sp_piece_solve(newton, options, piece, arena, iterations) : sp_piece_follow(newton, options, piece, arena, iterations);
-    if (!solved) return 0;
+                       struct sp_arena *arena) {
+    if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
     contact_sines(newton, piece);
     sp_piece_keep(newton, piece);
     return 1;
@@ -75,26 +74,19 @@ static int solve_piece(struct sp_newton *newton, const struct sp_options *option
 
 static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
 
-/* |S_t| along the edge at a joint: what a unit of its coordinate is long. */
-static double edge_speed(const struct sp_newton *newton, const struct sp_piece *piece, int end) {
-    const sp_pair *chart = newton->system.line.nodes.charts;
-    struct sp_vector along = sp_load(chart + (piece->joint[end].across ? SP_CHART_1 : SP_CHART_2));
-    return root(sp_dot(along, along)[end]);
-}
-
 /* Derivatives of both sines with respect to the sliding ends, by differences. */
 static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
-                            struct sp_arena *arena, int32_t *iterations, double jacobian[2][2]) {
+                            struct sp_arena *arena, double jacobian[2][2]) {
     double step[2];
     for (int end = 0; end < 2; end++)
-        step[end] = DIFFERENCE * piece->length / edge_speed(newton, piece, end);
+        step[end] = DIFFERENCE * piece->solved.length / piece->speed[end];
     for (int end = 0; end < 2; end++) {
         jacobian[0][end] = 0, jacobian[1][end] = end == 1;
         if (end == 0) jacobian[0][0] = 1;
         if (!piece->joint[end].slides) continue;
         struct sp_piece moved = *piece;
         *slide(&moved, end) += step[end];
-        if (!solve_piece(newton, options, 0, &moved, arena, iterations)) return 0;
+        if (!solve_piece(newton, options, 0, &moved, arena)) return 0;
         for (int i = 0; i < 2; i++)
             if (piece->joint[i].slides) jacobian[i][end] = (moved.sine[i] - piece->sine[i]) / step[end];
     }
@@ -102,23 +94,22 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
 }
 
 /* Slides the contacts of a piece until it is tangent to its edges: Newton, a step at most half the arc. */
-static int fit_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
-                     int32_t *iterations) {
+static int fit_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena) {
     double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
     if (enough < LEAST_SINE) enough = LEAST_SINE;
     for (int round = 0, checked = 1; round < CONTACT_ROUNDS; round++) {
-        if (!solve_piece(newton, options, checked, piece, arena, iterations)) return 0;
+        if (!solve_piece(newton, options, checked, piece, arena)) return 0;
         int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
         if (fits && checked) return 1;
         checked = fits;
         if (fits) continue;
-        double jacobian[2][2], speed[2] = {edge_speed(newton, piece, 0), edge_speed(newton, piece, 1)};
-        if (!contact_jacobian(newton, options, piece, arena, iterations, jacobian)) return 0;
+        double jacobian[2][2];
+        if (!contact_jacobian(newton, options, piece, arena, jacobian)) return 0;
         double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
         double move[2] = {-(jacobian[1][1] * piece->sine[0] - jacobian[0][1] * piece->sine[1]) / determinant,
                           -(jacobian[0][0] * piece->sine[1] - jacobian[1][0] * piece->sine[0]) / determinant};
         for (int end = 0; end < 2; end++) {
-            double most = 0.5 * piece->length / speed[end];
+            double most = 0.5 * piece->solved.length / piece->speed[end];
             if (!piece->joint[end].slides) continue;
             if (!(move[end] - move[end] == 0)) return 0;
             *slide(piece, end) += move[end] > most ? most : move[end] < -most ? -most : move[end];
@@ -142,13 +133,13 @@ static int inside(const struct sp_surface *surface, const struct sp_piece *piece
 static int32_t cut(const struct sp_system *system, const struct run *runs, int32_t count, struct sp_piece *pieces, struct sp_arcs *arcs) {
     const struct sp_polyline *line = &system->line;
     int32_t last = line->fold.inner + 1, from = 0, made = 0;
-    struct sp_joint start = {0, 0, {0, 0}};
+    struct sp_joint start = {0};
     for (int32_t j = 0; j < 2; j++)
         start.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, 0, j);
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
         int32_t to = r < count ? runs[r].first : last;
-        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, {0, 0}};
+        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, 0, {0, 0}, {0, 0}};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
         if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
@@ -167,7 +158,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
         for (int e = 0; e < 2; e++)
             arc->ends[e] = sp_fold_get(line->fold, line->nodes.places, 2, e ? runs[r].last : runs[r].first, 1 - across);
         from = runs[r].last;
-        start = (struct sp_joint){from < last, across, {0, 0}};
+        start = (struct sp_joint){from < last, across, 0, {0, 0}, {0, 0}};
         start.place[across] = value, start.place[1 - across] = arc->ends[1];
     }
     return made;
@@ -180,8 +171,7 @@ static int assemble(struct sp_arcs *arcs, struct sp_piece *pieces) {
     for (int32_t i = 0; i < arcs->count; i++) {
         struct sp_arc *arc = arcs->arc + i;
         if (!arc->on_edge) {
-            arc->system = pieces[piece].system, arc->length = pieces[piece].length;
-            piece++;
+            *arc = sp_piece_arc(pieces + piece++, 0);
             continue;
         }
         double direction = arc->ends[1] - arc->ends[0];
@@ -210,7 +200,7 @@ static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_opt
 
 /* Fits every piece, on the surface without walls: what leaves the rectangle has been cut wrongly. Returns 0 if one does not fit. */
 static int fit_pieces(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *pieces, int32_t made,
-                      struct sp_arena *arena, int32_t *iterations) {
+                      struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_surface open = *surface;
     int fits = made >= 0;
@@ -218,9 +208,20 @@ static int fit_pieces(struct sp_newton *newton, const struct sp_options *options
         open.lower[j] = -__builtin_inf(), open.upper[j] = __builtin_inf();
     newton->system.line.surface = &open;
     for (int32_t i = 0; fits && i < made; i++)
-        fits = fit_piece(newton, options, pieces + i, arena, iterations) && inside(surface, pieces + i);
+        fits = fit_piece(newton, options, pieces + i, arena) && inside(surface, pieces + i);
     newton->system.line.surface = surface;
     return fits;
+}
+
+/* Sum of the squared derivatives of the length by the contacts' coordinates: cos - 1 of the angle, times what a unit is long. */
+static double slopes_of(const struct sp_piece *pieces, int32_t made) {
+    double sum = 0;
+    for (int32_t i = 0; i < made; i++)
+        for (int end = 0; end < 2; end++) {
+            double sine = pieces[i].sine[end], slope = 0.5 * sine * sine * pieces[i].speed[end];
+            sum += slope * slope;
+        }
+    return sum;
 }
 
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs) {
@@ -230,17 +231,15 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
     if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
     struct sp_system contact = sp_storage_keep(&storage, &newton->system);
-    struct sp_refined chords = sp_refine_chords(newton, options, CONTACT_NODES, &contact, arena);
+    int32_t count = contact.line.fold.inner + 1;
+    struct sp_refined chords = sp_refine_chords(newton, options, count < CONTACT_NODES ? CONTACT_NODES : count, &contact, arena);
     if (chords.outcome.status < 0) return chords;
     contact = sp_storage_keep(&storage, &newton->system);
-    int32_t made = cut(&contact, runs, find_runs(&contact.line, runs), pieces, arcs), iterations = chords.outcome.iterations;
+    int32_t made = cut(&contact, runs, find_runs(&contact.line, runs), pieces, arcs);
     if (!take_storage(pieces, made, arena)) return refined;
-    int fits = fit_pieces(newton, options, pieces, made, arena, &iterations) && assemble(arcs, pieces);
+    int fits = fit_pieces(newton, options, pieces, made, arena) && assemble(arcs, pieces);
     if (!fits) return arcs->count = 0, fall_back(newton, options, &contact, arena);
-    refined.outcome = chords.outcome, refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
-    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
-    for (int32_t i = 0; i < made; i++)
-        refined.length_error += pieces[i].error;
-    refined.length = sp_arcs_measure(arcs, newton->system.line.surface, arena);
+    refined = sp_arcs_join(arcs, newton, slopes_of(pieces, made), arena);
+    refined.outcome.active = 1;
     return refined;
 }

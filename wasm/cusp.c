@@ -1,10 +1,12 @@
-/* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: two free arcs that meet in a point of it. One
- * unknown, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
-#include "arcs.h"
+/* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: free arcs that meet in points of it. One unknown
+ * each, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
+#include "check.h"
+#include "metric.h"
 #include "piece.h"
 
-static const double VANISHING = 1e-8, ROUNDING = 2e-15;
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, SEEDS = 7, SCAN = 64 };
+static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1;
+static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
+enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -85,70 +87,140 @@ static int find_crossing(const struct sp_surface *surface, const double from[2],
     return correct(surface, crossing);
 }
 
-/* The two arcs between the ends and a crossing, solved; their lengths' derivative with respect to the crossing's coordinate. */
+/* Arcs from end to end by way of the crossings; the derivatives of their length with respect to the crossings' coordinates, and an estimate
+ * of the inverse of its second ones. */
 struct bridge {
-    struct sp_piece piece[2];
-    struct crossing crossing;
-    double length, slope;
+    int32_t count; /* crossings */
+    struct crossing crossing[MOST];
+    struct sp_piece piece[MOST + 1];
+    double length, slope[MOST], inverse[MOST][MOST];
+    double reach[MOST]; /* how far, in its coordinate, a crossing is from the nearer end of its arcs */
+    double gain;        /* what moving the crossings on would still gain */
+    int learnt;         /* the estimate is more than a first guess */
 };
 
-/* dL/ds of the arc just solved: the pull on its singular end, against the direction of the curve. */
-static double end_slope(const struct sp_newton *newton, const struct crossing *crossing, int end) {
+/* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
+ * arc's length. */
+static void measure_end(const struct sp_newton *newton, const struct sp_piece *piece, int end, int32_t k, struct bridge *bridge) {
     const struct sp_system *system = &newton->system;
-    struct curve at = curve_at(system->line.surface, crossing->place, (double *)crossing->nu, 0);
-    double direction[2];
-    direction[crossing->along] = 1, direction[1 - crossing->along] = -at.slope[crossing->along] / at.slope[1 - crossing->along];
-    sp_pair chart[SP_CHART];
-    chart_at(system->line.surface, crossing->place, chart);
-    struct sp_vector along = sp_add(sp_scale(sp_load(chart + SP_CHART_1), sp_splat(direction[0])),
-                                    sp_scale(sp_load(chart + SP_CHART_2), sp_splat(direction[1])));
-    double pull = sp_dot(sp_elements_end_pull(&system->elements, system->line.nodes.charts), along)[end];
-    return pull * root(system->elements.count / sp_system_squares(system, system->line.nodes));
+    const struct crossing *crossing = bridge->crossing + k;
+    double nu[3] = {crossing->nu[0], crossing->nu[1], crossing->nu[2]};
+    struct curve at = curve_at(system->line.surface, crossing->place, nu, 0);
+    struct sp_form form = sp_metric_form(0, system->line.nodes.charts, NULL);
+    int32_t along = crossing->along;
+    double beside = -at.slope[along] / at.slope[1 - along], energy = piece->solved.outcome.energy;
+    double squared = (along ? form.g : form.e)[end] + 2 * beside * form.f[end] + beside * beside * (along ? form.e : form.g)[end];
+    sp_pair pull[2];
+    sp_system_end_pull(system, pull);
+    bridge->slope[k] += (pull[along][end] + beside * pull[1 - along][end]) * system->elements.count / root(energy);
+    double reach = piece->solved.length / root(squared);
+    if (!(bridge->reach[k] <= reach)) bridge->reach[k] = reach;
 }
 
-/* Solves both arcs to the crossing. Returns 0 where one fails. */
-static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct sp_arena *arena,
-                        int32_t *iterations) {
-    bridge->length = bridge->slope = 0;
-    for (int i = 0; i < 2; i++) {
+/* Puts a joint onto a crossing, and aside of it by a part of what the other end of the arc is beside the curve. */
+static void place_joint(const struct crossing *crossing, const struct sp_joint *far, struct sp_joint *joint) {
+    int32_t other = 1 - crossing->along;
+    for (int j = 0; j < 2; j++)
+        joint->place[j] = joint->aside[j] = crossing->place[j];
+    joint->aside[other] += ASIDE * (far->place[other] - crossing->place[other]);
+}
+
+/* Solves all arcs to the crossings. Returns 0 where one fails. */
+static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
+                        struct sp_arena *arena) {
+    bridge->length = 0;
+    for (int32_t i = 0; i < bridge->count; i++)
+        bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
+    for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
-        for (int j = 0; j < 2; j++)
-            piece->joint[1 - i].place[j] = bridge->crossing.place[j];
-        if (!sp_piece_solve_graded(newton, options, piece, i ? 0 : 1, arena, iterations)) return 0;
-        bridge->length += piece->length;
-        bridge->slope += end_slope(newton, &bridge->crossing, i ? 0 : 1);
+        for (int32_t end = 0; end < 2; end++)
+            if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
+        if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
+        bridge->length += piece->solved.length;
+        for (int32_t end = 0; end < 2; end++)
+            if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
         sp_piece_keep(newton, piece);
     }
     return 1;
 }
 
-static int move_crossing(const struct sp_surface *surface, struct crossing *crossing, double by) {
-    crossing->place[crossing->along] += by;
-    return correct(surface, crossing);
+/* A first guess: steps of FIRST_STEP. */
+static void start_curvature(struct bridge *bridge) {
+    bridge->learnt = 0;
+    for (int32_t i = 0; i < bridge->count; i++)
+        for (int32_t j = 0; j < bridge->count; j++)
+            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->reach[i] / absolute(bridge->slope[i]) : 0;
 }
 
-/* Moves the crossing downhill: secant steps on dL/ds, at most half the shorter arc, halved until the length falls. */
-static int fit_bridge(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct sp_storage spare[2],
-                      double range, struct sp_arena *arena, int32_t *iterations) {
+/* Learns from a step and what it changed of the slopes (BFGS): H <- (1 - s y'/s'y) H (1 - y s'/s'y) + s s'/s'y. */
+static void learn(const double step[MOST], const double change[MOST], struct bridge *bridge) {
+    double product = 0, moved[MOST] = {0}, twice = 0;
+    for (int32_t i = 0; i < bridge->count; i++)
+        product += step[i] * change[i];
+    if (!(product > 0)) return;
+    for (int32_t i = 0; i < bridge->count; i++) {
+        for (int32_t j = 0; j < bridge->count; j++)
+            moved[i] += bridge->inverse[i][j] * change[j];
+        twice += change[i] * moved[i];
+    }
+    for (int32_t i = 0; i < bridge->count; i++)
+        for (int32_t j = 0; j < bridge->count; j++)
+            bridge->inverse[i][j] += ((1 + twice / product) * step[i] * step[j] - moved[i] * step[j] - step[i] * moved[j]) / product;
+    bridge->learnt = 1;
+}
+
+/* A step in parts of the crossings' reaches. */
+static double largest_part(const struct bridge *bridge, const double step[MOST]) {
+    double largest = 0;
+    for (int32_t i = 0; i < bridge->count; i++)
+        if (absolute(step[i]) > largest * bridge->reach[i]) largest = absolute(step[i]) / bridge->reach[i];
+    return largest;
+}
+
+/* The step downhill, no crossing by more than `most` of its reach. Returns the gain it promises; infinite while that is a guess. */
+static double downhill(const struct bridge *bridge, double most, double step[MOST]) {
+    double gain = bridge->learnt ? 0 : __builtin_inf(), largest;
+    for (int32_t i = 0; i < bridge->count; i++) {
+        step[i] = 0;
+        for (int32_t j = 0; j < bridge->count; j++)
+            step[i] -= bridge->inverse[i][j] * bridge->slope[j];
+        gain -= step[i] * bridge->slope[i];
+    }
+    largest = largest_part(bridge, step);
+    for (int32_t i = 0; i < bridge->count && largest > most; i++)
+        step[i] *= most / largest;
+    return gain;
+}
+
+static int move_crossings(const struct sp_surface *surface, struct bridge *bridge, const double step[MOST]) {
+    for (int32_t i = 0; i < bridge->count; i++) {
+        struct crossing *crossing = bridge->crossing + i;
+        crossing->place[crossing->along] += step[i];
+        if (!correct(surface, crossing)) return 0;
+    }
+    return 1;
+}
+
+/* Moves the crossings of a solved bridge downhill until the gain promised is below `enough` of the length; steps are halved until the
+ * length falls. `spare`: room for what is tried. */
+static int descend(struct sp_newton *newton, const struct sp_options *options, double enough, struct bridge *bridge,
+                   struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
-    if (!solve_bridge(newton, options, bridge, arena, iterations)) return 0;
-    double enough = 0.02 * options->tolerance > ROUNDING ? 0.02 * options->tolerance : ROUNDING, curvature = 0, most = 0.1 * range;
-    for (int round = 0; round < ROUNDS; round++) {
-        double step = curvature > 0 ? -bridge->slope / curvature : (bridge->slope > 0 ? -1 : 1) * 0.02 * range;
-        if (curvature > 0 && absolute(step * bridge->slope) <= enough * bridge->length) return 1;
-        if (absolute(step) > most) step = step > 0 ? most : -most;
+    double step[MOST], change[MOST], most = LARGEST_STEP;
+    for (int round = 0; round < ROUNDS && most > LEAST_STEP; round++) {
+        if (downhill(bridge, most, step) <= enough * bridge->length) return 1;
         struct bridge next = *bridge;
-        for (int i = 0; i < 2; i++)
+        for (int32_t i = 0; i <= bridge->count; i++)
             sp_piece_move(&next.piece[i], spare + i);
-        if (!move_crossing(surface, &next.crossing, step) || !solve_bridge(newton, options, &next, arena, iterations) ||
-            next.length > bridge->length * (1 + 1e-14)) {
-            most = 0.5 * absolute(step);
-            if (curvature > 0) curvature *= 2;
-            if (most < 1e-14 * range) return 0;
+        if (!move_crossings(surface, &next, step) || !solve_bridge(newton, options, 0, &next, arena) ||
+            next.length > bridge->length * (1 + SLACK)) {
+            most = 0.5 * largest_part(bridge, step);
             continue;
         }
-        curvature = (next.slope - bridge->slope) / step;
-        for (int i = 0; i < 2; i++)
+        for (int32_t i = 0; i < bridge->count; i++)
+            change[i] = next.slope[i] - bridge->slope[i];
+        learn(step, change, &next);
+        for (int32_t i = 0; i <= bridge->count; i++)
             spare[i] = bridge->piece[i].storage;
         *bridge = next;
     }
@@ -162,84 +234,143 @@ static void given_place(const struct sp_system *given, double t, double place[2]
     place[0] = at[0], place[1] = at[1];
 }
 
-/* The first place where the given path crosses a singular curve, and at which parameter; 0 if it crosses none, or more than one. */
-static int scan(const struct sp_system *given, struct crossing *crossing, double *parameter) {
+/* The places where the given path crosses singular curves, and its arcs between them. Returns 0 if it crosses none, or too many. */
+static int scan(const struct sp_system *given, struct bridge *bridge) {
     const struct sp_surface *surface = given->line.surface;
-    double before[2], here[2], first[3], normal[3];
-    int found = 0;
+    double before[2], here[2], first[3], normal[3], from = 0;
+    bridge->count = 0;
     given_place(given, 0, before);
     normal_at(surface, before, first);
     for (int i = 1; i <= SCAN; i++) {
         given_place(given, (double)i / SCAN, here);
         normal_at(surface, here, normal);
         if (dot(first, normal) < 0) {
-            if (found++ || !find_crossing(surface, before, here, crossing)) return 0;
-            *parameter = (i - 0.5) / SCAN;
+            if (bridge->count == MOST || !find_crossing(surface, before, here, bridge->crossing + bridge->count)) return 0;
+            double parameter = (i - 0.5) / SCAN;
+            bridge->piece[bridge->count++] = (struct sp_piece){.system = *given, .first = from, .last = parameter};
+            from = parameter;
         }
         for (int j = 0; j < 3; j++)
             first[j] = normal[j];
         before[0] = here[0], before[1] = here[1];
     }
-    return found == 1;
+    bridge->piece[bridge->count] = (struct sp_piece){.system = *given, .first = from, .last = 1};
+    for (int32_t i = 0; i <= bridge->count; i++) {
+        struct sp_joint *joint = bridge->piece[i].joint;
+        joint[0].singular = i > 0, joint[1].singular = i < bridge->count;
+    }
+    given_place(given, 0, bridge->piece[0].joint[0].place), given_place(given, 1, bridge->piece[bridge->count].joint[1].place);
+    return bridge->count > 0;
 }
 
-/* Room for the bridge being solved, the step it tries, and the best so far. */
-static int take_storage(struct sp_storage storage[6], struct sp_arena *arena) {
-    for (int i = 0; i < 6; i++)
-        if (!sp_storage_take(storage + i, 2, SP_REFINE_INNER, arena)) return 0;
-    return 1;
+/* Solves a bridge of one crossing roughly with the crossing at evenly spaced places between the ends, each from the one before, and leaves
+ * it at the given places of the two shortest of those that are shorter than their neighbours, or as long as the given: `seeds`. */
+static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given, struct bridge *bridge,
+                      struct crossing seeds[2], struct sp_arena *arena) {
+    struct crossing crossing[SEEDS];
+    double length[SEEDS + 2], best[2] = {__builtin_inf(), __builtin_inf()};
+    int32_t along = bridge->crossing[0].along, count = 0;
+    double from = bridge->piece[0].joint[0].place[along], to = bridge->piece[1].joint[1].place[along];
+    length[0] = length[SEEDS + 1] = __builtin_inf();
+    for (int i = 0; i < SEEDS; i++) {
+        bridge->crossing[0].place[along] = from + (to - from) * i / (SEEDS - 1);
+        int solved = correct(newton->system.line.surface, bridge->crossing) && solve_bridge(newton, options, 0, bridge, arena);
+        crossing[i] = bridge->crossing[0], length[i + 1] = solved ? bridge->length : __builtin_inf();
+        for (int k = 0; k < 2 && !solved; k++)
+            bridge->piece[k].system = given->piece[k].system, bridge->piece[k].first = given->piece[k].first,
+            bridge->piece[k].last = given->piece[k].last;
+    }
+    for (int i = 0; i < SEEDS; i++) {
+        if (!(length[i + 1] < best[1]) || length[i + 1] > MARGIN * best[0] || length[i + 1] > length[i] || length[i + 1] > length[i + 2])
+            continue;
+        int shortest = length[i + 1] < best[0];
+        if (shortest) seeds[1] = seeds[0], best[1] = best[0];
+        seeds[!shortest] = crossing[i], best[!shortest] = length[i + 1];
+        count = count < 2 ? count + 1 : 2;
+    }
+    return count;
 }
 
-/* Solves from one seed on the curve, in the first four storages; what is shortest so far is in the last two. */
-static void try_seed(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given, double parameter,
-                     struct crossing seed, struct sp_storage storage[6], struct bridge *best, struct sp_arena *arena, int32_t *iterations) {
-    const struct sp_surface *surface = newton->system.line.surface;
-    double range = surface->upper[seed.along] - surface->lower[seed.along];
-    struct bridge work = {.crossing = seed};
-    if (!(range < __builtin_inf())) range = 1;
-    for (int i = 0; i < 2; i++) {
-        work.piece[i] = (struct sp_piece){.system = *given, .storage = storage[i], .first = i ? parameter : 0, .last = i ? 1 : parameter};
-        given_place(given, i, work.piece[i].joint[i].place);
+/* From the present crossings downhill on few elements. */
+static int approach(struct sp_newton *newton, const struct sp_options *rough, struct bridge *bridge, struct sp_storage spare[MOST + 1],
+                    struct sp_arena *arena) {
+    if (!solve_bridge(newton, rough, 0, bridge, arena)) return 0;
+    start_curvature(bridge);
+    return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
+}
+
+/* Finds the crossings roughly: of one the best of some seeds, of several those that are given. Returns 0 where that fails. */
+static int find_bridge(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
+                       struct sp_storage storage[3][MOST + 1], struct sp_arena *arena) {
+    struct sp_options rough = *options;
+    struct crossing seeds[2];
+    struct bridge work = *bridge;
+    if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
+    int found = 0, count = bridge->count == 1 ? rank_seeds(newton, &rough, bridge, &work, seeds, arena) : 0;
+    if (count == 0) return approach(newton, &rough, bridge, storage[1], arena);
+    for (int i = 0; i < count; i++) {
+        work.crossing[0] = seeds[i];
+        if (!approach(newton, &rough, &work, storage[1], arena) || (found && bridge->length <= work.length)) continue;
+        *bridge = work, found = 1;
+        for (int32_t k = 0; k <= work.count; k++)
+            sp_piece_move(&bridge->piece[k], storage[2] + k);
     }
-    struct sp_storage spare[2] = {storage[2], storage[3]};
-    int fits = fit_bridge(newton, options, &work, spare, range, arena, iterations);
-    int better = fits && !(best->length > 0 && best->length <= work.length);
-    for (int i = 0; i < 2; i++) {
-        storage[i] = better ? storage[4 + i] : work.piece[i].storage;
-        storage[2 + i] = spare[i];
-        if (better) storage[4 + i] = work.piece[i].storage;
+    return found;
+}
+
+/* Solves the arcs to the tolerance, and moves the crossings as long as that gains something. */
+static int finish(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct sp_storage spare[MOST + 1],
+                  struct sp_arena *arena) {
+    double enough = ENOUGH * options->tolerance > ROUNDING ? ENOUGH * options->tolerance : ROUNDING, step[MOST];
+    for (int i = 0; i < CHECKS; i++) {
+        if (!solve_bridge(newton, options, 1, bridge, arena)) return 0;
+        bridge->gain = downhill(bridge, LARGEST_STEP, step);
+        if (bridge->gain <= enough * bridge->length) return 1;
+        if (!descend(newton, options, enough, bridge, spare, arena)) return 0;
     }
-    if (better) *best = work;
+    return 0;
+}
+
+/* The bridge as a list of arcs. */
+static struct sp_refined cross(struct sp_newton *newton, const struct bridge *bridge, struct sp_arena *arena, struct sp_arcs *arcs) {
+    double slopes = 0;
+    for (int32_t i = 0; i <= bridge->count; i++)
+        arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
+    for (int32_t i = 0; i < bridge->count; i++)
+        slopes += bridge->slope[i] * bridge->slope[i];
+    struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
+    whole.length_error += bridge->gain;
+    return whole;
+}
+
+int sp_cusp_divides(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    const sp_pair *charts = line->nodes.charts;
+    int32_t turns = 0, last = line->fold.both;
+    sp_polyline_charts(line, line->nodes);
+    for (int32_t k = 0; k <= last; k++) {
+        sp_pair product = sp_dot(sp_chart_normal(charts + SP_CHART * k), sp_chart_normal(charts + SP_CHART * (k + 1)));
+        turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
+    }
+    return turns % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
 }
 
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct crossing middle;
-    struct bridge best = {.length = 0};
-    struct sp_storage storage[6];
-    double parameter = 0, ends[2][2];
-    int32_t iterations = 0;
+    struct bridge bridge = {0};
+    struct sp_storage storage[3][MOST + 1];
     arcs->count = 0;
-    if (!scan(given, &middle, &parameter)) return refined;
-    if (!take_storage(storage, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
-    given_place(given, 0, ends[0]), given_place(given, 1, ends[1]);
-    for (int i = 0; i <= SEEDS; i++) {
-        struct crossing seed = middle;
-        double t = (double)i / (SEEDS - 1);
-        if (i < SEEDS) seed.place[seed.along] = ends[0][seed.along] + t * (ends[1][seed.along] - ends[0][seed.along]);
-        if (correct(newton->system.line.surface, &seed))
-            try_seed(newton, options, given, parameter, seed, storage, &best, arena, &iterations);
-    }
+    if (!scan(given, &bridge)) return refined;
+    for (int32_t i = 0; i < 3 * (bridge.count + 1); i++)
+        if (!sp_storage_take(&storage[i % 3][i / 3], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
+    for (int32_t i = 0; i <= bridge.count; i++)
+        bridge.piece[i].storage = storage[0][i];
+    int found = find_bridge(newton, options, &bridge, storage, arena);
+    int converged = found && finish(newton, options, &bridge, storage[1], arena), limited = found && newton->steps_left <= 0;
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (!(best.length > 0)) return refined;
-    for (int i = 0; i < 2; i++) {
-        arcs->arc[i] = (struct sp_arc){.length = best.piece[i].length, .system = best.piece[i].system};
-        refined.length_error += best.piece[i].error;
-    }
-    arcs->count = 2;
-    refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
-    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
-    refined.length = best.length;
+    if (!converged && !limited) return refined;
+    refined = cross(newton, &bridge, arena, arcs);
+    if (!converged) refined.outcome.status = SP_ITERATION_LIMIT, refined.outcome.index = -1;
     return refined;
 }

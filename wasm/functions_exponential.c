@@ -40,7 +40,10 @@ static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
 
 sp_pair sp_exp(sp_pair x) { return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(0.0)); }
 
-static inline sp_pair half_exponential(sp_pair x) { return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(-1.0)); }
+/* Out of line, as three functions share it. */
+__attribute__((noinline)) static sp_pair half_exponential(sp_pair x) {
+    return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(-1.0));
+}
 
 sp_pair sp_cosh(sp_pair x) {
     sp_pair half = half_exponential(sp_absolute(x));
@@ -95,8 +98,8 @@ sp_pair sp_log(sp_pair x) {
     return logarithm_of(x, logarithm(parts, parts.exponent * sp_constants.ln2_low));
 }
 
-/* log(x 2^doublings) for x.high >= 1; exact in x.low, however small the logarithm. */
-static inline sp_pair logarithm_beyond_one(struct sp_wide x, sp_pair doublings) {
+/* log(x 2^doublings) for x.high >= 1; exact in x.low, however small the logarithm. Out of line, as three functions share it. */
+__attribute__((noinline)) static sp_pair logarithm_beyond_one(struct sp_wide x, sp_pair doublings) {
     struct scaled parts = split(x.high);
     parts.exponent += doublings;
     return logarithm(parts, parts.exponent * sp_constants.ln2_low + x.low / x.high);
@@ -130,8 +133,8 @@ sp_pair sp_atanh(sp_pair x) {
     return sp_with_sign_of(sp_select(magnitude < 1.0, value, special), x);
 }
 
-/* log x to about 2^-65 of it, for finite x > 0. */
-static inline struct sp_wide wide_logarithm(sp_pair x) {
+/* log x to about 2^-65 of it, for finite x > 0. Out of line, as three functions share it. */
+__attribute__((noinline)) static struct sp_wide wide_logarithm(sp_pair x) {
     struct scaled parts = split(x);
     /* s = f/d, f and d = 2 + f exact. */
     sp_pair f = parts.mantissa - 1.0;
@@ -169,9 +172,9 @@ sp_pair sp_pow(sp_pair x, sp_pair y) {
     sp_pair magnitude = sp_absolute(x), infinity = sp_splat(SP_INFINITY);
     sp_pair power = sp_select(y > LARGEST_POWER, sp_splat(LARGEST_POWER), y);
     power = sp_select(y < -LARGEST_POWER, sp_splat(-LARGEST_POWER), power);
-    struct sp_wide logarithm = wide_logarithm(magnitude);
-    struct sp_wide product = sp_multiply_exactly(power, logarithm.high);
-    product.low += power * logarithm.low;
+    struct sp_wide exponent = wide_logarithm(magnitude);
+    struct sp_wide product = sp_multiply_exactly(power, exponent.high);
+    product.low += power * exponent.low;
     sp_pair value = exponential(product, sp_splat(0.0));
 
     sp_mask whole = is_integer(y), odd = whole & ~is_integer(0.5 * y);

@@ -1,5 +1,5 @@
-/* A graph on a surface: vertices spread over all of it, edges as long as the surface is between them. Built once a surface; the shortest
- * ways through it are where Newton starts. Knows nothing of Newton. MATH.md, "The globally shortest path". */
+/* A graph on a surface: vertices spread over all of it, edges as long as the surface is between them in the metric in use. Built once a
+ * surface; the shortest ways through it are where Newton starts. Knows nothing of Newton. MATH.md, "The globally shortest path". */
 #ifndef SURFPATH_GRAPH_H
 #define SURFPATH_GRAPH_H
 
@@ -28,18 +28,20 @@ struct sp_graph_edge {
 
 /* Everything lies in one piece of memory: in the arena at first, then where sp_graph_keep puts it. */
 struct sp_graph {
-    double spacing;              /* implicit: width of a cell */
-    double lower[2], step[2];    /* parametric: place of a vertex from its index, i * count[1] + j */
-    double *positions;           /* 3 a vertex */
-    float *normals;              /* implicit: 3 a vertex, unit; (0, 0, 0): not a point of the surface, without edges. Parametric: NULL */
-    int32_t *first;              /* vertex_count + 1: where the edges of a vertex begin */
+    double spacing;   /* implicit: diagonal of a cell */
+    double *samples;  /* what lengths at a vertex are measured by, `width` numbers: x y z, if it has a position, and the metric */
+    double *lines[2]; /* parametric: places of the lines of the grid, count[j] and, where it wraps, the first one period on;
+                         vertex i * count[1] + j lies where lines i and j cross */
+    float *normals;   /* implicit: 3 a vertex, unit; (0, 0, 0): not a point of the surface, without edges. Parametric: NULL */
+    int32_t *first;   /* vertex_count + 1: where the edges of a vertex begin */
     struct sp_graph_edge *edges; /* each way */
     int32_t kind, vertex_count, edge_count;
-    int32_t unique;       /* 1: no curvature > 0 at a sample of a rectangle without wraps, collapsed edges or cusps: geodesics are unique */
-    int32_t singular;     /* 1: the normal vanishes along a curve; no edge crosses it */
+    int32_t unique;   /* 1: no curvature at a sample of a rectangle without wraps, collapsed edges or cusps, by which neighbouring geodesics
+                         could meet again in the rectangle: they are unique */
+    int32_t singular; /* 1: the normal vanishes along a curve; no edge crosses it */
     int32_t collapsed[4]; /* the edges u = min, u = max, v = min, v = max of the rectangle that are points: poles, apexes */
     int32_t count[2], wraps[2];
-    int32_t unused;
+    int32_t width;
 };
 
 /* What a search found. */
@@ -55,10 +57,11 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
 
 /* Builds the graph of a surface in `arena`, which is reset first.
  *
- * Parametric: a grid, every vertex joined to the 32 around it that a coprime step of at most 3 reaches; an edge is two chords through its
- * middle on the surface. Edges do not cross a curve on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes
- * sign, centres moved onto f = 0; neighbours at most two cells away are joined where their normals and the chord say that they lie on the
- * same sheet. Returns SP_CONVERGED, SP_NOT_FINITE (the box is empty or not finite) or SP_OUT_OF_MEMORY. */
+ * Parametric: a grid whose lines are as far apart on the surface as it goes, every vertex joined to the 32 around it that a coprime step of
+ * at most 3 reaches; an edge is two chords through its middle on the surface, or Simpson's rule for the metric in use. Edges do not cross a
+ * curve on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes sign, centres moved onto f = 0; neighbours at
+ * most two cells away are joined where their normals and the chord say that they lie on the same sheet. Returns SP_CONVERGED, SP_NOT_FINITE
+ * (the box is empty or not finite) or SP_OUT_OF_MEMORY. */
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph);
 

@@ -5,56 +5,86 @@ enum { PATCH = 4 };
 
 /* The place in its period that lies in the rectangle. */
 static double reduce(const struct sp_graph *graph, int direction, double x) {
-    if (!graph->wraps[direction]) return x;
-    double turns = (x - graph->lower[direction]) / (graph->step[direction] * graph->count[direction]);
-    return x - sp_round_down(turns) * (graph->step[direction] * graph->count[direction]);
-}
-
-/* The length over the middle of a parameter segment; infinite if a curve where the normal vanishes lies between. */
-static double middle_length(const struct sp_surface *surface, const struct sp_graph *graph, const double place[2], const double vertex[2],
-                            const double position[3]) {
-    double middle[2] = {0.5 * (place[0] + vertex[0]), 0.5 * (place[1] + vertex[1])}, from[3], over[3];
-    if (graph->singular && sp_graph_crosses(surface, place, vertex)) return __builtin_inf();
-    sp_graph_position(surface, place, from);
-    sp_graph_position(surface, middle, over);
-    return sp_distance3(from, over) + sp_distance3(over, position);
+    double period = sp_graph_period(graph, direction);
+    return period > 0 ? x - sp_round_down((x - graph->lines[direction][0]) / period) * period : x;
 }
 
 /* The cell of the grid that holds a place of the rectangle. */
 static int32_t cell_of(const struct sp_graph *graph, int direction, double x) {
-    double cell = (x - graph->lower[direction]) / graph->step[direction];
-    return !(cell > 0) ? 0 : cell < graph->count[direction] ? (int32_t)cell : graph->count[direction] - 1;
+    const double *lines = graph->lines[direction];
+    int32_t low = 0, high = graph->count[direction];
+    while (high - low > 1) {
+        int32_t middle = (low + high) / 2;
+        if (lines[middle] <= x)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
 }
 
-/* The 4 x 4 vertices around a place of the rectangle. */
-static void attach_parametric(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,
-                              struct sp_attachment *attached) {
-    double place[2] = {reduce(graph, 0, end[0]), reduce(graph, 1, end[1])};
-    int32_t corner[2];
-    for (int j = 0; j < 2; j++)
-        corner[j] = cell_of(graph, j, place[j]) - (PATCH / 2 - 1);
+/* A vertex near a place, on the lift that is near it. */
+struct neighbour {
+    int32_t number;
+    double place[2];
+};
+
+/* Those of the 4 x 4 vertices around a place of the rectangle that there are. */
+static int32_t find_patch(const struct sp_graph *graph, const double place[2], struct neighbour *patch) {
+    int32_t count = 0, corner[2] = {cell_of(graph, 0, place[0]) - (PATCH / 2 - 1), cell_of(graph, 1, place[1]) - (PATCH / 2 - 1)};
     for (int32_t k = 0; k < PATCH * PATCH; k++) {
-        int32_t at[2] = {corner[0] + k / PATCH, corner[1] + k % PATCH}, index[2];
-        double vertex[2] = {graph->lower[0] + graph->step[0] * at[0], graph->lower[1] + graph->step[1] * at[1]};
+        int32_t at[2] = {corner[0] + k / PATCH, corner[1] + k % PATCH};
         int inside = 1;
         for (int j = 0; j < 2; j++) {
-            index[j] = graph->wraps[j] ? (at[j] + graph->count[j]) % graph->count[j] : at[j];
-            inside &= index[j] >= 0 && index[j] < graph->count[j];
+            int32_t size = graph->count[j], turn = !graph->wraps[j] ? 0 : at[j] < 0 ? -1 : at[j] >= size;
+            at[j] -= turn * size;
+            if (at[j] < 0 || at[j] >= size) {
+                inside = 0;
+                break;
+            }
+            patch[count].place[j] = graph->lines[j][at[j]] + turn * sp_graph_period(graph, j);
         }
-        if (!inside) continue;
-        int32_t number = index[0] * graph->count[1] + index[1];
-        double length = middle_length(surface, graph, place, vertex, graph->positions + 3 * (size_t)number);
-        if (!sp_is_finite(length)) continue;
-        attached->vertex[attached->count] = number, attached->length[attached->count++] = length;
+        if (inside) patch[count++].number = at[0] * graph->count[1] + at[1];
+    }
+    return count;
+}
+
+/* Samples at a place and in the middles between it and others, evaluated together. */
+static void sample_middles(const struct sp_surface *surface, const double place[2], const struct neighbour *others, int32_t count,
+                           double samples[][SP_GRAPH_WIDTH]) {
+    struct sp_block block;
+    sp_block_open(&block, surface, 1);
+    sp_block_put(&block, place);
+    for (int32_t k = 0; k < count; k++) {
+        double middle[2] = {0.5 * (place[0] + others[k].place[0]), 0.5 * (place[1] + others[k].place[1])};
+        sp_block_put(&block, middle);
+    }
+    sp_block_evaluate(&block);
+    for (int32_t k = 0; k <= count; k++)
+        sp_block_sample(&block, k, samples[k]);
+}
+
+static void attach_parametric(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,
+                              struct sp_attachment *attached) {
+    double place[2] = {reduce(graph, 0, end[0]), reduce(graph, 1, end[1])}, samples[1 + PATCH * PATCH][SP_GRAPH_WIDTH];
+    struct neighbour patch[PATCH * PATCH + 1];
+    int32_t count = find_patch(graph, place, patch);
+    sample_middles(surface, place, patch, count, samples);
+    for (int32_t k = 0; k < count; k++) {
+        const double *vertex = graph->samples + (size_t)graph->width * (size_t)patch[k].number;
+        double by[2] = {patch[k].place[0] - place[0], patch[k].place[1] - place[1]};
+        double length = sp_graph_segment(surface, samples[0], samples[1 + k], vertex, by);
+        if (!sp_is_finite(length) || (graph->singular && sp_graph_crosses(surface, place, patch[k].place))) continue;
+        attached->vertex[attached->count] = patch[k].number, attached->length[attached->count++] = length;
     }
 }
 
 /* The unit normal of an implicit surface. */
 static void implicit_normal(const struct sp_surface *surface, const double place[3], double normal[3]) {
     struct sp_block block;
-    sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
+    sp_block_open(&block, surface, 0);
     sp_block_put(&block, place);
-    sp_block_evaluate(&block, surface->value);
+    sp_block_evaluate(&block);
     for (int32_t c = 0; c < 3; c++)
         normal[c] = sp_block_get(&block, 0, 1 + c);
     double size = sp_root(sp_dot3(normal, normal));
@@ -65,17 +95,20 @@ static void implicit_normal(const struct sp_surface *surface, const double place
 /* The vertices within one and a half cell diagonals, on the same sheet. */
 static void attach_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,
                             const struct sp_candidates *among, struct sp_attachment *attached) {
-    double normal[3], other[3];
+    double normal[3], other[3], sample[SP_GRAPH_WIDTH], best = __builtin_inf(), near = SP_ATTACHED_NEAR * graph->spacing;
     implicit_normal(surface, end, normal);
+    sp_graph_sample(surface, end, sample);
     int32_t count = among ? among->count : graph->vertex_count;
     for (int32_t k = 0; k < count && attached->count < SP_MAX_ATTACHED; k++) {
         int32_t i = among ? among->vertices[k] : k;
-        const double *position = graph->positions + 3 * (size_t)i;
-        if (!(sp_distance3(position, end) <= SP_ATTACHED_NEAR * graph->spacing)) continue;
+        const double *vertex = graph->samples + (size_t)graph->width * (size_t)i;
+        double x = vertex[0] - end[0], y = vertex[1] - end[1], z = vertex[2] - end[2];
+        if (!(x * x + y * y + z * z <= near * near) || (among && !(among->distance[i] < best))) continue;
         for (int c = 0; c < 3; c++)
             other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
-        double length = sp_graph_sheet_length(end, normal, position, other);
+        double length = sp_graph_sheet_length(surface, sample, normal, vertex, other);
         if (!sp_is_finite(length)) continue;
+        if (among && among->distance[i] + length < best) best = among->distance[i] + length;
         attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
     }
 }
@@ -92,21 +125,31 @@ enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp
     return attached->count == 0 ? SP_OFF_SURFACE : SP_CONVERGED;
 }
 
+static double near_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {
+    double normal[2][3], sample[2][SP_GRAPH_WIDTH];
+    if (!(sp_distance3(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
+    implicit_normal(surface, from, normal[0]);
+    implicit_normal(surface, to, normal[1]);
+    sp_graph_sample(surface, from, sample[0]);
+    sp_graph_sample(surface, to, sample[1]);
+    return sp_graph_sheet_length(surface, sample[0], normal[0], sample[1], normal[1]);
+}
+
 double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {
-    if (graph->kind == SP_IMPLICIT) {
-        double normal[2][3];
-        if (!(sp_distance3(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
-        implicit_normal(surface, from, normal[0]);
-        implicit_normal(surface, to, normal[1]);
-        return sp_graph_sheet_length(from, normal[0], to, normal[1]);
-    }
-    double near[2], position[3];
+    if (graph->kind == SP_IMPLICIT) return near_implicit(surface, graph, from, to);
+    struct neighbour near[2];
+    double samples[3][SP_GRAPH_WIDTH], by[2];
     for (int j = 0; j < 2; j++) {
-        double period = graph->wraps[j] ? graph->step[j] * graph->count[j] : 0, away = to[j] - from[j];
+        double period = sp_graph_period(graph, j), away = to[j] - from[j];
         if (period > 0) away -= period * sp_round_down(away / period + 0.5);
-        if (!(away * away <= graph->step[j] * graph->step[j] * PATCH * PATCH / 4)) return __builtin_inf();
-        near[j] = from[j] + away;
+        const double *lines = graph->lines[j];
+        int32_t cell = cell_of(graph, j, reduce(graph, j, from[j])), last = graph->count[j] - !graph->wraps[j];
+        double width = lines[cell < last ? cell + 1 : cell] - lines[cell < last ? cell : cell - 1];
+        if (!(away * away <= width * width * PATCH * PATCH / 4)) return __builtin_inf();
+        near[0].place[j] = from[j] + away, near[1].place[j] = from[j] + 2 * away;
+        by[j] = away;
     }
-    sp_graph_position(surface, near, position);
-    return middle_length(surface, graph, from, near, position);
+    if (graph->singular && sp_graph_crosses(surface, from, near[0].place)) return __builtin_inf();
+    sample_middles(surface, from, near, 2, samples);
+    return sp_graph_segment(surface, samples[0], samples[1], samples[2], by);
 }

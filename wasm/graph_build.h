@@ -27,19 +27,41 @@ int sp_builder_take(struct sp_builder *builder);
 /* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. */
 int sp_builder_edge(struct sp_builder *builder, int32_t to, double length);
 
-/* At most 2 SP_GRAPH_BLOCK points, put and got one by one, evaluated together. The lane without a point repeats the last. */
+/* Points put and got one by one, evaluated together: `capacity` of them. The lane without a point repeats the last. */
 struct sp_block {
+    const struct sp_surface *surface;
+    sp_evaluate evaluate;
     sp_pair in[3 * SP_GRAPH_BLOCK], out[SP_PARAMETRIC_JET * SP_GRAPH_BLOCK];
-    int32_t inputs, outputs, count;
+    int32_t inputs, outputs, count, capacity;
 };
 
-void sp_block_open(struct sp_block *block, int32_t inputs, int32_t outputs);
+/* Opens a block that evaluates positions (implicit: f and its gradient), or, `metric`, what samples are made of. */
+void sp_block_open(struct sp_block *block, const struct sp_surface *surface, int metric);
 
 void sp_block_put(struct sp_block *block, const double *point);
 
-void sp_block_evaluate(struct sp_block *block, sp_evaluate evaluate);
+void sp_block_evaluate(struct sp_block *block);
 
 double sp_block_get(const struct sp_block *block, int32_t i, int32_t j);
+
+/* A sample: what lengths at a place are measured by. Parametric: x y z, with a density also rho; with a tensor E F G alone. Implicit: x y z
+ * and, with a density, rho^2; with a tensor, its six numbers. */
+enum { SP_GRAPH_WIDTH = 9 };
+
+/* Numbers of a sample. */
+int32_t sp_graph_width(const struct sp_surface *surface);
+
+/* The sample at a point of a block that was opened with `metric` and evaluated. */
+void sp_block_sample(const struct sp_block *block, int32_t i, double *sample);
+
+/* The sample at a place. */
+void sp_graph_sample(const struct sp_surface *surface, const double *place, double *sample);
+
+/* Parametric: the length of a segment with samples at its ends and its middle, which leads over (du, dv). */
+double sp_graph_segment(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]);
+
+/* Any kind: the length of a short chord with samples at its ends. */
+double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]);
 
 static inline double sp_root(double x) { return __builtin_sqrt(x); }
 
@@ -54,17 +76,18 @@ static inline double sp_round_down(double x) {
 
 static inline int sp_is_finite(double x) { return x - x == 0; }
 
-/* Implicit: the length of the surface between two points with unit normals, c (1 + theta^2/24); infinite unless they lie on one sheet:
- * normals at most 72 degrees apart, the chord at most 37 degrees out of the tangent planes. */
-double sp_graph_sheet_length(const double a[3], const double normal_a[3], const double b[3], const double normal_b[3]);
+/* Implicit: the length of the surface between two samples with unit normals, c (1 + theta^2/24) in space; infinite unless they lie on one
+ * sheet: normals at most 72 degrees apart, the chord at most 37 degrees out of the tangent planes. */
+double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,
+                             const double normal_b[3]);
 
 /* Parametric: does S_u x S_v vanish, and turn over, between two places whose normals look away from each other? */
 int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]);
 
-/* Parametric: the point at a place. */
-void sp_graph_position(const struct sp_surface *surface, const double place[2], double position[3]);
-
-/* Parametric: S_u x S_v at a place. */
-void sp_graph_normal(const struct sp_surface *surface, const double place[2], double normal[3]);
+/* Parametric: how far it is around in a direction that wraps; 0 where it does not. */
+static inline double sp_graph_period(const struct sp_graph *graph, int direction) {
+    const double *lines = graph->lines[direction];
+    return graph->wraps[direction] ? lines[graph->count[direction]] - lines[0] : 0;
+}
 
 #endif

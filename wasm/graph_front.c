@@ -53,6 +53,13 @@ void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, doub
     rise(front, front->slot[vertex]);
 }
 
+static int leads_nowhere(const struct sp_front *front, int32_t vertex) {
+    if (front->through[0]) return front->through[0][vertex] + front->through[1][vertex] > front->most;
+    if (!front->target) return 0;
+    const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
+    return front->distance[vertex] + sp_distance3(sample, front->target) > front->most;
+}
+
 void sp_front_advance(struct sp_front *front, double limit) {
     const struct sp_graph *graph = front->graph;
     while (front->count > 0 && front->distance[front->heap[0]] < limit) {
@@ -62,6 +69,7 @@ void sp_front_advance(struct sp_front *front, double limit) {
             put(front, 0, last);
             sink(front, 0);
         }
+        if (leads_nowhere(front, vertex)) continue;
         for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++)
             sp_front_offer(front, graph->edges[e].to, vertex, front->distance[vertex] + (double)graph->edges[e].length);
     }

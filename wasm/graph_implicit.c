@@ -53,7 +53,7 @@ static int take_slots(struct cells *cells, uint32_t wanted) {
 static void open_list(struct cells *cells) {
     struct sp_arena *arena = cells->builder->arena;
     size_t most = (arena->size - arena->used) / sizeof(struct cell);
-    cells->capacity = (int32_t)(most < 1u << 24 ? most : 1u << 24);
+    cells->capacity = (int32_t)(most < 1U << 24 ? most : 1U << 24);
     cells->list = sp_graph_take(arena, 0, sizeof(struct cell));
 }
 
@@ -73,16 +73,16 @@ static uint8_t sign_bits(double f) { return (uint8_t)((f < 0) | (f >= 0) << 1); 
 /* The corners of one layer of the box. */
 static void sweep_layer(const struct cells *cells, int32_t k, uint8_t *signs) {
     struct sp_block block;
-    sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
+    sp_block_open(&block, cells->builder->surface, 0);
     int32_t columns = cells->size[0] + 1, total = columns * (cells->size[1] + 1);
     double point[3];
-    for (int32_t first = 0; first < total; first += 2 * SP_GRAPH_BLOCK) {
+    for (int32_t first = 0; first < total; first += block.capacity) {
         block.count = 0;
-        for (int32_t p = first; p < total && p < first + 2 * SP_GRAPH_BLOCK; p++) {
+        for (int32_t p = first; p < total && p < first + block.capacity; p++) {
             corner(cells, p % columns, p / columns, k, point);
             sp_block_put(&block, point);
         }
-        sp_block_evaluate(&block, cells->builder->surface->value);
+        sp_block_evaluate(&block);
         for (int32_t p = 0; p < block.count; p++)
             signs[first + p] = sign_bits(sp_block_get(&block, p, 0));
     }
@@ -134,13 +134,13 @@ static int sweep_box(struct cells *cells) {
 /* The signs at the corners of a cell; corner c lies at x + (c & 1), y + (c >> 1 & 1), z + (c >> 2). */
 static void read_corners(const struct cells *cells, const int32_t at[3], uint8_t signs[8]) {
     struct sp_block block;
-    sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
+    sp_block_open(&block, cells->builder->surface, 0);
     double point[3];
     for (int32_t c = 0; c < 8; c++) {
         corner(cells, at[0] + (c & 1), at[1] + (c >> 1 & 1), at[2] + (c >> 2), point);
         sp_block_put(&block, point);
     }
-    sp_block_evaluate(&block, cells->builder->surface->value);
+    sp_block_evaluate(&block);
     for (int32_t c = 0; c < 8; c++)
         signs[c] = sign_bits(sp_block_get(&block, c, 0));
 }
@@ -189,7 +189,7 @@ static int flood(struct cells *cells) {
 /* Writes one settled centre, or, if it went astray, a vertex without a normal. */
 static void write_vertex(const struct cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
     struct sp_graph *graph = cells->builder->graph;
-    double *position = graph->positions + 3 * (size_t)vertex, center[3], gradient[3];
+    double *position = graph->samples + (size_t)graph->width * (size_t)vertex, center[3], gradient[3];
     corner(cells, cells->list[vertex].at[0], cells->list[vertex].at[1], cells->list[vertex].at[2], center);
     for (int32_t c = 0; c < 3; c++) {
         center[c] += 0.5 * cells->width[c];
@@ -208,20 +208,37 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
 static void write_vertices(const struct cells *cells) {
     const struct sp_graph *graph = cells->builder->graph;
     struct sp_block block;
-    sp_block_open(&block, SP_IMPLICIT_INPUTS, SP_IMPLICIT_VALUES);
+    sp_block_open(&block, cells->builder->surface, 0);
     double point[3];
-    for (int32_t first = 0; first < cells->count; first += 2 * SP_GRAPH_BLOCK) {
+    for (int32_t first = 0; first < cells->count; first += block.capacity) {
         block.count = 0;
-        for (int32_t i = first; i < cells->count && i < first + 2 * SP_GRAPH_BLOCK; i++) {
+        for (int32_t i = first; i < cells->count && i < first + block.capacity; i++) {
             corner(cells, cells->list[i].at[0], cells->list[i].at[1], cells->list[i].at[2], point);
             for (int c = 0; c < 3; c++)
                 point[c] += 0.5 * cells->width[c];
             sp_block_put(&block, point);
         }
         sp_implicit_settle(cells->builder->surface, (block.count + 1) / 2, block.in, graph->spacing);
-        sp_block_evaluate(&block, cells->builder->surface->value);
+        sp_block_evaluate(&block);
         for (int32_t k = 0; k < block.count; k++)
             write_vertex(cells, &block, k, first + k);
+    }
+}
+
+static double *sample_at(const struct sp_graph *graph, int32_t vertex) { return graph->samples + (size_t)graph->width * (size_t)vertex; }
+
+/* What measures length at the vertices. */
+static void sample_metric(const struct cells *cells) {
+    const struct sp_graph *graph = cells->builder->graph;
+    struct sp_block block;
+    sp_block_open(&block, cells->builder->surface, 1);
+    for (int32_t first = 0; first < cells->count; first += block.count) {
+        block.count = 0;
+        for (int32_t i = first; i < cells->count && block.count < block.capacity; i++)
+            sp_block_put(&block, sample_at(graph, i));
+        sp_block_evaluate(&block);
+        for (int32_t k = 0; k < block.count; k++)
+            sp_block_sample(&block, k, sample_at(graph, first + k));
     }
 }
 
@@ -241,8 +258,9 @@ static int join_around(const struct cells *cells, int32_t vertex) {
                 int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k}, to = *find_slot(cells, at);
                 if (to < 0 || to == vertex) continue;
                 read_vertex(graph, to, other);
-                const double *here = graph->positions + 3 * (size_t)vertex, *there = graph->positions + 3 * (size_t)to;
-                if (!sp_builder_edge(cells->builder, to, sp_graph_sheet_length(here, normal, there, other))) return 0;
+                double length =
+                    sp_graph_sheet_length(cells->builder->surface, sample_at(graph, vertex), normal, sample_at(graph, to), other);
+                if (!sp_builder_edge(cells->builder, to, length)) return 0;
             }
     return 1;
 }
@@ -255,6 +273,7 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     graph->spacing = sp_root(sp_dot3(cells.width, cells.width));
     if (!sp_builder_take(builder)) return SP_OUT_OF_MEMORY;
     write_vertices(&cells);
+    if (graph->width > 3) sample_metric(&cells);
     for (int32_t i = 0; i < cells.count; i++) {
         graph->first[i] = graph->edge_count;
         if (!join_around(&cells, i)) return SP_OUT_OF_MEMORY;

@@ -1,126 +1,105 @@
-/* The graph of a parametric surface: a grid over its rectangle with wide steps, so that ways in 32 directions are straight. The surface is
- * sampled once, on a grid twice as fine, which holds the vertices and the middles of all edges. */
+/* The graph of a parametric surface: a grid over its rectangle with wide steps, so that ways in 32 directions are straight. Its lines are
+ * spread so that the cells are about square on the surface. It is sampled once, on a grid twice as fine, which holds the vertices and the
+ * middles of all edges. */
 #include "graph_build.h"
+#include "metric.h"
 
-enum { REACH = 3, BISECTIONS = 12, PROBES = 8 };
+enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
 /* A pole: the samples of an edge of the rectangle vary by less than this part of the patch. A curve where the normal vanishes: after the
- * bisections it is this much shorter than at the ends of the segment. Rounding of a curvature that is zero, and
- * of the square of a normal that is. */
-static const double COLLAPSED = 1e-9, VANISHING = 1e-2, FLAT = 1e-10, NOTHING = 1e-12;
+ * bisections it is this much shorter than at the ends of the segment. Rounding of the square of a normal that vanishes. */
+static const double COLLAPSED = 1e-9, VANISHING = 1e-2, NOTHING = 1e-12;
 
-/* The square root of how much longer a rectangle may be one way than the other. */
-static const double LEAST_RATIO = 0.3;
+/* The curvature by which no geodesics as long as the rectangle meet again (they would at pi^2), beside rounding of one that is zero. */
+static const double FLAT = 1e-6;
+
+/* The square root of how much longer a rectangle may be one way than the other; and what lines are spread by at least, of the mean. */
+static const double LEAST_RATIO = 0.3, LEAST_SPREAD = 0.05;
 
 struct grid {
     const struct sp_builder *builder;
-    int32_t cells[2], samples[2]; /* samples of the fine grid: twice the cells, and one more between walls */
-    double *positions;            /* 3 a sample, v fastest */
-    double *normals;              /* 3 a vertex: S_u x S_v */
-    int8_t *sheet;                /* a vertex: -1 on the other side of a curve where the normal turns over */
+    int32_t cells[2], count[2]; /* samples of the fine grid: twice the cells, and one more between walls */
+    double *lines[2];           /* places of its lines, 2 cells + 1 */
+    double *samples;            /* v fastest */
+    double *normals;            /* 3 a vertex: S_u x S_v */
+    int8_t *sheet;              /* a vertex: -1 on the other side of a curve where the normal turns over */
+    double size;                /* how long the surface is both ways */
 };
 
 static int is_even(int32_t x) { return (x & 1) == 0; }
 
-static double place_of(const struct grid *grid, int direction, int32_t sample) {
-    const double *range = grid->builder->options->box + 2 * direction;
-    if (sample == 2 * grid->cells[direction]) return range[1];
-    return range[0] + (range[1] - range[0]) * ((double)sample / (2 * grid->cells[direction]));
+/* Where a line of the fine grid lies, beyond a seam too. */
+static double place_of(const struct grid *grid, int direction, int32_t line) {
+    const double *lines = grid->lines[direction];
+    int32_t last = 2 * grid->cells[direction];
+    if (line < 0) return lines[line + last] - (lines[last] - lines[0]);
+    return line <= last ? lines[line] : lines[line - last] + (lines[last] - lines[0]);
 }
 
-static const double *position_at(const struct grid *grid, int32_t i, int32_t j) {
-    return grid->positions + 3 * ((size_t)i * (size_t)grid->samples[1] + (size_t)j);
+static const double *sample_at(const struct grid *grid, int32_t i, int32_t j) {
+    return grid->samples + (size_t)grid->builder->graph->width * ((size_t)i * (size_t)grid->count[1] + (size_t)j);
 }
 
 static size_t vertex_at(const struct grid *grid, int32_t i, int32_t j) {
     return (size_t)i * (size_t)grid->builder->graph->count[1] + (size_t)j;
 }
 
-static void sample_positions(const struct grid *grid) {
+static void take_samples(const struct grid *grid) {
     struct sp_block block;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_VALUES);
-    size_t total = (size_t)grid->samples[0] * (size_t)grid->samples[1];
-    for (size_t first = 0; first < total; first += 2 * SP_GRAPH_BLOCK) {
+    sp_block_open(&block, grid->builder->surface, 1);
+    size_t total = (size_t)grid->count[0] * (size_t)grid->count[1], row = (size_t)grid->count[1];
+    for (size_t first = 0; first < total; first += (size_t)block.count) {
         block.count = 0;
-        for (size_t k = first; k < total && k < first + 2 * SP_GRAPH_BLOCK; k++) {
-            int32_t i = (int32_t)(k / (size_t)grid->samples[1]), j = (int32_t)(k % (size_t)grid->samples[1]);
-            double place[2] = {place_of(grid, 0, i), place_of(grid, 1, j)};
+        for (size_t k = first; k < total && block.count < block.capacity; k++) {
+            double place[2] = {place_of(grid, 0, (int32_t)(k / row)), place_of(grid, 1, (int32_t)(k % row))};
             sp_block_put(&block, place);
         }
-        sp_block_evaluate(&block, grid->builder->surface->value);
+        sp_block_evaluate(&block);
         for (int32_t k = 0; k < block.count; k++)
-            for (int32_t c = 0; c < 3; c++)
-                grid->positions[3 * (first + (size_t)k) + (size_t)c] = sp_block_get(&block, k, c);
+            sp_block_sample(&block, k, grid->samples + (size_t)grid->builder->graph->width * (first + (size_t)k));
     }
 }
 
-static void jet_normal(const struct sp_block *block, int32_t k, double normal[3]) {
-    double u[3], v[3];
-    for (int32_t c = 0; c < 3; c++)
-        u[c] = sp_block_get(block, k, 3 + c), v[c] = sp_block_get(block, k, 6 + c);
-    normal[0] = u[1] * v[2] - u[2] * v[1], normal[1] = u[2] * v[0] - u[0] * v[2], normal[2] = u[0] * v[1] - u[1] * v[0];
-}
-
-/* Is the curvature certainly positive, or not a number? Second fundamental form times |N|: l n - m^2, against its own rounding. */
-static int curves_outwards(const struct sp_block *block, int32_t k, const double normal[3]) {
-    double form[3], size[3], length = sp_root(sp_dot3(normal, normal));
-    for (int32_t s = 0; s < 3; s++) {
-        double second[3] = {sp_block_get(block, k, 9 + 3 * s), sp_block_get(block, k, 10 + 3 * s), sp_block_get(block, k, 11 + 3 * s)};
-        form[s] = sp_dot3(second, normal), size[s] = length * sp_root(sp_dot3(second, second));
-    }
-    double rounding = FLAT * (size[0] * size[2] + size[1] * size[1]);
-    return !(form[0] * form[2] - form[1] * form[1] <= rounding);
-}
-
-/* Normals at the vertices, and whether the surface curves outwards anywhere at a vertex (offset 0) or at the middle of a cell (offset 1).
- */
-static int inspect(const struct grid *grid, int32_t offset) {
-    struct sp_block block;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_JET);
+/* Normals at the vertices (offset 0), or at the middles of cells nothing (offset 1); and the largest curvature there, infinite where it is
+ * not a number. */
+static double inspect(const struct grid *grid, int32_t offset) {
     const int32_t *count = offset ? grid->cells : grid->builder->graph->count;
-    int outwards = 0;
-    double normal[3];
+    struct sp_point point;
+    double largest = -__builtin_inf();
     for (int32_t i = 0; i < count[0]; i++)
-        for (int32_t first = 0; first < count[1]; first += 2 * SP_GRAPH_BLOCK) {
-            block.count = 0;
-            for (int32_t j = first; j < count[1] && j < first + 2 * SP_GRAPH_BLOCK; j++) {
-                double place[2] = {place_of(grid, 0, 2 * i + offset), place_of(grid, 1, 2 * j + offset)};
-                sp_block_put(&block, place);
-            }
-            sp_block_evaluate(&block, grid->builder->surface->jet);
-            for (int32_t k = 0; k < block.count; k++) {
-                jet_normal(&block, k, normal);
-                outwards |= curves_outwards(&block, k, normal);
-                for (int c = 0; c < 3 && !offset; c++)
-                    grid->normals[3 * vertex_at(grid, i, first + k) + (size_t)c] = normal[c];
+        for (int32_t j = 0; j < count[1]; j += 2) {
+            int32_t other = j + 1 < count[1] ? j + 1 : j;
+            sp_pair place[2] = {sp_splat(place_of(grid, 0, 2 * i + offset)),
+                                {place_of(grid, 1, 2 * j + offset), place_of(grid, 1, 2 * other + offset)}};
+            sp_metric_point(grid->builder->surface, place, &point);
+            struct sp_vector normal = sp_chart_normal(point.chart);
+            for (int lane = 0; lane < 2; lane++) {
+                double curvature = point.geometry.curvature[lane];
+                if (!(curvature <= largest)) largest = sp_is_finite(curvature) ? curvature : __builtin_inf();
+                double *at = grid->normals + 3 * vertex_at(grid, i, lane ? other : j);
+                if (!offset) at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
             }
         }
-    return outwards;
+    return largest;
 }
 
-void sp_graph_position(const struct sp_surface *surface, const double place[2], double position[3]) {
-    sp_pair in[SP_PARAMETRIC_INPUTS] = {sp_splat(place[0]), sp_splat(place[1])}, out[SP_PARAMETRIC_VALUES];
-    surface->value(1, in, out);
-    for (int c = 0; c < 3; c++)
-        position[c] = out[c][0];
-}
-
-void sp_graph_normal(const struct sp_surface *surface, const double place[2], double normal[3]) {
-    struct sp_block block;
-    sp_block_open(&block, SP_PARAMETRIC_INPUTS, SP_PARAMETRIC_JET);
-    sp_block_put(&block, place);
-    sp_block_evaluate(&block, surface->jet);
-    jet_normal(&block, 0, normal);
+/* S_u x S_v at a place. */
+static void normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
+    struct sp_point point;
+    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
+    sp_kind_of(surface)->charts(surface, 1, at, point.chart, point.metric);
+    struct sp_vector both = sp_chart_normal(point.chart);
+    normal[0] = both.x[0], normal[1] = both.y[0], normal[2] = both.z[0];
 }
 
 int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]) {
     double start[3], end[3], middle[3], low = 0, high = 1;
-    sp_graph_normal(surface, a, start);
-    sp_graph_normal(surface, b, end);
+    normal_at(surface, a, start);
+    normal_at(surface, b, end);
     if (!(sp_dot3(start, end) < 0)) return 0;
     for (int i = 0; i < BISECTIONS; i++) {
         double t = 0.5 * (low + high), place[2] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
-        sp_graph_normal(surface, place, middle);
+        normal_at(surface, place, middle);
         if (sp_dot3(middle, start) > 0)
             low = t;
         else
@@ -163,24 +142,25 @@ static int divide_sheets(const struct grid *grid) {
     return divided;
 }
 
-/* Which edges of the rectangle are points. */
+/* Which edges of the rectangle are points. Without positions none is known to be. */
 static int find_collapsed(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
-    const double *origin = position_at(grid, 0, 0);
     double size = 0;
     int any = 0;
-    for (size_t k = 0; k < (size_t)grid->samples[0] * (size_t)grid->samples[1]; k++) {
-        double away = sp_distance3(grid->positions + 3 * k, origin);
-        size = away > size ? away : size;
-    }
+    if (grid->builder->surface->metric == SP_TENSOR) return 0;
+    for (int32_t i = 0; i < grid->count[0]; i++)
+        for (int32_t j = 0; j < grid->count[1]; j++) {
+            double away = sp_distance3(sample_at(grid, i, j), sample_at(grid, 0, 0));
+            size = away > size ? away : size;
+        }
     for (int edge = 0; edge < 4; edge++) {
         int direction = edge / 2;
         if (graph->wraps[direction]) continue;
-        int32_t fixed = edge & 1 ? grid->samples[direction] - 1 : 0;
+        int32_t fixed = edge & 1 ? grid->count[direction] - 1 : 0;
         double variation = 0;
-        for (int32_t k = 0; k < grid->samples[1 - direction]; k++) {
-            const double *here = direction ? position_at(grid, k, fixed) : position_at(grid, fixed, k);
-            double away = sp_distance3(here, direction ? position_at(grid, 0, fixed) : position_at(grid, fixed, 0));
+        for (int32_t k = 0; k < grid->count[1 - direction]; k++) {
+            const double *here = direction ? sample_at(grid, k, fixed) : sample_at(grid, fixed, k);
+            double away = sp_distance3(here, direction ? sample_at(grid, 0, fixed) : sample_at(grid, fixed, 0));
             variation = away <= variation ? variation : away;
         }
         any |= graph->collapsed[edge] = variation <= COLLAPSED * size;
@@ -202,9 +182,10 @@ static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32
     if (!step_to(graph, 0, i, du, &to_i) || !step_to(graph, 1, j, dv, &to_j)) return 1;
     size_t here = vertex_at(grid, i, j), there = vertex_at(grid, to_i, to_j);
     if (grid->sheet[here] != grid->sheet[there]) return 1;
-    int32_t middle_i = (2 * i + du + grid->samples[0]) % grid->samples[0], middle_j = (2 * j + dv + grid->samples[1]) % grid->samples[1];
-    const double *middle = position_at(grid, middle_i, middle_j);
-    double length = sp_distance3(position_at(grid, 2 * i, 2 * j), middle) + sp_distance3(middle, position_at(grid, 2 * to_i, 2 * to_j));
+    const double *middle = sample_at(grid, (2 * i + du + grid->count[0]) % grid->count[0], (2 * j + dv + grid->count[1]) % grid->count[1]);
+    double by[2] = {place_of(grid, 0, 2 * (i + du)) - place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * (j + dv)) - place_of(grid, 1, 2 * j)};
+    double length =
+        sp_graph_segment(grid->builder->surface, sample_at(grid, 2 * i, 2 * j), middle, sample_at(grid, 2 * to_i, 2 * to_j), by);
     return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)there, length);
 }
 
@@ -228,57 +209,100 @@ static int join_all(const struct grid *grid) {
     return fits;
 }
 
-static void write_positions(const struct grid *grid) {
+/* The vertices' samples and the places of the lines. */
+static void write_vertices(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
     for (int32_t i = 0; i < graph->count[0]; i++)
         for (int32_t j = 0; j < graph->count[1]; j++)
-            for (int c = 0; c < 3; c++)
-                graph->positions[3 * vertex_at(grid, i, j) + (size_t)c] = position_at(grid, 2 * i, 2 * j)[c];
+            for (int32_t c = 0; c < graph->width; c++)
+                graph->samples[(size_t)graph->width * vertex_at(grid, i, j) + (size_t)c] = sample_at(grid, 2 * i, 2 * j)[c];
+    for (int d = 0; d < 2; d++)
+        for (int32_t i = 0; i <= grid->cells[d]; i++)
+            graph->lines[d][i] = grid->lines[d][2 * i];
 }
 
 static int take_grid(struct grid *grid) {
     struct sp_builder *builder = (struct sp_builder *)grid->builder;
-    size_t samples = (size_t)grid->samples[0] * (size_t)grid->samples[1], vertices = (size_t)builder->graph->vertex_count;
-    grid->positions = sp_graph_take(builder->arena, samples, 3 * sizeof(double));
+    size_t samples = (size_t)grid->count[0] * (size_t)grid->count[1], vertices = (size_t)builder->graph->vertex_count;
+    grid->samples = sp_graph_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
     grid->normals = sp_graph_take(builder->arena, vertices, 3 * sizeof(double));
     grid->sheet = sp_graph_take(builder->arena, vertices, 1);
-    return grid->positions && grid->normals && grid->sheet && sp_builder_take(builder);
+    return grid->samples && grid->normals && grid->sheet && sp_builder_take(builder);
 }
 
-/* Cells that are about square on the surface: their numbers in both directions, resolution^2 in all. From the chords of an 8 x 8 grid. */
-static void choose_cells(struct grid *grid) {
-    double position[PROBES][PROBES][3], length[2] = {0, 0}, resolution = grid->builder->options->resolution;
-    grid->cells[0] = grid->cells[1] = PROBES - 1;
-    for (int32_t i = 0; i < PROBES; i++)
-        for (int32_t j = 0; j < PROBES; j++) {
-            double place[2] = {place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * j)};
-            sp_graph_position(grid->builder->surface, place, position[i][j]);
-            if (i) length[0] += sp_distance3(position[i][j], position[i - 1][j]);
-            if (j) length[1] += sp_distance3(position[i][j], position[i][j - 1]);
+/* How long the surface is, step by step in a direction: sums over lines across the rectangle. Returns the length of all. */
+static double measure_steps(const struct grid *grid, int direction, double steps[STEPS]) {
+    const struct sp_builder *builder = grid->builder;
+    const double *along = builder->options->box + 2 * direction, *across = builder->options->box + 2 * (1 - direction);
+    double samples[2][SP_GRAPH_WIDTH], by[2] = {0, 0}, place[2], total = 0;
+    struct sp_block block;
+    by[direction] = (along[1] - along[0]) / STEPS;
+    for (int s = 0; s < STEPS; s++)
+        steps[s] = 0;
+    for (int k = 0; k < ACROSS; k++) {
+        sp_block_open(&block, builder->surface, 1);
+        place[1 - direction] = across[0] + (across[1] - across[0]) * ((k + 0.5) / ACROSS);
+        for (int s = 0; s <= STEPS; s++) {
+            place[direction] = along[0] + by[direction] * s;
+            sp_block_put(&block, place);
         }
+        sp_block_evaluate(&block);
+        for (int s = 0; s <= STEPS; s++) {
+            sp_block_sample(&block, s, samples[s & 1]);
+            double length = s ? sp_graph_chord(builder->surface, samples[~s & 1], samples[s & 1], by) : 0;
+            if (s && sp_is_finite(length)) steps[s - 1] += length / ACROSS, total += length / ACROSS;
+        }
+    }
+    return total;
+}
+
+/* Lines between which the surface is equally long, on an average. */
+static void spread_lines(double *lines, int32_t count, const double range[2], const double steps[STEPS], double total) {
+    double least = total > 0 ? LEAST_SPREAD * total / STEPS : 1, sum = total + STEPS * least, passed = 0;
+    int s = 0;
+    for (int32_t i = 0; i < count; i++) {
+        double target = sum * ((double)i / count);
+        while (s < STEPS - 1 && passed + steps[s] + least < target)
+            passed += steps[s++] + least;
+        lines[i] = range[0] + (range[1] - range[0]) * ((s + (target - passed) / (steps[s] + least)) / STEPS);
+    }
+    lines[count] = range[1];
+}
+
+/* Cells that are about square on the surface: resolution^2 in all. */
+static int choose_lines(struct grid *grid) {
+    double steps[2][STEPS], length[2], resolution = grid->builder->options->resolution;
+    for (int d = 0; d < 2; d++)
+        length[d] = measure_steps(grid, d, steps[d]);
     double ratio = sp_root(length[0] / length[1]);
     ratio = !(ratio > LEAST_RATIO) ? LEAST_RATIO : ratio > 1 / LEAST_RATIO ? 1 / LEAST_RATIO : ratio;
-    if (!sp_is_finite(length[0] + length[1])) ratio = 1;
     grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
+    grid->size = length[0] + length[1];
+    for (int d = 0; d < 2; d++) {
+        grid->lines[d] = sp_graph_take(grid->builder->arena, 2 * (size_t)grid->cells[d] + 1, sizeof(double));
+        if (!grid->lines[d]) return 0;
+        spread_lines(grid->lines[d], 2 * grid->cells[d], grid->builder->options->box + 2 * d, steps[d], length[d]);
+    }
+    return 1;
 }
 
 int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct grid grid = {.builder = builder};
-    choose_cells(&grid);
+    if (!choose_lines(&grid)) return SP_OUT_OF_MEMORY;
     for (int j = 0; j < 2; j++) {
         graph->wraps[j] = !sp_is_finite(builder->surface->lower[j]);
         graph->count[j] = grid.cells[j] + !graph->wraps[j];
-        grid.samples[j] = 2 * grid.cells[j] + !graph->wraps[j];
-        graph->lower[j] = builder->options->box[2 * j];
-        graph->step[j] = (builder->options->box[2 * j + 1] - graph->lower[j]) / grid.cells[j];
+        grid.count[j] = 2 * grid.cells[j] + !graph->wraps[j];
     }
     graph->vertex_count = graph->count[0] * graph->count[1];
     if (!take_grid(&grid)) return SP_OUT_OF_MEMORY;
-    sample_positions(&grid);
-    int outwards = inspect(&grid, 0) | inspect(&grid, 1), collapsed = find_collapsed(&grid);
+    take_samples(&grid);
+    double flat = FLAT / (grid.size * grid.size), curvature = inspect(&grid, 0);
+    int collapsed = find_collapsed(&grid);
     graph->singular = divide_sheets(&grid);
-    graph->unique = !outwards && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1];
-    write_positions(&grid);
+    graph->unique =
+        curvature <= flat && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1] && inspect(&grid, 1) <= flat;
+    write_vertices(&grid);
     return join_all(&grid) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

@@ -3,7 +3,7 @@
 #include "graph_search.h"
 
 /* Ways up to a quarter longer than the shortest are looked at; one that keeps within a tenth of it is the same. */
-static const double LONGEST = 1.25, APART = 0.1, GROWTH = 1.25;
+static const double LONGEST = 1.25, APART = 0.1, GROWTH = 1.25, ROUNDING = 1e-6;
 
 enum { MOST_WAYS = 8 };
 
@@ -12,9 +12,9 @@ struct search {
     const struct sp_graph *graph;
     const double *ends[2];
     struct sp_attachment attached[2];
-    struct sp_front front[2], taken; /* distances from the ends, and from the ways already found */
-    int32_t *vertices;               /* those of one way */
-    double best;
+    struct sp_front front[2], taken;     /* distances from the ends, and from the ways already found */
+    int32_t *vertices;                   /* those of one way */
+    double best, target[SP_GRAPH_WIDTH]; /* length of the best way; sample at the second end */
 };
 
 static enum sp_status attach(struct search *search) {
@@ -22,6 +22,18 @@ static enum sp_status attach(struct search *search) {
     for (int end = 0; end < 2 && status == SP_CONVERGED; end++)
         status = sp_graph_attach(search->surface, search->graph, search->ends[end], NULL, search->attached + end);
     return status;
+}
+
+/* From now on only the vertices of ways of interest are visited. In space no way is shorter than its chord. */
+static void bound(struct search *search) {
+    struct sp_front *front = search->front, *others[2] = {front + 1, &search->taken};
+    double most = (LONGEST + ROUNDING) * search->best;
+    if (search->surface->metric == SP_INDUCED) {
+        sp_graph_sample(search->surface, search->ends[1], search->target);
+        front->target = search->target, front->most = most;
+    }
+    for (int i = 0; i < 2; i++)
+        others[i]->through[0] = front[0].distance, others[i]->through[1] = front[1].distance, others[i]->most = most;
 }
 
 /* Distances from both ends as far as ways of interest go. */
@@ -39,6 +51,7 @@ static enum sp_status measure(struct search *search) {
         limit = GROWTH * (limit > nearest ? limit : nearest) + 1e-300;
         sp_front_advance(front, limit);
     }
+    bound(search);
     sp_front_advance(front, LONGEST * search->best);
     sp_front_advance(front + 1, LONGEST * search->best);
     return SP_CONVERGED;
@@ -96,7 +109,7 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) 
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
                         struct sp_arena *arena, struct sp_graph_answer *answer) {
     struct search search = {.surface = surface, .graph = graph, .ends = {ends, ends + 3}};
-    size_t places = (size_t)(SP_GRAPH_MAX_CANDIDATES * clamped_points(point_count));
+    size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};
     answer->places = sp_graph_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));

@@ -13,10 +13,12 @@ struct sp_attachment {
     int32_t count;
 };
 
-/* Some vertices of an implicit graph: those among which the ones around a point are looked for. */
+/* Some vertices of an implicit graph: those among which the ones around a point are looked for, and only such as make its distance from
+ * the seeds of a search shorter than the ones before. */
 struct sp_candidates {
     const int32_t *vertices;
     int32_t count;
+    const double *distance; /* of all vertices */
 };
 
 /* Finds the vertices around a place: parametric, the 4 x 4 around it in the grid; implicit, those of `among` (NULL: of all) within one and
@@ -38,6 +40,10 @@ struct sp_front {
     int32_t *heap;    /* vertices still to be visited, nearest first */
     int32_t *slot;    /* where a vertex is in the heap; -1: not in it */
     int32_t count;
+    /* Vertices that no way of interest leads over are not visited: those where `through`, the sum of two distances, is more than `most`; or
+     * the distance and the chord to `target`. NULL: none are left out. */
+    const double *through[2], *target;
+    double most;
 };
 
 /* Takes the arrays, nothing reached. Returns 0 if the arena is full. */
@@ -46,7 +52,7 @@ int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct s
 /* Offers a way to a vertex; it counts if it is shorter than the known one. */
 void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance);
 
-/* Visits all vertices nearer than `limit`. */
+/* Visits all vertices nearer than `limit`, but for those that are left out. */
 void sp_front_advance(struct sp_front *front, double limit);
 
 /* The length of the shortest known way to a place; infinite: there is none. */

@@ -32,6 +32,7 @@ static int take_line(struct line *line, const struct sp_way *way, struct sp_aren
 
 static void append(struct line *line, const double *place) {
     for (int32_t j = 0; j < line->dimension; j++)
+        /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
         line->places[line->dimension * line->count + j] = place[j];
     line->count++;
 }
@@ -44,7 +45,7 @@ static void append_lifted(struct line *line, const double *place) {
     for (int32_t j = 0; j < line->dimension; j++) {
         lifted[j] = place[j];
         if (line->dimension == 3 || !graph->wraps[j] || line->count == 0) continue;
-        double period = graph->step[j] * graph->count[j];
+        double period = sp_graph_period(graph, j);
         lifted[j] -= period * sp_round_down((place[j] - last[j]) / period + 0.5);
     }
     append(line, lifted);
@@ -53,11 +54,11 @@ static void append_lifted(struct line *line, const double *place) {
 static void append_vertex(struct line *line, int32_t vertex) {
     const struct sp_graph *graph = line->way->graph;
     if (line->dimension == 3) {
-        append(line, graph->positions + 3 * (size_t)vertex);
+        append(line, graph->samples + (size_t)graph->width * (size_t)vertex);
         return;
     }
     int32_t index[2] = {vertex / graph->count[1], vertex % graph->count[1]};
-    double place[2] = {graph->lower[0] + graph->step[0] * index[0], graph->lower[1] + graph->step[1] * index[1]};
+    double place[2] = {graph->lines[0][index[0]], graph->lines[1][index[1]]};
     append_lifted(line, place);
 }
 
@@ -75,7 +76,7 @@ static void append_polar(struct line *line, int edge, const double to[2], double
     const struct sp_graph *graph = line->way->graph;
     int across = edge / 2, around = 1 - across;
     double from[2] = {line->places[2 * line->count - 2], line->places[2 * line->count - 1]}, place[2];
-    double pole = graph->lower[across] + (edge & 1 ? graph->step[across] * (graph->count[across] - 1) : 0), sign = edge & 1 ? -1 : 1;
+    double pole = graph->lines[across][edge & 1 ? graph->count[across] - 1 : 0], sign = edge & 1 ? -1 : 1;
     double near = sign * (from[across] - pole), far = sign * (to[across] - pole), size = turn < 0 ? -turn : turn;
     double angle = size < WIDEST ? size : WIDEST;
     sp_pair cosine, sine = sp_sincos(sp_splat(angle), &cosine);
@@ -90,15 +91,13 @@ static void append_polar(struct line *line, int edge, const double to[2], double
 
 /* Lengths of the chords up to each place. */
 static void measure(struct line *line) {
-    double before[3], here[3];
+    const struct sp_surface *surface = line->way->surface;
+    double samples[2][SP_GRAPH_WIDTH];
     for (int32_t i = 0; i < line->count; i++) {
-        const double *place = line->places + line->dimension * i;
-        if (line->dimension == 3)
-            memcpy(here, place, sizeof here);
-        else
-            sp_graph_position(line->way->surface, place, here);
-        line->along[i] = i ? line->along[i - 1] + sp_distance3(before, here) : 0;
-        memcpy(before, here, sizeof here);
+        const double *place = line->places + line->dimension * i, *before = i ? place - line->dimension : place;
+        double by[2] = {place[0] - before[0], place[1] - before[1]};
+        sp_graph_sample(surface, place, samples[i & 1]);
+        line->along[i] = i ? line->along[i - 1] + sp_graph_chord(surface, samples[~i & 1], samples[i & 1], by) : 0;
     }
 }
 
@@ -169,7 +168,7 @@ static void write_line(struct line *line, int edge, int32_t begin, int32_t end, 
             append_lifted(&next, way->to);
         int around = 1 - edge / 2;
         double to[2] = {next.places[2 * before + 2], next.places[2 * before + 3]}, turn = to[around] - next.places[2 * before + around];
-        double period = graph->wraps[around] ? graph->step[around] * graph->count[around] : 0;
+        double period = sp_graph_period(graph, around);
         turn += turn > 0 ? -turns * period : turns * period;
         append_polar(line, edge, to, turn);
         to[around] = line->places[2 * before + around] + turn;

@@ -185,7 +185,7 @@ static struct site site_at(const struct sweep *sweep, const int32_t face[3], con
 
 /* The four tetrahedra around the segment that joins the two cells at a face. */
 static void visit_face(struct sweep *sweep, const int32_t offsets[FACE_SITES][3], const int32_t face[3]) {
-    struct site site[FACE_SITES];
+    struct site site[FACE_SITES] = {{{0, 0, 0}, false}};
     for (int i = 0; i < FACE_SITES; i++)
         site[i] = site_at(sweep, face, offsets[i]);
     for (int i = 0; i < 4; i++) {

@@ -119,7 +119,7 @@ static void store_vertex(const struct block *block, int32_t i, double position[3
 }
 
 static void place_block(sp_evaluate value, struct block *block, double *positions, double *normals) {
-    bool lost[BLOCK];
+    bool lost[BLOCK] = {false};
     int32_t lost_count = 0;
     settle_block(value, block);
     for (int32_t i = 0; i < block->count; i++) {

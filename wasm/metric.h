@@ -13,7 +13,7 @@ enum { SP_METRIC_PARTS = 6, SP_METRIC_COMPONENTS = 6, SP_METRIC_LARGEST = SP_MET
 /* Parts of a metric. */
 enum { SP_METRIC_T = 0, SP_METRIC_T1, SP_METRIC_T2, SP_METRIC_T11, SP_METRIC_T12, SP_METRIC_T22 };
 
-/* a' T b for a tensor of `components` numbers, vectors of three. */
+/* a' T b for a tensor of `components` numbers, vectors of three; of none, T = 1. */
 sp_pair sp_metric_product(int32_t components, const sp_pair *t, const sp_pair *a, const sp_pair *b);
 
 /* The first fundamental form e = B_1'T B_1, f = B_1'T B_2, g = B_2'T B_2. */
@@ -22,6 +22,26 @@ struct sp_form {
 };
 
 struct sp_form sp_metric_form(int32_t components, const sp_pair *chart, const sp_pair *metric);
+
+/* What geodesics turn by: the form, Christoffel's symbols of the first kind, Gamma_c,ab in gamma[ab][c] (ab = 11, 12, 22), and the Gaussian
+ * curvature. */
+struct sp_geometry {
+    struct sp_form form;
+    sp_pair gamma[3][2];
+    sp_pair determinant, curvature;
+};
+
+/* The chart, the metric and the geometry of a pair of places. Where length is that of space, the metric is a density of 1. */
+struct sp_point {
+    sp_pair chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    int32_t components;
+    struct sp_geometry geometry;
+};
+
+void sp_metric_point(const struct sp_surface *surface, const sp_pair *place, struct sp_point *point);
+
+/* x' e^-1 y for two covectors, e the form. */
+sp_pair sp_geometry_raise(const struct sp_geometry *geometry, const sp_pair x[2], const sp_pair y[2]);
 
 /* Determinant of the first fundamental form at a pair of places, which are put onto the surface first; -1 where the form is not even
  * semidefinite. `scale`: of sp_implicit_settle. */

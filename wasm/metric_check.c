@@ -39,10 +39,11 @@ static int vanishes(const struct sp_polyline *line, int32_t step, sp_pair before
  * the last two: there the step after is the one before, lanes exchanged. */
 enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
     int32_t last = 2 * line->fold.both + 1 + line->fold.odd;
-    sp_pair zero = sp_splat(0.0), before = zero, here = zero, after = zero;
+    sp_pair zero = sp_splat(0.0), here = zero, after = zero;
     for (int32_t step = -1; step <= last && line->kind->components; step++) {
         int32_t next = step + 1, k = next < last ? next / 2 : (last - 1) / 2;
-        before = here, here = after;
+        sp_pair before = here;
+        here = after;
         after = step < last ? determinant_at(line, k, sp_splat(0.5 * (next - 2 * k)), scale) : sp_swap(before);
         if (step < 0) continue;
         if (sp_any(here != here)) return SP_NOT_FINITE;

@@ -193,6 +193,14 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
     }
 }
 
+void sp_metric_end_pull(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair pull[2]) {
+    struct sp_metric_element element;
+    sp_pair terms[TERMS] = {{0}};
+    sp_metric_open(reference, line, line->nodes, 0, &element);
+    add_terms(&element, 0, terms);
+    pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
+}
+
 double sp_metric_size(const struct sp_polyline *line) {
     int32_t components = line->kind->components;
     sp_pair t[SP_METRIC_COMPONENTS], at[3];

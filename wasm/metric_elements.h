@@ -30,6 +30,9 @@ void sp_metric_open(const struct sp_reference *reference, const struct sp_polyli
  * from its first node). */
 void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]);
 
+/* As sp_elements_end_pull: B_a' times the pull of space, and the force of T itself. */
+void sp_metric_end_pull(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair pull[2]);
+
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric. */
 double sp_metric_size(const struct sp_polyline *line);
 

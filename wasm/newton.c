@@ -5,7 +5,7 @@
 
 /* Why these: MATH.md, "Constants". */
 static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, PAPER_TOLERANCE = 1e-6;
-enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3, HISTORY_EXTRA = 16 };
+enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static int is_finite(double x) { return x - x == 0; }
@@ -32,10 +32,10 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
     newton->decrement = DECREMENT;
-    newton->history_count = 0, newton->history_capacity = options->max_iterations + HISTORY_EXTRA,
-    newton->record_points = options->point_count;
-    newton->history = sp_arena_take(arena, (size_t)newton->history_capacity, sizeof(struct sp_iterate));
-    size_t record = (size_t)newton->history_capacity * 3 * ((size_t)options->point_count + 2);
+    newton->steps_left = options->max_iterations, newton->record_points = options->point_count;
+    newton->history_count = 0;
+    newton->history = sp_arena_take(arena, (size_t)options->max_iterations + 1, sizeof(struct sp_iterate));
+    size_t record = ((size_t)options->max_iterations + 1) * 3 * ((size_t)options->point_count + 2);
     int keeps = options->record && surface->value;
     newton->record = keeps ? sp_arena_take(arena, record, sizeof(double)) : NULL;
     return system->rows && system->straight && system->held && newton->step && newton->history && (newton->record || !keeps);
@@ -43,7 +43,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
 
 double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner) {
     const struct sp_kind *kind = sp_kind_of(surface);
-    double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + (double)HISTORY_EXTRA;
+    double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + 1.0;
     double node = kind->dimension + SP_CHART + SP_METRIC_PARTS * (double)kind->components;
     double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * node + 2) + 3 * sizeof(sp_mask));
     double record = options->record && surface->value ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;
@@ -52,7 +52,7 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
 
 static int is_singular(const struct sp_newton *newton) {
     const struct sp_elements *elements = &newton->system.elements;
-    return elements->reference.degree > 1 && (elements->singular[0] || elements->singular[1]);
+    return elements->singular[0] || elements->singular[1];
 }
 
 /* No node's normal may turn by more than a right angle in one step: it would have changed sheets, or crossed the singular curve at an end,
@@ -203,15 +203,32 @@ static double step_paper(struct sp_newton *newton, struct round *round) {
     return search_paper(newton, round->energy.squares, slope < 0 ? -slope : slope);
 }
 
-/* Adds an entry to the history, and the path's points to the record. */
-static void note(struct sp_newton *newton, const struct round *round, double step) {
-    if (newton->history_count >= newton->history_capacity) return;
-    newton->history[newton->history_count] =
-        (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm, round->decrement, step};
+void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end) {
+    int32_t last = newton->history_count - 1, continues = last >= 0 && newton->history[last].step == 0;
+    double ratio = continues && newton->history[last].energy > 0 ? end.energy / newton->history[last].energy : 1;
+    for (int32_t i = 0; i < last; i++)
+        newton->history[i].energy *= ratio;
+    if (!continues) newton->history_count++;
+    newton->history[newton->history_count - 1] = end;
+}
+
+/* Adds the present path to the history, and its points to the record: as its end until a step is taken from it. */
+static void note(struct sp_newton *newton, const struct round *round) {
+    if (!newton->history) return;
+    sp_newton_tell_end(newton, (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm,
+                                                   round->decrement, 0});
     if (newton->record)
         sp_sample_points(&newton->system, newton->scale, newton->record_points,
-                         newton->record + (size_t)newton->history_count * 3 * ((size_t)newton->record_points + 2), NULL);
-    newton->history_count++;
+                         newton->record + (size_t)(newton->history_count - 1) * 3 * ((size_t)newton->record_points + 2), NULL);
+}
+
+/* Takes the step in `trial`, which was `scale` of a full one. */
+static void take_step(struct sp_newton *newton, const struct sp_options *options, double scale, struct round *round) {
+    if (newton->history) newton->history[newton->history_count - 1].step = scale;
+    accept(newton);
+    newton->steps_left--;
+    assemble(newton, options, round);
+    note(newton, round);
 }
 
 /* Below this the decrement is rounding: measured noise is 0.6 … 1 times 1e-16 N (1 + size/length). */
@@ -253,8 +270,7 @@ static int is_undetermined(struct sp_newton *newton, const struct round *round) 
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
-static void iterate(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left, struct round *round,
-                    struct sp_outcome *outcome) {
+static void iterate(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
     for (int32_t idle = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
         int definite = round->inertia.usable && round->inertia.negative == 0;
@@ -262,18 +278,15 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
             outcome->status = certify(newton, round);
             return;
         }
-        outcome->status = outcome->iterations >= iterations_left ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
+        outcome->status = newton->steps_left <= 0 ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
         if (outcome->status) return;
         double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
         if (scale == 0) {
             outcome->status = rest ? SP_SADDLE : is_undetermined(newton, round) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
-        note(newton, round, scale);
-        accept(newton);
-        outcome->iterations++;
         struct round before = *round;
-        assemble(newton, options, round);
+        take_step(newton, options, scale, round);
         idle = idle_count(idle, &before, round);
     }
 }
@@ -283,15 +296,12 @@ static void polish(struct sp_newton *newton, const struct sp_options *options, s
     sp_system_solve(&newton->system, newton->step);
     double now = try_step(newton, 1);
     if (!(now <= round->energy.squares * (1 + SLACK))) return;
-    note(newton, round, 1);
-    accept(newton);
-    outcome->iterations++;
-    assemble(newton, options, round);
+    take_step(newton, options, 1, round);
     outcome->status = certify(newton, round);
 }
 
-struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left) {
-    struct sp_outcome outcome = {SP_NOT_FINITE, 0, -1, 0, not_a_number(), not_a_number()};
+struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
+    struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
     sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     assemble(newton, options, &round);
@@ -300,13 +310,13 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
         if (metric < 0) outcome.status = metric;
         return outcome;
     }
-    iterate(newton, options, iterations_left, &round, &outcome);
+    note(newton, &round);
+    iterate(newton, options, &round, &outcome);
     int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
-    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && outcome.iterations < iterations_left)
+    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && newton->steps_left > 0)
         polish(newton, options, &round, &outcome);
-    note(newton, &round, 0);
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
-    outcome.squares = round.energy.squares, outcome.gradient_norm = round.gradient_norm;
+    outcome.energy = sp_system_segments(&newton->system) * round.energy.squares, outcome.gradient_norm = round.gradient_norm;
     outcome.active = touches_wall(newton, newton->system.line.nodes.places);
     return outcome;
 }

@@ -10,18 +10,19 @@ struct sp_newton {
     struct sp_system system;    /* the path so far, its places filled by the start, and its equations */
     struct sp_nodes trial;      /* the path after a step, of the same size */
     sp_pair *step;              /* two numbers a pair */
-    struct sp_iterate *history; /* history_capacity entries */
+    struct sp_iterate *history; /* as many entries as steps may be taken, and one; NULL while none are kept */
     double *record;             /* as many polylines of 3 (record_points + 2) numbers; NULL: not wanted, or no positions */
-    int32_t history_count, history_capacity, record_points;
-    double scale;     /* size of the coordinates, for rounding */
-    double size;      /* the same in the unit of length, which a metric may change */
-    double decrement; /* stop at this relative Newton decrement */
+    int32_t history_count, record_points;
+    int32_t steps_left; /* Newton steps that may still be taken, in all runs together */
+    double scale;       /* size of the coordinates, for rounding */
+    double size;        /* the same in the unit of length, which a metric may change */
+    double decrement;   /* stop at this relative Newton decrement */
 };
 
 /* How a run ended. */
 struct sp_outcome {
-    int32_t status, iterations, index, active;
-    double squares, gradient_norm;
+    int32_t status, index, active;
+    double energy, gradient_norm;
 };
 
 /* Lays out the arrays for at most `inner` unknown nodes and as many steps as the options allow. Returns 0 if the arena is full. */
@@ -31,8 +32,12 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
 /* Bytes that sp_newton_take takes. */
 double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner);
 
-/* Runs until converged or beaten, or out of steps (`iterations_left`); the path is left in newton->system.line and never has more energy
- * than the start. */
-struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options, int32_t iterations_left);
+/* Runs until converged or beaten, or newton->steps_left is 0; the path is left in newton->system.line and never has more energy than the
+ * start. Its steps continue the history of the run before, if there was one: see sp_newton_tell_end. */
+struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options);
+
+/* Makes `end` the last entry of the history. Where the one that was last is the end of a run, the two are the same path, measured by two
+ * discretisations: it is replaced, and the energies before it are multiplied by what the new measure is larger. */
+void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end);
 
 #endif

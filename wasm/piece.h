@@ -2,13 +2,15 @@
 #ifndef SURFPATH_PIECE_H
 #define SURFPATH_PIECE_H
 
-#include "refine.h"
+#include "arcs.h"
 #include "sample.h"
 
-/* One end of a free arc: an end of the path, or a contact that may slide along an edge. */
+/* One end of a free arc: an end of the path; a contact, that slides along an edge; or a point of a singular curve. */
 struct sp_joint {
-    int32_t slides, across;
+    int32_t slides, across; /* a contact, and the coordinate across its edge */
+    int32_t singular;
     double place[2];
+    double aside[2]; /* singular: a place beside it, on the side of the arc, where a first path is easier to find */
 };
 
 /* A free arc: its ends, and the path it was last. */
@@ -17,26 +19,23 @@ struct sp_piece {
     struct sp_system system;
     struct sp_storage storage;
     double first, last; /* part of the path in `system` that it takes up */
-    double length, error, sine[2];
+    struct sp_refined solved;
+    int32_t checked;          /* it is solved to the tolerance, not only on the elements it had */
+    double sine[2], speed[2]; /* contacts: of the angle to the edge; how long a unit of the coordinate along it is */
 };
 
-/* Solves the elements of a piece between its joints as they are, from the path it was last; newton->system then holds it. Returns 0 where
- * that fails, or it touches a wall. */
-int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
-                   int32_t *iterations);
+/* Solves a piece between its joints as they are, from the path it was last: chords or elements, these with their ends moved. `checked`: to
+ * the tolerance; else on the elements it has (if it has any), fast. newton->system then holds the path, which sp_piece_keep makes the
+ * piece's own. Returns 0 where that fails, or it touches a wall. */
+int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
 
-/* Solves a piece that was solved and kept before on the same elements, after its joints have moved a little: fast, and not checked. */
-int sp_piece_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena,
-                    int32_t *iterations);
-
-/* The same where the end of that number lies on a singular curve. */
-int sp_piece_solve_graded(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int end,
-                          struct sp_arena *arena, int32_t *iterations);
+/* Makes the path just solved the piece's own. */
+void sp_piece_keep(const struct sp_newton *newton, struct sp_piece *piece);
 
 /* Lets the piece keep its paths in other storage from now on, its present one copied there. */
 void sp_piece_move(struct sp_piece *piece, const struct sp_storage *storage);
 
-/* Makes the path just solved the piece's own. */
-void sp_piece_keep(const struct sp_newton *newton, struct sp_piece *piece);
+/* The piece as an arc of a path; `reversed`: the path runs through it from its second joint. */
+struct sp_arc sp_piece_arc(const struct sp_piece *piece, int32_t reversed);
 
 #endif

@@ -1,6 +1,6 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
-#include "arcs.h"
+#include "metric.h"
 #include "piece.h"
 
 enum { ROUNDS = 12, SWEEP = 64 };
@@ -30,9 +30,9 @@ static double angle_between(const struct sp_surface *surface, int32_t across, do
     double angle = 0;
     struct sp_vector before = {{0}, {0}, {0}};
     for (int i = 0; i <= SWEEP; i++) {
-        sp_pair place[2], chart[SP_CHART];
+        sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
         place[across] = sp_splat(value), place[1 - across] = sp_splat(from + (to - from) * i / SWEEP);
-        sp_kind_of(surface)->charts(surface, 1, place, chart, NULL);
+        sp_kind_of(surface)->charts(surface, 1, place, chart, metric);
         struct sp_vector along = sp_load(chart + (across ? SP_CHART_2 : SP_CHART_1));
         along = sp_scale(along, 1.0 / sp_square_root(sp_dot(along, along)));
         struct sp_vector change = sp_subtract(along, before);
@@ -44,8 +44,9 @@ static double angle_between(const struct sp_surface *surface, int32_t across, do
 }
 
 /* Whether the surface has no shorter way past the pole than over it: straight on where the surface closes around the pole; between walls,
- * no turn into the rectangle. */
+ * no turn into the rectangle. Of a tensor that is not known. */
 static int passes_straight(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
+    if (surface->metric == SP_TENSOR) return 1;
     double angle = angle_between(surface, across, value, around[0], around[1]);
     if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle >= PI - STRAIGHT;
     while (angle > 2 * PI && angle < 100)
@@ -55,10 +56,10 @@ static int passes_straight(const struct sp_surface *surface, int32_t across, dou
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
 static int fit(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int32_t across, double range,
-               struct sp_arena *arena, int32_t *iterations) {
+               struct sp_arena *arena) {
     double *end = piece->joint[1].place + 1 - across;
     for (int round = 0; round < ROUNDS; round++) {
-        if (!sp_piece_solve(newton, options, piece, arena, iterations)) return 0;
+        if (!sp_piece_solve(newton, options, 1, piece, arena)) return 0;
         sp_piece_keep(newton, piece);
         double next = extrapolated(&piece->system, 1 - across), change = next - *end;
         if (change * change <= ENOUGH * ENOUGH * range * range) return 1;
@@ -71,13 +72,13 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
                               struct sp_arcs *arcs) {
     struct sp_polyline *line = &newton->system.line;
     const struct sp_surface *surface = line->surface;
-    struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
+    struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     struct sp_storage storage;
-    int32_t across = edge / 2, last = line->fold.inner + 1, iterations = 0;
+    int32_t across = edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
     double value = edge % 2 ? surface->upper[across] : surface->lower[across], around[2] = {0, 0};
     arcs->count = 0;
-    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return refined;
+    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
     open.lower[across] = -__builtin_inf(), open.upper[across] = __builtin_inf();
     line->surface = &open;
@@ -87,17 +88,16 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
             piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
         piece.joint[1].place[across] = value;
         if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
-        refined.outcome.status = SP_SINGULAR_METRIC;
-        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena, &iterations)) break;
+        /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
+        none.outcome.status = SP_SINGULAR_METRIC;
+        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena)) break;
         around[i] = piece.joint[1].place[1 - across];
-        arcs->arc[arcs->count++] = (struct sp_arc){.length = piece.length, .system = piece.system, .reversed = i};
-        refined.length_error += piece.error;
+        arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }
     line->surface = surface;
-    if (arcs->count < 2) return arcs->count = 0, refined;
-    refined.outcome.status = SP_CONVERGED, refined.outcome.iterations = iterations;
-    refined.outcome.squares = refined.outcome.gradient_norm = __builtin_nan("");
-    refined.length = sp_arcs_measure(arcs, surface, arena);
-    if (!passes_straight(surface, across, value, around)) refined.outcome.status = SP_STALLED, refined.outcome.index = -1;
-    return refined;
+    if (arcs->count < 2) return arcs->count = 0, none;
+    struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
+    whole.outcome.active = 1;
+    if (!passes_straight(surface, across, value, around)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
+    return whole;
 }

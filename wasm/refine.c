@@ -10,13 +10,16 @@ struct rung {
 
 static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}};
+static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
+/* A change of the length that happens to be small says little: MATH.md, "The ladder". */
+static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* Where a rung started, to see how far it moved. */
 struct start {
@@ -89,12 +92,12 @@ struct climbed {
 };
 
 static struct climbed climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, struct rung rung,
-                            int32_t iterations_left, struct sp_arena *arena) {
+                            struct sp_arena *arena) {
     struct climbed climbed = {0};
     struct start start;
     climbed.outcome.status = start_rung(newton, from, rung, &start, arena);
     if (climbed.outcome.status != SP_CONVERGED) return climbed;
-    climbed.outcome = sp_newton_run(newton, options, iterations_left);
+    climbed.outcome = sp_newton_run(newton, options);
     if (climbed.outcome.status < 0) return climbed;
     climbed.length = sp_system_length(&newton->system, newton->system.line.nodes);
     climbed.moved = displacement(&newton->system, &start);
@@ -108,6 +111,9 @@ static int strayed(const struct climbed *climbed, double first_length) {
     return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || climbed->moved > DISPLACEMENT_GUARD * climbed->length);
 }
 
+/* Enough for a step more to be below the tolerance. */
+static double decrement_of(const struct sp_options *options) { return options->tolerance < 1e-8 ? 1e-8 : 1e-6; }
+
 /* The smallest relative error that the coordinates' rounding allows. */
 static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
     return larger(options->tolerance, 8 * 2.2e-16 * newton->size / length);
@@ -119,16 +125,13 @@ static struct sp_refined finish(const struct sp_newton *newton, struct climbed c
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
 static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *before,
-                                    const struct sp_system *first, double first_length, struct rung rung, int32_t iterations,
-                                    struct sp_arena *arena) {
+                                    const struct sp_system *first, double first_length, struct rung rung, struct sp_arena *arena) {
     size_t bottom = arena->used;
-    struct climbed now = climb(newton, options, before, rung, options->max_iterations - iterations, arena);
+    struct climbed now = climb(newton, options, before, rung, arena);
     if (strayed(&now, first_length) && before->elements.reference.degree > 1) {
-        iterations += now.outcome.iterations;
         arena->used = bottom;
-        now = climb(newton, options, first, rung, options->max_iterations - iterations, arena);
+        now = climb(newton, options, first, rung, arena);
     }
-    now.outcome.iterations += iterations;
     return now;
 }
 
@@ -142,7 +145,7 @@ static int first_rung(const struct sp_system *first) {
 
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
-                                   const struct sp_system *first, double first_length, int32_t iterations, struct sp_arena *arena) {
+                                   const struct sp_system *first, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
     double last = first_length, change = first_length;
@@ -150,20 +153,21 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct sp_storage storage;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
-    newton->decrement = options->tolerance < 1e-8 ? 1e-8 : 1e-6;
+    newton->decrement = decrement_of(options);
     size_t bottom = arena->used;
     for (int r = 0; r < rungs; r++) {
         arena->used = bottom;
-        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], iterations, arena);
-        iterations = now.outcome.iterations;
+        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], arena);
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, now.length > last ? now.length - last : last - now.length);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
-        int astray = strayed(&now, first_length), from_elements = before.elements.reference.degree > 1;
+        int astray = strayed(&now, first_length), from_elements = r > 0 && before.elements.reference.degree > 1;
         settled = !astray && from_elements && change <= allowed;
+        double previous = change;
         change = now.length > last ? now.length - last : last - now.length;
         last = now.length;
-        if (!astray && from_elements && now.moved <= allowed && change <= allowed) return finish(newton, now, change);
+        if (!astray && from_elements && now.moved <= allowed && change <= allowed)
+            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
         if (astray)
             before = *first;
         else
@@ -190,9 +194,8 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
                                  double *error) {
     struct climbed now = {0};
     for (;;) {
-        int32_t iterations = now.outcome.iterations, count = 2 * (newton->system.line.fold.inner + 1);
-        now.outcome = sp_newton_run(newton, options, options->max_iterations - iterations);
-        now.outcome.iterations += iterations;
+        int32_t count = 2 * (newton->system.line.fold.inner + 1);
+        now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) return now;
         now.length = sp_system_length(&newton->system, newton->system.line.nodes);
         *error = sp_check_length_error(&newton->system.line, newton->size, now.outcome.active);
@@ -215,28 +218,34 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
     if (chords < 0) first.outcome.status = chords;
-    int touches = first.outcome.active && newton->system.line.kind->components == 0;
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
-    if (!at_rest || first.outcome.squares == 0 || touches) return finish(newton, first, error);
+    if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
     int lowest = first_rung(&newton->system);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, first.outcome.iterations, arena);
+    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, arena);
 }
 
-struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                   struct sp_arena *arena) {
-    return climb_all(newton, options, GRADED, GRADED_RUNGS, from, 0, 0, arena);
+struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
+                                  struct sp_arena *arena) {
+    const int32_t *singular = newton->system.elements.singular;
+    int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
+    const struct rung *ladder = graded ? GRADED : LADDER;
+    int32_t nodes = from->elements.reference.degree * from->elements.count;
+    while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
+        lowest++;
+    return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena) {
     struct rung rung = {from->elements.reference.degree, from->elements.count};
-    return finish(newton, climb(newton, options, from, rung, options->max_iterations, arena), 0);
+    newton->decrement = larger(decrement_of(options), 10 * options->tolerance);
+    return finish(newton, climb(newton, options, from, rung, arena), 0);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
-    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, options->max_iterations, arena);
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, arena);
     double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
 }

@@ -18,9 +18,10 @@ struct sp_refined {
  */
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
 
-/* Solves between ends of which newton->system.elements.singular lie on a singular curve, from a path that is not in newton's own arrays. */
-struct sp_refined sp_refine_graded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                   struct sp_arena *arena);
+/* Solves to the tolerance from a path of elements that is nearly right, of about that length (0: not known), and not in newton's own
+ * arrays; newton->system.elements.singular says which of its ends lie on a singular curve. */
+struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
+                                  struct sp_arena *arena);
 
 /* Solves on the elements of a path that is nearly right, its ends moved, say: as accurate as they are, not checked against finer ones. */
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,

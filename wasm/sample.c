@@ -14,6 +14,7 @@ static void polyline_place(const struct sp_system *system, double t, double plac
         for (int32_t k = 0; k < count; k++)
             if (k != i) weight *= (at - k) / (i - k);
         for (int32_t j = 0; j < dimension; j++)
+            /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
             place[j] += weight * sp_fold_get(fold, system->line.nodes.places, dimension, first + i, j);
     }
 }
@@ -44,6 +45,7 @@ static void element_place(const struct sp_system *system, double t, double place
         place[j] = 0;
     for (int32_t i = 0; i <= p; i++)
         for (int32_t j = 0; j < dimension; j++)
+            /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
             place[j] += values[i] * sp_fold_get(system->line.fold, system->line.nodes.places, dimension, e * p + i, j);
 }
 
@@ -119,9 +121,10 @@ static void write_node(const struct sp_system *system, int32_t i, double *point,
     int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
     for (int32_t j = 0; parameters && j < 2; j++)
         parameters[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
+    if (!point) return;
     for (int32_t j = 0; !flat && j < 3; j++)
         point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
-    if (!flat || !point) return;
+    if (!flat) return;
     sp_pair place[2], position[SP_PARAMETRIC_VALUES];
     for (int32_t j = 0; j < 2; j++)
         place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));

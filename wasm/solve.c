@@ -10,7 +10,7 @@
 
 static double not_a_number(void) { return __builtin_nan(""); }
 
-void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 100, 0}; }
+void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 200, 0}; }
 
 static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
@@ -68,6 +68,9 @@ static int write_points(const struct sp_newton *newton, const struct sp_arcs *ar
         sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
     else if (!sp_arcs_sample(arcs, newton->system.line.surface, newton->scale, point_count, result->points, result->parameters, arena))
         return 0;
+    double *last = newton->record ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
+    for (int32_t i = 0; last && i < 3 * count; i++)
+        last[i] = result->points[i];
     if (!reversed) return 1;
     if (result->points) reverse(result->points, count, 3);
     if (result->parameters) reverse(result->parameters, count, 2);
@@ -106,17 +109,19 @@ static enum sp_status check_ends(const struct sp_polyline *line) {
     return SP_CONVERGED;
 }
 
-static void fill(const struct sp_refined *refined, const struct sp_newton *newton, struct sp_result *result) {
+static void fill(const struct sp_refined *refined, const struct sp_newton *newton, const struct sp_options *options,
+                 struct sp_result *result) {
     const struct sp_outcome *outcome = &refined->outcome;
     result->length = refined->length, result->length_error = refined->length_error;
-    result->energy = sp_system_segments(&newton->system) * outcome->squares, result->gradient_norm = outcome->gradient_norm;
-    result->iterations = outcome->iterations, result->index = outcome->index, result->touches_boundary = outcome->active;
+    result->energy = outcome->energy, result->gradient_norm = outcome->gradient_norm;
+    result->iterations = options->max_iterations - newton->steps_left, result->index = outcome->index,
+    result->touches_boundary = outcome->active;
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
 /* The polyline through exactly K points. */
 static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
-    struct sp_refined refined = {sp_newton_run(newton, options, options->max_iterations), 0, 0};
+    struct sp_refined refined = {sp_newton_run(newton, options), 0, 0};
     if (refined.outcome.status < 0) return refined;
     refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
     refined.length_error = sp_check_length_error(&newton->system.line, newton->size, refined.outcome.active);
@@ -128,13 +133,17 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
                                         struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
-    int plain = newton->system.line.surface->kind == SP_PARAMETRIC && newton->system.line.kind->components == 0;
-    if (pole >= 1 && pole <= 4 && plain) return sp_pole_run(newton, options, pole - 1, arena, arcs);
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, newton->system.line.fold.inner, arena)) return refined;
+    const struct sp_polyline *line = &newton->system.line;
+    int is_parametric = line->surface->kind == SP_PARAMETRIC, may_cross = is_parametric && line->kind->components == 0;
+    if (pole >= 1 && pole <= 4 && is_parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
-    refined = sp_refine_run(newton, options, arena);
-    if (refined.outcome.status == SP_CONVERGED && refined.outcome.active && plain) return sp_contact_run(newton, options, arena, arcs);
-    if (refined.outcome.status != SP_SINGULAR_METRIC || !plain) return refined;
+    result->crosses_singularity = may_cross && sp_cusp_divides(newton);
+    if (!result->crosses_singularity) {
+        refined = sp_refine_run(newton, options, arena);
+        if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
+        if (refined.outcome.status != SP_SINGULAR_METRIC || !may_cross) return refined;
+    }
     result->crosses_singularity = 1;
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
@@ -177,7 +186,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
     if (status < 0) return status;
-    fill(&refined, &newton, result);
+    fill(&refined, &newton, options, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
     if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
     if (status > 0) return status;

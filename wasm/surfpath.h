@@ -27,7 +27,7 @@ struct sp_options {
                                   Newton decrement of 1e-7. SP_PAPER reads 0 as 1e-6 */
     int32_t algorithm;         /* enum sp_algorithm */
     int32_t point_count;       /* K, unknown inner points: 1 … 100,000 */
-    int32_t max_iterations;    /* Newton steps, 0 … 10,000 */
+    int32_t max_iterations;    /* Newton steps, of all stages together, 0 … 10,000 */
     int32_t record;            /* 1: keep the polyline of every iterate */
 };
 
@@ -43,7 +43,8 @@ struct sp_request {
                             number: none */
 };
 
-/* One Newton step. The last entry is where the path came to rest; its step is 0. */
+/* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are
+ * multiplied by what the same path has more on the finer discretisation, so that they fall from step to step. */
 struct sp_iterate {
     double energy;        /* E = (n + 1) sum |chord|^2, Eq. 19 */
     double gradient_norm; /* |grad E| */
@@ -68,7 +69,7 @@ struct sp_result {
     int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
 };
 
-/* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 100 iterations, no record. */
+/* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 200 iterations, no record. */
 void sp_default_options(struct sp_options *options);
 
 /* Bytes of arena that sp_solve_path needs for these options on this surface (start_count: of the request); monotone in K. */
@@ -105,13 +106,14 @@ struct sp_trace_options {
 };
 
 struct sp_trace_result {
-    double length;            /* as asked, or up to where the trace ended; NaN without a path */
-    double length_error;      /* estimate of the distance between the end and that of the geodesic, never below 4e-15 length */
-    double conjugate;         /* length at which the first point conjugate to the start lies, NaN if it is not on the path */
-    double *points;           /* 3 (K + 2): x y z, equally spaced by length, ends included; in the arena; NULL without a path */
-    double *parameters;       /* 2 (K + 2): u v, continuous across seams, in the rectangle; NULL for an implicit surface */
-    int32_t status;           /* enum sp_status */
-    int32_t steps;            /* accepted steps */
+    double length;       /* as asked, or up to where the trace ended; NaN without a path */
+    double length_error; /* estimate of the distance between the end and that of the geodesic, never below 4e-15 length */
+    double conjugate;    /* length at which the first point conjugate to the start lies, NaN if it is not on the path; not looked for on
+                            implicit surfaces with a tensor */
+    double *points;      /* 3 (K + 2): x y z, equally spaced by length, ends included; in the arena; NULL without a path or positions */
+    double *parameters;  /* 2 (K + 2): u v, continuous across seams, in the rectangle; NULL for an implicit surface */
+    int32_t status;      /* enum sp_status */
+    int32_t steps;       /* accepted steps */
     int32_t touches_boundary; /* 1: an inner point lies on an edge of the rectangle */
     int32_t normal;           /* 1: the direction has no tangent part, the caller's mistake: no path */
 };
@@ -122,11 +124,12 @@ void sp_default_trace_options(struct sp_trace_options *options);
 /* Bytes of arena that sp_trace_path needs for these options on a surface of this kind. */
 double sp_trace_bytes(int32_t kind, const struct sp_trace_options *options);
 
-/* Follows the geodesic from a point in a direction: the exponential map, by DOP853, with the Jacobi field that vanishes at the start.
+/* Follows the geodesic of the metric in use from a point in a direction: the exponential map, by DOP853, with the Jacobi field that
+ * vanishes at the start.
  *
  * `result` is always filled; its arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED (length as asked),
  * SP_EDGE_REACHED (a wall of the rectangle came first: the path ends on it), SP_ITERATION_LIMIT (max_steps), SP_TOLERANCE_NOT_MET (steps
- * vanish in rounding) with the path so far; SP_SINGULAR_METRIC (S_u x S_v or grad f vanishes ahead, or at the start), SP_OFF_SURFACE,
+ * vanish in rounding) with the path so far; SP_SINGULAR_METRIC (the metric or grad f vanishes ahead, or at the start), SP_OFF_SURFACE,
  * SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range are clamped. Cost: about 13 evaluations a step, and 4 more in each with a
  * point to write; twice that where the path ends early. */
 int32_t sp_trace_path(const struct sp_surface *surface, const struct sp_trace_request *request, const struct sp_trace_options *options,
@@ -209,12 +212,12 @@ SP_SIZE(sp_graph_options, 64);
 SP_AT(sp_graph_options, box, 0);
 SP_AT(sp_graph_options, cell, 48);
 SP_AT(sp_graph_options, resolution, 56);
-SP_SIZE(sp_graph, 112);
+SP_SIZE(sp_graph, 88);
 SP_AT(sp_graph, spacing, 0);
-SP_AT(sp_graph, vertex_count, 60);
-SP_AT(sp_graph, edge_count, 64);
-SP_AT(sp_graph, unique, 68);
-SP_AT(sp_graph, singular, 72);
+SP_AT(sp_graph, vertex_count, 36);
+SP_AT(sp_graph, edge_count, 40);
+SP_AT(sp_graph, unique, 44);
+SP_AT(sp_graph, singular, 48);
 SP_SIZE(sp_graph_answer, 24);
 SP_AT(sp_graph_answer, distance, 0);
 SP_AT(sp_graph_answer, places, 8);

@@ -53,6 +53,16 @@ double sp_system_conditioning(const struct sp_system *system) {
     return sp_elements_conditioning(&system->elements);
 }
 
+void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
+    const sp_pair *chart = system->line.nodes.charts;
+    if (has_metric(system)) {
+        sp_metric_end_pull(&system->elements.reference, &system->line, pull);
+        return;
+    }
+    struct sp_vector force = sp_elements_end_pull(&system->elements, chart);
+    pull[0] = sp_dot(force, sp_load(chart + SP_CHART_1)), pull[1] = sp_dot(force, sp_load(chart + SP_CHART_2));
+}
+
 double sp_system_descent(const struct sp_system *system, const sp_pair *x) {
     struct sp_fold fold = system->line.fold;
     double sum = 0;

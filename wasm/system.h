@@ -30,6 +30,10 @@ void sp_system_solve(const struct sp_system *system, sp_pair *x);
 int sp_system_negative(const struct sp_system *system, sp_pair *x);
 double sp_system_conditioning(const struct sp_system *system);
 
+/* The derivative of the energy over 2m by the chart coordinates of the two ends, lane 0 the first: minus the velocity into the path, over
+ * an element, its index lowered. */
+void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]);
+
 /* r . x over all unknowns: minus the slope of the scaled energy along x. */
 double sp_system_descent(const struct sp_system *system, const sp_pair *x);
 

@@ -157,22 +157,22 @@ static enum sp_status write_points(const struct sp_trace *trace, const struct sa
         if (!sp_implicit_settle(surface, pairs, samples->places, trace->scale)) return SP_OFF_SURFACE;
     } else {
         sp_parametric_clip(surface, pairs, samples->places);
-        surface->value(pairs, samples->places, positions);
+        if (positions) surface->value(pairs, samples->places, positions);
         if (!unpair(samples->places, 2, count, result->parameters)) return SP_NOT_FINITE;
         result->touches_boundary = touches(surface, result->parameters, count);
     }
-    return unpair(positions, 3, count, result->points) ? SP_CONVERGED : SP_NOT_FINITE;
+    return !positions || unpair(positions, 3, count, result->points) ? SP_CONVERGED : SP_NOT_FINITE;
 }
 
 static int take(const struct sp_surface *surface, struct sp_arena *arena, struct samples *samples, sp_pair **positions,
                 struct sp_trace_result *result) {
     size_t pairs = (size_t)pairs_of(samples->count), count = (size_t)samples->count;
-    int parametric = surface->kind == SP_PARAMETRIC;
+    int parametric = surface->kind == SP_PARAMETRIC, located = !parametric || surface->value != NULL;
     samples->places = sp_arena_take(arena, pairs * (size_t)samples->dimension, sizeof(sp_pair));
-    *positions = parametric ? sp_arena_take(arena, pairs * 3, sizeof(sp_pair)) : samples->places;
-    result->points = sp_arena_take(arena, 3 * count, sizeof(double));
+    *positions = !parametric ? samples->places : located ? sp_arena_take(arena, pairs * 3, sizeof(sp_pair)) : NULL;
+    result->points = located ? sp_arena_take(arena, 3 * count, sizeof(double)) : NULL;
     result->parameters = parametric ? sp_arena_take(arena, 2 * count, sizeof(double)) : NULL;
-    return samples->places && *positions && result->points && (result->parameters || !parametric);
+    return samples->places && (!located || (*positions && result->points)) && (result->parameters || !parametric);
 }
 
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_trace_request *request,
@@ -196,7 +196,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     enum sp_status written = write_points(&trace, &samples, positions, result);
     if (written != SP_CONVERGED) return written;
     result->length = trace.length, result->length_error = sp_trace_error(&trace);
-    result->conjugate = trace.conjugate, result->steps = trace.accepted;
+    if (surface->kind == SP_PARAMETRIC || surface->metric != SP_TENSOR) result->conjugate = trace.conjugate;
+    result->steps = trace.accepted;
     return status;
 }
 

@@ -22,7 +22,7 @@ export function readPairOptions(caller, given) {
 }
 
 /** @param {string} caller @param {any} pairs @param {string[]} variables @returns {Float64Array} a copy */
-function readNumbers(caller, pairs, variables) {
+export function readPairNumbers(caller, pairs, variables) {
   const width = 2 * variables.length;
   const what = `a flat array of ${[...variables, ...variables].join(' ')}, ${width} numbers a pair`;
   if (typeof pairs !== 'object' || pairs === null || typeof pairs.length !== 'number')
@@ -49,7 +49,7 @@ function enter(point, domain) {
  * @returns {(number[][] | typeof NOT_FINITE | typeof OFF_SURFACE)[]}
  */
 export function readPairs(caller, pairs, variables, domain) {
-  const numbers = readNumbers(caller, pairs, variables);
+  const numbers = readPairNumbers(caller, pairs, variables);
   const width = variables.length;
   return Array.from({ length: numbers.length / (2 * width) }, (_, i) => {
     const pair = Array.from(numbers.subarray(2 * width * i, 2 * width * (i + 1)));

@@ -3,7 +3,8 @@
 /** @typedef {{ lower: number[], upper: number[] }} Range */
 /** @typedef {Range & { periodic: boolean[], poles: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
-/** @typedef {{ jets: Jets, metrics: (points: number[]) => ArrayLike<number>[] }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does */
+/** @typedef {(points: number[]) => ArrayLike<number>[]} Sampler */
+/** @typedef {{ jets: Jets, metrics: Sampler, tensors: Sampler | null }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does. `tensors`: E F G, where they do */
 
 /** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
 const TEST_FRACTIONS = [0.0371, 0.1618, 0.3183, 0.4669, 0.6181, 0.7724, 0.9143];
@@ -17,12 +18,18 @@ const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offs
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
 
-/** Diagonal of the bounding box of 17 × 17 samples. @param {Jets} jets @param {Range} range */
-function diagonal(jets, { lower, upper }) {
+/** 17 × 17 places. @param {Range} range */
+function gridPlaces({ lower, upper }) {
   const places = [];
   for (let i = 0; i <= GRID; i++)
     for (let j = 0; j <= GRID; j++)
       places.push(lower[0] + (i / GRID) * (upper[0] - lower[0]), lower[1] + (j / GRID) * (upper[1] - lower[1]));
+  return places;
+}
+
+/** Diagonal of the bounding box of these samples. @param {Jets} jets @param {Range} range */
+function diagonal(jets, range) {
+  const places = gridPlaces(range);
   const sampled = jets(places);
   const [low, high] = [
     [Infinity, Infinity, Infinity],
@@ -46,15 +53,25 @@ function edgePlaces({ lower, upper }, direction, side, fractions) {
   });
 }
 
-/** Edges that are one point: a pole, an apex. @param {Jets} jets @param {Range} range @param {number} size of the surface */
-function findPoles(jets, range, size) {
+/** Edges that are one point: a pole, an apex. @param {Sampled} surface @param {Range} range @param {number} size of the surface */
+function findPoles({ jets, tensors }, range, size) {
   const fractions = Array.from({ length: GRID + 1 }, (_, i) => i / GRID);
-  return [0, 1, 2, 3]
-    .filter((edge) => {
-      const sampled = jets(edgePlaces(range, edge >> 1, edge & 1, fractions));
-      return fractions.every((_, i) => gap(vector(sampled, i, 0), vector(sampled, 0, 0)) <= POSITION_GAP * size);
-    })
-    .map((edge) => edge + 1);
+  const isPoint = tensors
+    ? hasNoLength(tensors, range)
+    : (/** @type {number[]} */ places) => {
+        const sampled = jets(places);
+        return fractions.every((_, i) => gap(vector(sampled, i, 0), vector(sampled, 0, 0)) <= POSITION_GAP * size);
+      };
+  return [0, 1, 2, 3].filter((edge) => isPoint(edgePlaces(range, edge >> 1, edge & 1, fractions), 1 - (edge >> 1))).map((edge) => edge + 1);
+}
+
+/** Where E, F and G measure length they tell what is a point: the speed along the edge vanishes. @param {Sampler} tensors @param {Range} range */
+function hasNoLength(tensors, range) {
+  const span = [0, 1].map((j) => range.upper[j] - range.lower[j]);
+  const lengthOf = (/** @type {ArrayLike<number>} */ tensor, /** @type {number} */ j) => Math.sqrt(Math.abs(tensor[2 * j])) * span[j];
+  const size = Math.max(...tensors(gridPlaces(range)).flatMap((tensor) => [lengthOf(tensor, 0), lengthOf(tensor, 1)]));
+  return (/** @type {number[]} */ places, /** @type {number} */ along) =>
+    tensors(places).every((tensor) => lengthOf(tensor, along) <= POSITION_GAP * size);
 }
 
 /**
@@ -101,7 +118,7 @@ export function findDomain(asked, surface, { lower, upper }) {
   const size = diagonal(surface.jets, range);
   const periodic =
     asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, size, direction)) : [asked.u === true, asked.v === true];
-  return { lower, upper, periodic, poles: findPoles(surface.jets, range, size) };
+  return { lower, upper, periodic, poles: findPoles(surface, range, size) };
 }
 
 /**

@@ -9,13 +9,13 @@ import { OUT_OF_MEMORY } from './runtime/heap.js';
  * @property {number} [resolution] of the mesh, as for `mesh`
  * @property {boolean} [exact] true: the length of the shortest path to each vertex, as `shortestPath` finds it with its own defaults: to 1e-9, in about
  *   10 ms a vertex (0.3 ms where no curvature is positive); default false: of the shortest way through a graph:
- *   a few per cent too long at most, 0.5 % typically, more where the parameters are strongly distorted (Dini's surface: twice)
+ *   a few per cent too long at most, 0.5 % typically, more where a metric counts one direction much more than the other
  */
 
 /**
  * @typedef {object} DistanceField
  * @property {import('./mesh.js').Mesh} mesh
- * @property {Float64Array} distances along the surface, one a vertex; Infinity where no way leads; NaN where `exact` found no path
+ * @property {Float64Array} distances along the surface, in the metric in use, one a vertex; Infinity where no way leads; NaN where `exact` found no path
  */
 
 /** @typedef {import('./routes.js').Field} Field */
@@ -40,19 +40,25 @@ export function readFieldOptions(caller, given) {
  */
 function search({ domain, box, graphs, run }, caller, from, places) {
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  let lengths = new Float64Array(places.length / from.length).fill(Infinity);
-  for (let level = 0; lengths.includes(Infinity); level++) {
-    const found = run((heap, _, shape) => {
-      const graph = graphs?.find(heap, shape, place, level);
+  const width = from.length;
+  const lengths = new Float64Array(places.length / width).fill(Infinity);
+  let missing = Array.from(lengths.keys());
+  for (let level = 0; missing.length > 0; level++) {
+    const wanted =
+      level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
+    const found = run((heap, record) => {
+      const graph = graphs.find(heap, record, place, level);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
-      return graph && heap.measureField(shape, graph, from, places);
+      return graph && heap.measureField(record, graph, from, wanted);
     });
     if (!found) break;
     if (found.status === OUT_OF_MEMORY)
       throw new RangeError(`${caller}: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed`);
-    if (found.status === CONVERGED) lengths = lengths.map((length, i) => (length < Infinity ? length : found.lengths[i]));
+    if (found.status !== CONVERGED) continue;
+    for (const [k, i] of missing.entries()) lengths[i] = found.lengths[k];
+    missing = missing.filter((i) => lengths[i] === Infinity);
   }
-  if (!lengths.some((length) => length < Infinity))
+  if (missing.length === lengths.length)
     throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
   return lengths;
 }
@@ -72,8 +78,6 @@ function face(domain, place, other) {
  * @returns {Float64Array} a distance a vertex
  */
 export function measureField(field, caller, from, mesh, exact) {
-  if (!field.isPlain && !exact)
-    throw new RangeError(`${caller}: the graph knows lengths in space only, no density and no metric; ask for { exact: true }`);
   const places = mesh.parameters ?? mesh.positions;
   const lengths = search(field, caller, from, places);
   if (!exact) return lengths;

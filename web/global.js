@@ -16,6 +16,7 @@ import { emptyPath } from './runtime/heap.js';
  * @property {number[]} from
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
+ * @property {boolean} isPlain length is that of space
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
  *   an edge of the rectangle collapses, 1 + 2 · coordinate + side
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
@@ -43,8 +44,14 @@ const ROUGH = [31, 63, 127, 255];
 const CANDIDATE_POINTS = 65;
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 const MARGIN = 1e-3;
-/** Two paths are the same where they are nowhere farther apart, in parts of their length. */
+/** Of those, so many are solved finely. */
+const MOST_FINE = 4;
+/** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
+const AGREEMENT = 1e-6;
+/** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
+/** Places at which two paths are compared. */
+const SAMPLES = 16;
 
 /** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
 const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
@@ -75,13 +82,23 @@ export function findPaths(problem, options, most) {
     if (over) return [over.path];
     return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
   }
-  const limit = most === 1 ? estimate(rough[0].path) * (1 + MARGIN) : Infinity;
-  const wanted = rough.filter(({ path }) => estimate(path) <= limit).slice(0, Math.max(most, 4));
-  const solved = wanted.map(({ to, path }) => ({ to, path: problem.solve(to, path.parameters ?? path.points, options) }));
-  const usable = solved.filter(({ path }) => holds(path));
+  /* In space the error is known by its sign, in a metric by its size only. */
+  const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
+  const limit = most === 1 ? estimate(rough[0].path) + doubt(rough[0].path) : Infinity;
+  const wanted = most === 1 ? rough.filter(({ path }) => estimate(path) - doubt(path) <= limit).slice(0, MOST_FINE) : rough;
+  /** @type {{ to: number[], path: RawPath }[]} */
+  let usable = [];
+  /** @type {RawPath | null} */
+  let failed = null;
+  for (const { to, path } of wanted) {
+    if (most > 1 && usable.length === most) break;
+    const fine = problem.solve(to, path.parameters ?? path.points, options);
+    if (holds(fine)) usable = distinct([...usable, { to, path: fine }]);
+    else failed ??= fine;
+  }
   usable.push(...overPoles(problem, options, usable));
-  if (usable.length === 0) return [solved[0].path];
-  const beside = most === 1 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
+  if (usable.length === 0 && failed) return [failed];
+  const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
   if (beside) return [beside];
   return distinct(usable)
     .slice(0, most)
@@ -154,7 +171,8 @@ function besidePole({ domain, solve }, tried, options, best) {
     .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))
     .sort((a, b) => estimate(a.path) - estimate(b.path));
   const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
-  return path && path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
+  if (!path || !(Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length)) return null;
+  return path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
@@ -167,7 +185,7 @@ function solveRoughly(problem, { to, start }) {
 
 /** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options */
 function solveWeakly(problem, tried, options) {
-  const [best] = tried.filter(({ path }) => path.index === 0 && path.points.length > 0).sort((a, b) => estimate(a.path) - estimate(b.path));
+  const [best] = tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
   return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
 }
 
@@ -180,25 +198,38 @@ function distinct(found) {
 /** @param {RawPath} a @param {RawPath} b */
 function isSame(a, b) {
   if (Math.abs(estimate(a) - estimate(b)) > APART * estimate(a)) return false;
-  const samples = 16;
-  let away = 0;
-  for (let i = 1; i < samples; i++) {
-    const [p, q] = [a, b].map((path) => pointAt(path, i / samples));
-    away = Math.max(
-      away,
-      p.reduce((sum, x, k) => sum + (x - q[k]) ** 2, 0),
-    );
+  const [p, q] = [samplesOf(a), samplesOf(b)];
+  let [away, size] = [0, 0];
+  for (let i = 0; i < SAMPLES; i++) {
+    away = Math.max(away, distance(p, i, q, i));
+    size += distance(p, i, p, i + 1);
   }
-  return away <= (APART * estimate(a)) ** 2;
+  return away <= APART * size;
 }
 
-/** The point at a fraction of a path of equal chords; u v where it has no positions. @param {RawPath} path @param {number} fraction */
-function pointAt({ points, parameters }, fraction) {
+/**
+ * Places along a path of equal chords, three numbers each: points, or u v 0 where it has no positions.
+ * @param {RawPath} path @returns {Float64Array}
+ */
+function samplesOf({ points, parameters }) {
   const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
-  const at = fraction * (numbers.length / width - 1);
-  const i = width * Math.floor(at);
-  const t = at - Math.floor(at);
-  return Array.from({ length: width }, (_, k) => numbers[i + k] + (t ? t * (numbers[i + width + k] - numbers[i + k]) : 0));
+  const samples = new Float64Array(3 * (SAMPLES + 1));
+  const last = numbers.length / width - 1;
+  for (let i = 0; i <= SAMPLES; i++) {
+    const at = (i / SAMPLES) * last;
+    const before = Math.min(Math.floor(at), last - 1);
+    for (let k = 0; k < width; k++) {
+      const [from, to] = [numbers[width * before + k], numbers[width * (before + 1) + k]];
+      samples[3 * i + k] = from + (at - before) * (to - from);
+    }
+  }
+  return samples;
+}
+
+/** Between sample i of p and sample j of q. @param {Float64Array} p @param {number} i @param {Float64Array} q @param {number} j */
+function distance(p, i, q, j) {
+  const [x, y, z] = [p[3 * i] - q[3 * j], p[3 * i + 1] - q[3 * j + 1], p[3 * i + 2] - q[3 * j + 2]];
+  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /** Turns a path round. @param {RawPath} path @returns {RawPath} */

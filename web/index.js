@@ -1,16 +1,19 @@
-/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined as bytes. */
+/** surfpath: shortest paths on smooth curved surfaces. The default entry: the WebAssembly module is inlined, compressed. */
 
-import wasm from '../dist/wasm.js';
-import { makeLoad } from './instance.js';
+import text from '../dist/wasm.js';
+import { makeCompile, makeLoad } from './instance.js';
+import { unpack } from './runtime/unpack.js';
 
 export { ExpressionError } from './expression/error.js';
-export const load = makeLoad(() => wasm);
+export const compileModule = makeCompile(() => unpack(text));
+export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./surface.js').Surface} Surface */
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
+/** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
 /** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
 /** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
 /** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
@@ -20,3 +23,5 @@ export const load = makeLoad(() => wasm);
 /** @typedef {import('./path.js').Status} Status */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
+/** @typedef {import('./field.js').FieldOptions} FieldOptions */
+/** @typedef {import('./field.js').DistanceField} DistanceField */

@@ -115,16 +115,16 @@ if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surfpath.prototype
 const compiled = new Map();
 
 /**
- * Makes `load` for an entry.
- * @param {() => WasmSource} inlined the entry's own module
+ * Makes `compileModule` for an entry.
+ * @param {() => WasmSource | Promise<WasmSource>} inlined the entry's own module
  */
-export function makeLoad(inlined) {
+export function makeCompile(inlined) {
   /**
-   * Loads the solver. Each call gives a new, independent instance; the compiled module is cached.
-   * @param {{ wasm?: WasmSource }} [options] wasm: another place to take the module from
-   * @returns {Promise<Surfpath>} rejects, in words, without WebAssembly SIMD
+   * The solver's module, compiled: it can be posted to a worker, and loaded there by `load({ wasm: module })`. Cached.
+   * @param {{ wasm?: WasmSource }} [options] as for `load`
+   * @returns {Promise<WebAssembly.Module>}
    */
-  return async function load(options = {}) {
+  return async function compileModule(options = {}) {
     if (typeof options !== 'object' || options === null) throw new TypeError(`load: options must be an object, not ${describe(options)}`);
     checkNames('load', options, ['wasm']);
     const { wasm } = options;
@@ -135,6 +135,21 @@ export function makeLoad(inlined) {
       compiled.set(key, module);
       module.catch(() => compiled.delete(key));
     }
-    return new Surfpath(await module);
+    return module;
+  };
+}
+
+/**
+ * Makes `load` for an entry.
+ * @param {(options?: { wasm?: WasmSource }) => Promise<WebAssembly.Module>} compileModule the entry's own
+ */
+export function makeLoad(compileModule) {
+  /**
+   * Loads the solver. Each call gives a new, independent instance; the compiled module is cached.
+   * @param {{ wasm?: WasmSource }} [options] wasm: another place to take the module from
+   * @returns {Promise<Surfpath>} rejects, in words, without WebAssembly SIMD
+   */
+  return async function load(options) {
+    return new Surfpath(await compileModule(options));
   };
 }

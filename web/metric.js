@@ -15,53 +15,59 @@ const TENSOR = {
   implicit: { entries: ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'], order: ['xx', 'xy', 'yy', 'xz', 'yz', 'zz'] },
 };
 
-/** @param {string} kind @param {any} definition */
-export function checkMetric(kind, { density, metric }) {
+/** @typedef {{ density?: import('./definition.js').Expression, metric?: Record<string, import('./definition.js').Expression> }} Measure what measures length besides space */
+
+/** @param {string} kind @param {any} definition @returns {Measure} a copy */
+export function readMeasure(kind, { density, metric }) {
   if (kind === 'metric') {
     if (density !== undefined || metric !== undefined)
       throw new RangeError(`${kind}: a surface given by E, F and G takes no density or metric; multiply E, F and G by ρ² instead`);
-    return;
+    return {};
   }
-  if (density === undefined && metric === undefined) return;
   if (density !== undefined) checkExpression(kind, 'density', density);
-  if (metric === undefined) return;
-  const { entries } = TENSOR[kind];
+  if (metric === undefined) return { density };
+  const { entries } = TENSOR[kind === 'implicit' ? kind : 'parametric'];
   const what = `{ ${entries.join(', ')} }`;
   if (typeof metric !== 'object' || metric === null) throw new TypeError(`${kind}: metric must be ${what}, not ${describe(metric)}`);
   for (const name of entries) {
     if (metric[name] === undefined) throw new TypeError(`${kind}: metric must be ${what}; ${name} is missing`);
     checkExpression(kind, `metric.${name}`, metric[name]);
   }
+  return { density, metric: { ...metric } };
 }
 
 /**
- * Compiles what measures length, if it is not space alone: the function `jet` of wasm/surface.h for that metric.
- * @param {'parametric' | 'implicit' | 'metric'} kind @param {any} definition @param {string[]} variables
+ * Compiles what measures length, if it is not space alone: the function `jet` of wasm/surface.h for that metric. Formulas are over u, v, the shape's own
+ * variables, and, a density's, x, y and z; over x, y, z on an implicit surface.
+ * @param {'parametric' | 'implicit' | 'metric'} kind @param {Measure} measure @param {import('./shapes.js').Shape} shape @param {readonly number[] | null} reference of a frame
  * @param {Record<string, number>} parameters @param {import('./expression/compile.js').Apply} apply
  * @returns {{ code: number, compiled: Compiled } | null}
  */
-export function compileMetric(kind, definition, variables, parameters, apply) {
-  const { density, metric, x, y, z, f } = definition;
-  if (kind === 'metric' || (density === undefined && metric === undefined)) return null;
-  const [shape, names] =
-    kind === 'implicit'
-      ? [[f], ['f']]
-      : metric
-        ? [[], []]
-        : [
-            [x, y, z],
-            ['x', 'y', 'z'],
-          ];
+export function compileMetric(kind, { density, metric }, shape, reference, parameters, apply) {
+  if (density === undefined && metric === undefined) return null;
+  const { outputs, names, variables } = shape;
   const order = metric ? TENSOR[kind].order : [];
-  const factors = metric ? order.map((name) => metric[name]) : [1];
   const compiled = compile({
-    outputs: [...shape, ...factors],
-    names: [...names, ...order.map((name) => `metric.${name}`)],
+    outputs: (formulas) => {
+      const { graph, read } = formulas;
+      const known = (/** @type {Record<string, number>} */ nodes) =>
+        Object.fromEntries(Object.entries(nodes).filter(([name]) => !variables.includes(name)));
+      /** @type {Record<string, number>} */
+      const places = kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
+      const shaped =
+        typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => read(source, names[i], variables));
+      const [x, y, z] = shaped;
+      const everything = kind === 'implicit' ? places : { ...places, x, y, z };
+      const factor = density === undefined ? graph.one : read(density, 'density', variables, known(everything));
+      const square = graph.multiply(factor, graph.absolute(factor));
+      const tensor = metric ? order.map((name) => read(metric[name], `metric.${name}`, variables, known(places))) : [graph.one];
+      const measured = tensor.map((component) => graph.multiply(component, square));
+      return kind === 'parametric' && metric ? measured : [...shaped, ...measured];
+    },
+    names,
     variables,
     parameters,
     valueOrder: 0,
-    density:
-      density === undefined ? undefined : { source: density, positions: kind === 'parametric' ? { x, y, z } : {}, from: shape.length },
     apply,
   });
   return { code: metric ? METRIC.tensor : METRIC.density, compiled };

@@ -2,9 +2,9 @@
 
 /**
  * How a path ended. `converged`: as asked. Usable, weaker: `iteration-limit`, `stalled`, `tolerance-not-met`, `ill-conditioned`, `saddle`, `edge-reached`.
- * No path: `disconnected`, `singular-metric`, `sheet-jump`, `off-surface`, `not-finite`, `out-of-memory`.
+ * No path: `disconnected`, `singular-metric`, `sheet-jump`, `off-surface`, `not-finite`, `out-of-memory`; from a pool also `worker-died`.
  * @typedef {'converged' | 'iteration-limit' | 'stalled' | 'tolerance-not-met' | 'ill-conditioned' | 'saddle' | 'edge-reached'
- *   | 'disconnected' | 'singular-metric' | 'sheet-jump' | 'off-surface' | 'not-finite' | 'out-of-memory'} Status
+ *   | 'disconnected' | 'singular-metric' | 'sheet-jump' | 'off-surface' | 'not-finite' | 'out-of-memory' | 'worker-died'} Status
  */
 
 /** @type {Map<number, Status>} enum sp_status of wasm/status.h */
@@ -34,13 +34,15 @@ export const STATUS = new Map([
  * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path, and on surfaces without positions
  * @property {Float64Array | null} parameters u v of the K + 2 points, continuous across seams; null for implicit surfaces
  * @property {number} iterations Newton steps (traced: steps of the integrator)
- * @property {number} energy E = (K + 1) Σ |chord|², unit length²; NaN if traced, as gradientNorm
+ * @property {number} energy E = (K + 1) Σ |chord|², unit length²; 'elements': ∫ |X′|² over a unit of time, in which the arcs of a path share as their lengths do; NaN
+ *   if traced, as gradientNorm
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E
  * @property {number} index Morse index; 0: locally shortest; −1: not computed
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
- * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points
+ * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points.
+ *   'elements': energies on the scale of the last discretisation; of a path of arcs the steps before it was cut into them
  */
 
 /**
@@ -52,7 +54,7 @@ export const STATUS = new Map([
  * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
  *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
  * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
- * @property {number} [maxIterations] Newton steps at most, default 100
+ * @property {number} [maxIterations] Newton steps at most, in all stages of a path together, default 100; 'elements', which has many stages: 200
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
  * @property {number} [tolerance] 'elements': wanted relative error of the length, and of positions over the length, 1e-15 … 0.1, default 1e-9
  * @property {boolean} [record] keep every iterate's points in `history`
@@ -109,8 +111,9 @@ export function readOptions(caller, given) {
     throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
   const options = /** @type {Record<string, any>} */ (given ?? {});
   checkNames(caller, options, KNOWN);
-  const { points = 64, maxIterations = 100, gradientTolerance, record = false, start = 'global', via = [] } = options;
+  const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
+  const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
   if (options.tolerance !== undefined && algorithm !== 'elements')
     throw new RangeError(
       `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,

@@ -15,9 +15,9 @@ import { joinPaths, shareOut } from './via.js';
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
  * @property {number[] | null} box of an implicit surface
- * @property {import('./graphs.js').Graphs | null} graphs null: it has no positions
+ * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
- * @property {<T>(call: (heap: Heap, record: number, shape: number) => T) => T} run record: the surface as it measures length; shape: as space does
+ * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
@@ -50,24 +50,23 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
   const swap = different >= 0 && from[different] > to[different];
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  const own = (/** @type {import('./runtime/heap.js').Graph | null | undefined} */ graph) =>
-    graph && !isPlain ? { ...graph, unique: false } : (graph ?? null);
   let exhausted = false;
   /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
   const watch = (answer) => {
     exhausted ||= answer?.status === OUT_OF_MEMORY;
     return answer;
   };
-  const found = run((heap, record, shape) =>
+  const found = run((heap, record) =>
     findPaths(
       {
         from: a,
         to: b,
-        domain: domain && !isPlain ? { ...domain, poles: [] } : domain,
+        isPlain,
+        domain,
         solve: (end, start, asked, pole) => watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked)),
-        graph: (level) => watch(own(graphs?.find(heap, shape, place, level))),
-        flood: (level) => watch(own(graphs?.flood(heap, shape, a, b, level))),
-        search: (graph, points) => watch(heap.searchGraph(shape, graph, a, b, points)),
+        graph: (level) => watch(graphs.find(heap, record, place, level)),
+        flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
+        search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points)),
       },
       options,
       most,
@@ -94,7 +93,6 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
 export function passThrough(field, caller, places, options, start) {
   if (start !== 'global' && start !== 'straight')
     throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
-  if (!field.graphs) throw new RangeError(`${caller}: options.via is not built yet for surfaces without positions`);
   const count = places.length - 1;
   const least = 2 * count - 1;
   if (options.points < least)

@@ -15,6 +15,8 @@ import { componentsOf } from './reference.js';
  * @typedef {object} Common what every shape takes besides
  * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] as in a parametric definition
  * @property {Readonly<Record<string, number>>} [parameters]
+ * @property {Expression} [density] as in a parametric definition: over u, v, x, y, z of the surface that is written, and over the shape's own variables
+ * @property {{ E: Expression, F: Expression, G: Expression }} [metric] as in a parametric definition, over u, v and the shape's own variables
  */
 /**
  * @typedef {object} GraphOnly z(x, y); u and v are x and y
@@ -108,17 +110,8 @@ const SHAPES = {
 
 /** The kinds that are parametric surfaces, however they are written. */
 export const PARAMETRIC_KINDS = Object.freeze(Object.keys(SHAPES).filter((kind) => kind !== 'implicit' && kind !== 'metric'));
-/** Kinds that write their positions themselves: a density or metric over them is not built yet. */
-const WRITTEN = ['graph', 'revolution', 'tube', 'sweep'];
-
 /** Checks a definition and says how to compile it. @param {string} kind @param {unknown} definition @returns {Shape} */
-export function readShape(kind, definition) {
-  const shape = SHAPES[kind](kind, definition);
-  for (const name of ['density', 'metric'])
-    if (WRITTEN.includes(kind) && /** @type {any} */ (definition)[name] !== undefined)
-      throw new RangeError(`${kind}: ${name} is not built yet for this kind; write the surface as parametric`);
-  return shape;
-}
+export const readShape = (kind, definition) => SHAPES[kind](kind, definition);
 
 /** @param {string} kind @param {any} definition @param {string[]} names @returns {[string, Range][]} copies */
 function rangesOf(kind, definition, names) {

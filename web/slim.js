@@ -1,9 +1,10 @@
 /** surfpath with its WebAssembly module as a file of its own, beside this one. */
 
-import { makeLoad } from './instance.js';
+import { makeCompile, makeLoad } from './instance.js';
 
 export { ExpressionError } from './expression/error.js';
-export const load = makeLoad(() => new URL('./surfpath.wasm', import.meta.url));
+export const compileModule = makeCompile(() => new URL('./surfpath.wasm', import.meta.url));
+export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./surface.js').Surface} Surface */

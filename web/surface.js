@@ -7,7 +7,7 @@ import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
-import { checkMetric, compileMetric, METRIC } from './metric.js';
+import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
@@ -31,7 +31,8 @@ const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
-const MOST_GEODESICS = 8;
+/** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
+const MOST_GEODESICS = 16;
 
 /** What the kinds differ in. */
 const SHAPE = {
@@ -46,9 +47,9 @@ export class Surface {
   #forget;
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
-  /** With the reference direction of its frame. @type {ReturnType<typeof compile> & { reference: number[] | null }} */ #compiled;
-  /** What measures length, if it is not space alone. */
-  #metric;
+  /** With what measures length, if it is not space alone, and the reference direction of its frame. @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, reference: number[] | null }} */
+  #compiled;
+  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
@@ -64,7 +65,7 @@ export class Surface {
   /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
-    checkMetric(kind, definition);
+    this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
@@ -72,7 +73,6 @@ export class Surface {
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.#parameters = checkParameters(kind, definition.parameters ?? {});
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.#parameters);
-    this.#metric = compileMetric(this.kind, definition, this.#shape.variables, this.#parameters, solver.apply);
     if (kind === 'implicit') this.#box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
     this.#compiled = this.#compile();
@@ -125,7 +125,7 @@ export class Surface {
    * may be some.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 8; `start` must be 'global' or absent
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
@@ -185,11 +185,11 @@ export class Surface {
    * @param {number} length how far, ≥ 0
    * @param {TraceOptions} [options]
    * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
+   *   (null also where that is not computed: on an implicit surface with a `metric`)
    */
   trace(from, direction, length, options) {
     const caller = 'trace';
     this.#checkAlive(caller);
-    if (this.kind === 'metric' || this.#metric) throw new RangeError(`${caller}: a density or a metric is not built yet here`);
     const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
     const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
     const wanted = readTraceOptions(caller, options);
@@ -313,6 +313,7 @@ export class Surface {
   #compile() {
     const { outputs, names, variables } = this.#shape;
     const reference = this.#reference;
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.#parameters, this.#solver.apply);
     const compiled = compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
       names,
@@ -321,7 +322,7 @@ export class Surface {
       apply: this.#solver.apply,
       valueOrder: SHAPE[this.kind].valueOrder,
     });
-    return { ...compiled, reference };
+    return { ...compiled, metric, reference };
   }
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
@@ -359,6 +360,10 @@ export class Surface {
     this.#installed = installed;
     this.#generation = this.#solver.generation;
     this.#writeParameters();
+  }
+
+  get #metric() {
+    return this.#compiled.metric;
   }
 
   /** Address of the record of the surface as it measures length. */
@@ -414,6 +419,16 @@ export class Surface {
     return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
   }
 
+  /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */
+  #tensors() {
+    if (this.#metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
+    if (this.kind !== 'metric') return null;
+    return (points) => {
+      const jets = this.#evaluate('jet', points);
+      return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
+    };
+  }
+
   /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
     if (this.kind === 'implicit') return null;
@@ -436,6 +451,7 @@ export class Surface {
     const surface = {
       jets: (/** @type {number[]} */ points) => this.#evaluate('jet', points),
       metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
+      tensors: this.#tensors(),
     };
     const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
     if (range) this.#domain = findDomain(periodic, surface, range);
@@ -469,9 +485,9 @@ export class Surface {
       kind: KIND[this.kind],
       domain: this.#domain,
       box: this.#box,
-      graphs: this.kind === 'metric' ? null : this.#graphs,
+      graphs: this.#graphs,
       isPlain: this.kind !== 'metric' && !this.#metric,
-      run: (call) => this.#run((heap) => call(heap, this.#record, this.#shapeRecord)),
+      run: (call) => this.#run((heap) => call(heap, this.#record)),
     };
   }
 

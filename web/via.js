@@ -18,6 +18,9 @@ export function shareOut(lengths, points) {
   return shares;
 }
 
+/** Segments of the polyline of a path. @param {Path} path */
+const segmentsOf = ({ points, parameters }) => (parameters ? parameters.length / 2 : points.length / 3) - 1;
+
 /** A sum that does not depend on the order. @param {number[]} numbers */
 const sum = (numbers) => [...numbers].sort((a, b) => a - b).reduce((total, x) => total + x, 0);
 
@@ -45,14 +48,14 @@ function joinParameters(pieces) {
  * @param {Path[]} pieces @returns {Path}
  */
 export function joinPaths(pieces) {
-  const missing = pieces.find(({ points }) => points.length === 0);
+  const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
   const points = concatenate(
     pieces.map((piece) => piece.points),
     3,
   );
-  const segments = points.length / 3 - 1;
+  const segments = sum(pieces.map(segmentsOf));
   return {
     status,
     converged: status === 'converged',
@@ -61,7 +64,7 @@ export function joinPaths(pieces) {
     points,
     parameters: joinParameters(pieces),
     iterations: sum(pieces.map(({ iterations }) => iterations)),
-    energy: segments * sum(pieces.map(({ energy, points: own }) => energy / (own.length / 3 - 1))),
+    energy: segments * sum(pieces.map((piece) => piece.energy / segmentsOf(piece))),
     gradientNorm: Math.sqrt(sum(pieces.map(({ gradientNorm }) => gradientNorm ** 2))),
     index: pieces.some(({ index }) => index < 0) ? -1 : sum(pieces.map(({ index }) => index)),
     touchesBoundary: pieces.some(({ touchesBoundary }) => touchesBoundary),

@@ -1,5 +1,6 @@
 /**
- * What all benchmarks share: samples of rivals taken in turn, their minimum and median, a table, and a JSON file in build/bench/.
+ * What all benchmarks share: samples of rivals taken in turn, their minimum and median, a table, and a JSON file: in build/bench/, or where
+ * `--json file` says.
  *
  * With `--quick` a benchmark takes few samples and writes to build/bench/quick/: enough to see that it runs, not to believe its times.
  */
@@ -69,8 +70,10 @@ export function report(name, title, rows, notes = []) {
   );
   const folder = new URL(quick ? '../../build/bench/quick/' : '../../build/bench/', import.meta.url);
   mkdirSync(folder, { recursive: true });
+  const wanted = process.argv.indexOf('--json');
+  const file = wanted > 0 ? process.argv[wanted + 1] : new URL(`${name}.json`, folder);
   const machine = { node: process.version, arch: arch(), processor: cpus()[0]?.model ?? '' };
-  writeFileSync(new URL(`${name}.json`, folder), `${JSON.stringify({ name, title, seed: SEED, machine, rows, notes }, null, 1)}\n`);
+  writeFileSync(file, `${JSON.stringify({ name, title, seed: SEED, machine, rows, notes }, null, 1)}\n`);
 }
 
 /** Four digits, without an exponent where that is short. @param {number | string | boolean} figure */

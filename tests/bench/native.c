@@ -1,7 +1,8 @@
 /* The native side of the benchmarks: takes one sample of the same core on the same surface, and prints it as JSON.
  *
- *   native solve SURFACE K REPETITIONS < pairs        nanoseconds a solve, and the sum of the lengths
- *   native evaluate SURFACE COUNT REPETITIONS < points  nanoseconds a point for all that `jet` stores, and the sum of it
+ *   native solve SURFACE K REPETITIONS < pairs        nanoseconds a solve, and the sum of the lengths: polylines, or, if K is below 1,
+ * elements to that tolerance native evaluate SURFACE COUNT REPETITIONS < points  nanoseconds a point for all that `jet` stores, and the sum
+ * of it
  *
  * Input: a count, then the numbers; a pair is its two ends of two or three numbers. One pass over all comes first, to warm up. */
 #include <stdio.h>
@@ -57,7 +58,7 @@ static double solve_all(const struct sp_surface *surface, const struct sp_reques
     return sum;
 }
 
-static void sample_solves(const struct sp_surface *surface, int point_count, int repetitions) {
+static void sample_solves(const struct sp_surface *surface, double size, int repetitions) {
     int count, dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
     double *numbers = read_numbers(2 * dimension, &count), sum = 0;
     struct sp_request *requests = reserve(sizeof *requests * (size_t)count);
@@ -68,7 +69,10 @@ static void sample_solves(const struct sp_surface *surface, int point_count, int
     }
     struct sp_options options;
     sp_default_options(&options);
-    options.algorithm = SP_POLYLINE, options.point_count = point_count;
+    if (size < 1)
+        options.tolerance = size;
+    else
+        options.algorithm = SP_POLYLINE, options.point_count = (int)size;
     size_t bytes = (size_t)sp_solve_bytes(surface, &options, 0);
     struct sp_arena arena = {reserve(bytes), bytes, 0};
     solve_all(surface, requests, count, &options, &arena);
@@ -101,9 +105,9 @@ static void sample_evaluations(const struct sp_surface *surface, int repetitions
 int main(int count, char **arguments) {
     const struct sp_surface *surface = count == 5 ? find_surface(arguments[2]) : NULL;
     if (!surface) return 2;
-    int size = atoi(arguments[3]), repetitions = atoi(arguments[4]);
+    int repetitions = atoi(arguments[4]);
     if (strcmp(arguments[1], "solve") == 0)
-        sample_solves(surface, size, repetitions);
+        sample_solves(surface, atof(arguments[3]), repetitions);
     else
         sample_evaluations(surface, repetitions);
     return 0;

@@ -11,7 +11,8 @@ import { writeC } from '../helpers/write-c.js';
 /** @typedef {{ nanoseconds: number, sum: number }} NativeSample `sum` of all that was computed in a pass */
 
 const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
-const core = path('../../build/native/core.o');
+/** By the folder of its objects: for every processor, or for the one that runs this. */
+const MARCH = { native: [], march: ['-march=native'] };
 const flags = ['-std=c17', '-O3', '-DNDEBUG', '-ffp-contract=off', '-fno-math-errno', '-Wall', '-Wextra', '-Werror'];
 const includes = ['-I', path('../../wasm'), '-I', path('../native'), '-I', path('.')];
 
@@ -34,10 +35,12 @@ export function compileEntry(entry, apply = instantiate().apply) {
  * Builds the native program with some surfaces.
  * @param {string} program its name: each benchmark has its own
  * @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces by C name
+ * @param {'native' | 'march'} [build] march: with all instructions of this processor
  */
-export function buildNative(program, surfaces) {
-  if (!existsSync(core)) throw new Error(`${core} is missing; it is built by: make build/native/core.o`);
-  const folder = path(`../../build/bench/${program}/`);
+export function buildNative(program, surfaces, build = 'native') {
+  const core = path(`../../build/${build}/core.o`);
+  if (!existsSync(core)) throw new Error(`${core} is missing; it is built by: make build/${build}/core.o`);
+  const folder = path(`../../build/bench/${program}-${build}/`);
   mkdirSync(folder, { recursive: true });
   const sources = Object.entries(surfaces).map(([name, { entry }]) => {
     const { compiled, variableCount } = compileEntry(entry);
@@ -46,9 +49,9 @@ export function buildNative(program, surfaces) {
   });
   writeFileSync(`${folder}table.c`, writeTable(surfaces));
   const binary = `${folder}native`;
-  execFileSync('gcc', [...flags, ...includes, path('native.c'), `${folder}table.c`, ...sources, core, '-o', binary]);
+  execFileSync('gcc', [...flags, ...MARCH[build], ...includes, path('native.c'), `${folder}table.c`, ...sources, core, '-o', binary]);
   return {
-    /** @param {string} name @param {[number[], number[]][]} pairs @param {number} points @param {number} repetitions @returns {NativeSample} */
+    /** @param {string} name @param {[number[], number[]][]} pairs @param {number} points or, below 1, tolerance @param {number} repetitions @returns {NativeSample} */
     solve: (name, pairs, points, repetitions) =>
       sample(
         binary,

@@ -17,7 +17,7 @@ const names = readdirSync(path('.')).flatMap((file) => (file.endsWith('.bench.js
 const rowsOf = (name) => JSON.parse(readFileSync(result(name), 'utf8')).rows;
 
 test('there are benchmarks', () => {
-  assert.deepEqual(names.sort(), ['cold', 'speed', 'surface', 'table1', 'tolerance']);
+  assert.deepEqual(names.sort(), ['batch', 'cold', 'fig2', 'fig3', 'iteration', 'solves', 'speed', 'surface', 'table1', 'tolerance']);
 });
 
 describe('benchmarks, quickly', { concurrency: 2 }, () => {
@@ -47,7 +47,28 @@ describe('their figures', () => {
 
   test('the native build computes the same bits as the WebAssembly', () => {
     assert.equal(solves.length, 8);
-    for (const row of [...solves, ...rowsOf('surface')]) assert.equal(row['same bits'], true, String(row.surface));
+    for (const row of [...solves, ...rowsOf('surface'), ...rowsOf('solves')]) assert.equal(row['same bits'], true, String(row.surface));
+  });
+
+  test('the pools compute the same bits as the main thread', () => {
+    for (const row of rowsOf('batch')) assert.equal(row['same bits'], true, String(row.surface));
+  });
+
+  test('a path by elements is as exact as was asked', () => {
+    for (const row of rowsOf('solves'))
+      assert.ok(Number(row['largest true error']) <= Math.max(Number(row.tolerance), 1e-12), `${row.surface}, ${row.tolerance}`);
+  });
+
+  /* Chords are too short by an error of second order: four times the points, a sixteenth of it. */
+  test('the error of a polyline falls as the square of its points', () => {
+    const errors = rowsOf('fig2').filter(({ surface }) => surface === 'dini');
+    const [few, many] = [errors[1], errors[3]].map((row) => Number(row['mean error %']));
+    assert.ok(few / many > 14 && few / many < 18, `${few} % at 64 points, ${many} % at 256`);
+  });
+
+  test('a profile tells the stages of an iteration apart', () => {
+    for (const row of rowsOf('iteration').filter(({ n }) => n === 5000))
+      for (const stage of ['assembly', 'block solve']) assert.ok(Number(row[stage]) > 0, `${row.surface}: ${stage}`);
   });
 
   /* The three tori bend the most: 2 per mille at K = 64, as the open data allow, are 3.3 at K = 50. */
@@ -56,6 +77,12 @@ describe('their figures', () => {
       assert.ok(Number(row['error ‰']) < 3.3, `${row.surface}: ${row['error ‰']} per mille`);
       assert.equal(row['no true length'], 0, String(row.surface));
     }
+  });
+
+  test('a result goes where --json says', async () => {
+    const file = path('../../build/bench/quick/elsewhere.json');
+    await run(process.execPath, [path('fig2.bench.js'), '--quick', '--json', file]);
+    assert.equal(JSON.parse(readFileSync(file, 'utf8')).name, 'fig2');
   });
 
   test('two results can be compared', async () => {

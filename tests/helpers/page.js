@@ -51,7 +51,9 @@ export async function openPage(context, address) {
   /** @type {string[]} errors and warnings, since the page was opened */
   const complaints = [];
   page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type()) && !OF_THE_SCREENSHOT.test(message.text())) complaints.push(message.text());
+    const isIcon = message.location().url.endsWith('/favicon.ico');
+    if (['error', 'warning'].includes(message.type()) && !isIcon && !OF_THE_SCREENSHOT.test(message.text()))
+      complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(String(error.stack)));
   page.on('requestfailed', (request) => complaints.push(`${request.url()} failed`));

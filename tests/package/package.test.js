@@ -1,33 +1,14 @@
 // The package as a stranger gets it: packed, installed without a network, imported by Node and type-checked by TypeScript.
 import assert from 'node:assert/strict';
-import { execFile } from 'node:child_process';
-import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { access, cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { promisify } from 'node:util';
+import { pack, run } from './pack.js';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const root = fileURLToPath(new URL('../..', import.meta.url));
-const execute = promisify(execFile);
-
-/** @typedef {{ filename: string, size: number, files: { path: string }[] }} Packed */
-
-/**
- * Runs a command and returns what it printed; what a failing one printed is in the error's message.
- * @param {string} directory
- * @param {string} command
- * @param {string[]} parameters
- */
-async function run(directory, command, ...parameters) {
-  try {
-    return (await execute(command, parameters, { cwd: directory })).stdout;
-  } catch (error) {
-    const { message, stdout } = /** @type {Error & { stdout: string }} */ (error);
-    throw new Error(`${message}\n${stdout}`);
-  }
-}
 
 /** Every file that package.json promises under `exports`. @param {unknown} target @returns {string[]} */
 function promisedFiles(target) {
@@ -37,23 +18,22 @@ function promisedFiles(target) {
 
 describe('the package', () => {
   /** @type {string} */ let project;
-  /** @type {Packed} */ let packed;
+  /** @type {import('./pack.js').Packed} */ let packed;
 
   before(async () => {
     project = await mkdtemp(join(tmpdir(), 'surfpath-package-'));
-    const answer = JSON.parse(await run(root, 'npm', 'pack', '--json', '--ignore-scripts', '--pack-destination', project));
-    packed = answer[0] ?? answer.surfpath;
+    packed = await pack(project);
     await writeFile(join(project, 'package.json'), '{ "name": "consumer", "private": true, "type": "module" }');
     await run(project, 'npm', 'install', '--offline', '--ignore-scripts', '--no-audit', '--no-fund', `./${packed.filename}`);
     await cp(join(here, 'consumer.js'), join(project, 'consumer.js'));
-    await cp(join(here, 'consumer.ts'), join(project, 'consumer.ts'));
+    for (const name of ['consumer.ts', 'consumer-three.ts']) await cp(join(here, 'typescript', name), join(project, name));
   });
 
   after(() => rm(project, { recursive: true, force: true }));
 
   test('holds what was built and the papers, and nothing else', () => {
     const expected =
-      /^(dist\/(index|slim|gallery)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG)\.md|LICENSE|package\.json)$/;
+      /^(dist\/(index|slim|gallery|pool|worker|three)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG|SECURITY)\.md|LICENSE|package\.json)$/;
     const unexpected = packed.files.map((file) => file.path).filter((path) => !expected.test(path));
     assert.deepEqual(unexpected, []);
   });
@@ -65,8 +45,8 @@ describe('the package', () => {
     assert.deepEqual(missing, []);
   });
 
-  test('is at most 256 KB', () => {
-    assert.ok(packed.size <= 256 * 1024, `${packed.size} bytes`);
+  test('is at most 400 KB', () => {
+    assert.ok(packed.size <= 400 * 1024, `${packed.size} bytes`);
   });
 
   test('works in Node', async () => {
@@ -82,4 +62,12 @@ describe('the package', () => {
       await run(project, join(root, 'node_modules/.bin/tsc'), '--noEmit', '--strict', '--types', '', ...target, 'consumer.ts');
     });
   }
+
+  test('has types for surfpath/three where three is installed, and does without where it is not', async () => {
+    const target = ['--noEmit', '--strict', '--types', '', '--target', 'es2022', '--module', 'node16', '--lib', 'es2022,dom'];
+    await assert.rejects(access(join(project, 'node_modules/three')));
+    await mkdir(join(project, 'node_modules/@types'), { recursive: true });
+    for (const name of ['three', '@types/three']) await symlink(join(root, 'node_modules', name), join(project, 'node_modules', name));
+    await run(project, join(root, 'node_modules/.bin/tsc'), ...target, 'consumer-three.ts');
+  });
 });

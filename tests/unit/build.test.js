@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 import inlined from '../../dist/wasm.js';
+import { unpack } from '../../web/runtime/unpack.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const wasm = readFileSync(`${root}/dist/surfpath.wasm`);
@@ -47,8 +48,20 @@ test('surfpath.wasm exports the names in surfpath.exports, its memory and its ta
   assert.deepEqual(missing, []);
 });
 
-test('the inlined bytes are surfpath.wasm', () => {
-  assert.ok(wasm.equals(inlined));
+test('the inlined bytes are surfpath.wasm, unpacked by zlib or by a stream', async () => {
+  assert.ok(wasm.equals(await unpack(inlined)));
+  const { getBuiltinModule } = process;
+  process.getBuiltinModule = /** @type {any} */ (undefined);
+  try {
+    assert.ok(wasm.equals(await unpack(inlined)));
+  } finally {
+    process.getBuiltinModule = getBuiltinModule;
+  }
+});
+
+test('the whole default entry is at most 90 KB gzipped', () => {
+  const bytes = gzipSync(readFileSync(`${root}/dist/index.js`), { level: 9 }).length;
+  assert.ok(bytes <= 90 * 1024, `${bytes} bytes`);
 });
 
 test('the core calls no library function but memcpy, memmove and memset, so no libm', () => {

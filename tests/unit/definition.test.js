@@ -54,13 +54,11 @@ describe('definitions', () => {
     refuses(() => surfpath.implicit(anything({})), TypeError, /f is missing/);
   });
 
-  test('surface refuses kinds that do not exist, and what is not built yet', () => {
+  test('surface refuses kinds that do not exist', () => {
     refuses(() => surfpath.surface(anything(null)), TypeError, /surface: the definition must be an object/);
     refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be one of parametric, .*, not undefined/);
     refuses(() => surfpath.surface(anything({ kind: 'constructor' })), RangeError, /kind must be one of .*, not 'constructor'/);
     refuses(() => surfpath.surface(anything({ kind: 'metric' })), TypeError, /the definition needs E, F, G, u, v; E is missing/);
-    for (const name of ['density', 'metric'])
-      refuses(() => surfpath.graph(anything({ z: 'x', x: [0, 1], y: [0, 1], [name]: 1 })), RangeError, /is not built yet for this kind/);
   });
 
   test('names of Object.prototype are unknown like any other', () => {

@@ -1,7 +1,7 @@
 // Memory that runs out at every place where it can: said so, nothing lost, and the next call gives the bits it always gives. And traps.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
-import bytes from '../../dist/wasm.js';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { limitMemory, loadRefusing, loadWatched } from '../helpers/watched.js';
@@ -9,6 +9,7 @@ import { limitMemory, loadRefusing, loadWatched } from '../helpers/watched.js';
 /** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
 /** @typedef {import('../../web/index.js').Surface} Surface */
 
+const bytes = readFileSync(new URL('../../dist/surfpath.wasm', import.meta.url));
 const { saddle, sphere } = gallery;
 const dense = { ...saddle, density: '1+u^2' };
 const tube = /** @type {const} */ ({

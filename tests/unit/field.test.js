@@ -173,12 +173,6 @@ test('mistakes throw, and say which', () => {
       String(message),
     );
   surface.dispose();
-  const weighted = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [0, 1], v: [0, 1], density: 2 });
-  assert.throws(() => weighted.distanceField([0, 0]), /^RangeError: distanceField: .*exact: true/);
-  const { mesh, distances } = weighted.distanceField([0, 0], { exact: true, resolution: 3 });
-  for (const [i, distance] of distances.entries())
-    assert.ok(Math.abs(distance - 2 * Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 1])) <= 2 * EXACT);
-  weighted.dispose();
   const abstract = surfpath.surface({ kind: 'metric', E: 1, F: 0, G: 1, u: [0, 1], v: [0, 1] });
   assert.throws(() => abstract.distanceField([0, 0], { exact: true }), /^RangeError: distanceField: .*no positions/);
   const endless = surfpath.implicit({ f: 'z' });
@@ -192,4 +186,71 @@ test('mistakes throw, and say which', () => {
     ],
   });
   assert.throws(() => outside.distanceField([9, 0, 0], { resolution: 4 }), /^RangeError: distanceField: .*bounds/);
+});
+
+/** A hill of the density: ways go round it. */
+const hill = '1 + 9*exp(-(x^2 + y^2)/0.1)';
+const cube = (/** @type {number} */ half) => [0, 1, 2].map(() => [-half, half]);
+
+test('a density and a metric are measured by the graph, too', () => {
+  /** @type {[string, any, number[]][]} */
+  const surfaces = [
+    ['density', { kind: 'parametric', x: 'u', y: 'v', z: '0.2*u*v', u: [-1, 1], v: [-1, 1], density: hill }, [-0.8, 0.1]],
+    [
+      'metric',
+      { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [-1, 1], v: [0.3, 2], metric: { E: '1/v^2', F: '0.3/v^2', G: '1/v^2' } },
+      [-0.8, 0.4],
+    ],
+    [
+      'density, implicit',
+      { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1', bounds: cube(1.2), density: '1 + 4*exp(-8*(x - 1)^2)' },
+      [0, 0.6, 0.8],
+    ],
+    [
+      'metric, implicit',
+      {
+        kind: 'implicit',
+        f: 'x^2 + y^2 + z^2 - 1',
+        bounds: cube(1.2),
+        metric: { xx: '4 + x', xy: 0.5, xz: 0, yy: 1, yz: 0, zz: '1 + z^2' },
+      },
+      [0, 0.6, 0.8],
+    ],
+  ];
+  for (const [what, definition, from] of surfaces) {
+    const surface = surfpath.surface(definition);
+    const [fast, exact] = [false, true].map((asked) => surface.distanceField(from, { resolution: 6, exact: asked }).distances);
+    const largest = Math.max(...fast);
+    /* Paths in a metric that touch an edge of the rectangle may be NaN. */
+    assert.ok(exact.filter((distance) => distance >= 0).length > 0.8 * exact.length, what);
+    for (const [i, distance] of exact.entries()) {
+      if (Number.isNaN(distance)) continue;
+      /* A way through the graph is too long by up to 3 %, where one direction counts twice as much as the other by 7 %, and near the start by a part of
+         a cell; chords make it too short by less than 1 %. */
+      assert.ok(
+        fast[i] < (definition.metric ? 1.07 : 1.03) * distance + 0.01 * largest && fast[i] > 0.99 * distance,
+        `${what}, vertex ${i}: ${fast[i]}, exactly ${distance}`,
+      );
+    }
+    surface.dispose();
+  }
+});
+
+test('twice the density, twice the distance', () => {
+  const plane = { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [0, 1], v: [0, 1] };
+  const [one, two] = [{}, { density: 2 }].map((own) =>
+    surfpath.surface(/** @type {any} */ ({ ...plane, ...own })).distanceField([0, 0], { resolution: 8 }),
+  );
+  for (const [i, distance] of one.distances.entries()) assert.ok(Math.abs(two.distances[i] - 2 * distance) < 1e-6 * distance + 1e-12);
+});
+
+test("Dini's surface, whose parameters are far from isometric: a few per cent too long at most", () => {
+  const { dini } = gallery;
+  const surface = surfpath.surface(dini);
+  const { mesh, distances } = surface.distanceField(dini.from, { resolution: 12 });
+  const places = /** @type {Float64Array} */ (mesh.parameters);
+  for (let i = 0; i < distances.length; i += 7) {
+    const { length, converged } = surface.shortestPath(dini.from, places.subarray(2 * i, 2 * i + 2));
+    assert.ok(!converged || distances[i] < 1.06 * length + 0.05, `vertex ${i}: ${distances[i]}, exactly ${length}`);
+  }
 });

@@ -362,8 +362,15 @@ describe('misuse', () => {
       /path\[0\]: unknown name T; did you mean t\?/,
     ],
     ['a parameter called s', 'sweep', { ...sweep, parameters: { s: 1 } }, ExpressionError, /s is a variable of the surface/],
-    ['a density', 'tube', { ...tube, density: 1 }, RangeError, /tube: density is not built yet/],
-    ['a metric', 'sweep', { ...sweep, metric: { E: 1, F: 0, G: 1 } }, RangeError, /sweep: metric is not built yet/],
+    ['an unknown name in a density', 'tube', { ...tube, density: 's' }, ExpressionError, /density: unknown name s/],
+    ['a metric over positions', 'sweep', { ...sweep, metric: { E: 'x', F: 0, G: 1 } }, ExpressionError, /metric.E: unknown name x/],
+    [
+      'a parameter v beside a density',
+      'revolution',
+      { r: 1, z: 't', t: [0, 1], parameters: { v: 1 }, density: 1 },
+      ExpressionError,
+      /v is a variable/,
+    ],
     ['a periodic that is a word', 'graph', { z: 0, x: [0, 1], y: [0, 1], periodic: 'no' }, TypeError, /graph: periodic must be/],
   ];
   for (const [what, kind, definition, error, message] of bad)

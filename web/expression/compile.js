@@ -20,7 +20,8 @@ const LARGEST_PARAMETER_COUNT = 64;
  * What a surface is put together with that is not three formulas.
  * @typedef {object} Formulas
  * @property {Graph} graph where its nodes are made
- * @property {(source: string | number, name: string, variables: string[]) => number} read the node of a formula over some of the variables; `name` is for error messages
+ * @property {(source: string | number, name: string, variables: string[], known?: Record<string, number>) => number} read the node of a formula over some
+ *   of the variables and over known nodes, whose names no parameter may have; `name` is for error messages
  * @property {(node: number, variable: string) => number} slope the node of a derivative
  */
 
@@ -36,14 +37,6 @@ const LARGEST_PARAMETER_COUNT = 64;
  */
 
 /**
- * A density ρ: the outputs from number `from` on are multiplied by ρ|ρ|, which is ρ² with the sign of ρ.
- * @typedef {object} Density
- * @property {string | number} source over the variables, the parameters and the names of `positions`
- * @property {Record<string, string | number>} [positions] x, y, z as expressions over the variables; they hide no parameter
- * @property {number} from
- */
-
-/**
  * Compiles the expressions of a surface.
  * @param {object} options
  * @param {(string | number)[] | ((formulas: Formulas) => number[])} options.outputs the expressions, or what makes their nodes
@@ -51,20 +44,19 @@ const LARGEST_PARAMETER_COUNT = 64;
  * @param {string[]} options.variables such as 'u', 'v'
  * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
  * @param {0 | 1} [options.valueOrder] whether `value` stores first derivatives too; default: only if there is one output
- * @param {Density} [options.density] multiplies some of the outputs
  * @param {Apply} options.apply folds elementary functions of constants
  * @returns {Compiled}
  * @throws {ExpressionError} for an expression or parameter that cannot be used
  * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
  */
-export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, density, apply }) {
+export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, apply }) {
   const parameterNames = Object.keys(parameters);
   const scope = createScope(variables, parameters);
   const graph = new Graph(apply);
   const jets =
     typeof outputs === 'function'
       ? differentiateNodes(graph, outputs(formulasOf(graph, variables, scope)), variables.length, 2)
-      : differentiateSources(graph, outputs, names, { variables, parameters, scope, density });
+      : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
   const jet = layOut(jets, 2);
   const value = layOut(jets, valueOrder);
   const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
@@ -73,26 +65,22 @@ export function compile({ outputs, names, variables, parameters = {}, valueOrder
   return { module, data, dataBytes, parameterNames, graph, jet, value };
 }
 
-/**
- * Jets of expressions, some of them multiplied by a density over the positions.
- * @param {Graph} graph @param {(string | number)[]} sources @param {string[]} names
- * @param {{ variables: string[], parameters: Record<string, number>, scope: Map<string, Meaning>, density?: Density }} context
- */
-function differentiateSources(graph, sources, names, { variables, parameters, scope, density }) {
-  const programs = sources.map((source, k) => read(source, scope, names[k]));
-  const positions = Object.entries(density?.positions ?? {});
-  const known = positions.map(([name, source]) => differentiate(graph, read(source, scope, name), variables.length, 2));
-  if (density) multiplyByDensity(programs, density, createScope(variables, parameters, Object.keys(density.positions ?? {})));
-  return programs.map((program) => differentiate(graph, program, variables.length, 2, known));
-}
-
 /** @param {Graph} graph @param {string[]} variables @param {Map<string, Meaning>} scope @returns {Formulas} */
 function formulasOf(graph, variables, scope) {
-  const visible = (/** @type {string[]} */ names) =>
-    new Map([...scope].filter(([name, { kind }]) => kind !== 'variable' || names.includes(name)));
+  const visible = (/** @type {string[]} */ names, /** @type {string[]} */ known) => {
+    const own = new Map([...scope].filter(([name, { kind }]) => kind !== 'variable' || names.includes(name)));
+    for (const [value, name] of known.entries()) {
+      if (own.get(name)?.kind === 'parameter') refuseVariable(name);
+      own.set(name, { kind: 'known', value });
+    }
+    return own;
+  };
   return {
     graph,
-    read: (source, name, names) => differentiate(graph, read(source, visible(names), name), 0, 0).value,
+    read: (source, name, names, known = {}) => {
+      const jets = Object.values(known).map((value) => ({ value, first: [], second: [] }));
+      return differentiate(graph, read(source, visible(names, Object.keys(known)), name), 0, 0, jets).value;
+    },
     slope: (node, variable) => differentiateNodes(graph, [node], variables.length, 1)[0].first[variables.indexOf(variable)],
   };
 }
@@ -125,25 +113,11 @@ function read(source, scope, name) {
   );
 }
 
-/** @param {import('./postfix.js').Instruction[][]} programs changed in place @param {Density} density @param {Map<string, Meaning>} scope */
-function multiplyByDensity(programs, { source, from }, scope) {
-  const density = read(source, scope, 'density');
-  const call = (/** @type {string} */ name, /** @type {number} */ value) => ({
-    kind: /** @type {const} */ ('call'),
-    name,
-    value,
-    index: 0,
-  });
-  const squared = [...density, ...density, call('abs', 1), call('multiply', 2)];
-  for (let k = from; k < programs.length; k++) programs[k] = [...programs[k], ...squared, call('multiply', 2)];
-}
-
-/** What names mean: variables and known values before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @param {string[]} [known] @returns {Map<string, Meaning>} */
-function createScope(variables, parameters, known = []) {
+/** What names mean: variables before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @returns {Map<string, Meaning>} */
+function createScope(variables, parameters) {
   /** @type {Map<string, Meaning>} */
   const scope = new Map();
   for (const [value, name] of variables.entries()) scope.set(name, { kind: 'variable', value });
-  for (const [value, name] of known.entries()) scope.set(name, { kind: 'known', value });
   Object.entries(parameters).forEach(([name, value], index) => {
     checkParameter(name, value, index, scope);
     scope.set(name, { kind: 'parameter', value: index });
@@ -152,16 +126,23 @@ function createScope(variables, parameters, known = []) {
   return scope;
 }
 
+/** @param {string} name @param {string} message @returns {never} */
+function refuseParameter(name, message) {
+  throw new ExpressionError(name, 0, message, 'parameters');
+}
+
+/** @param {string} name of a parameter */
+function refuseVariable(name) {
+  refuseParameter(name, `${name} is a variable of the surface; give the parameter another name`);
+}
+
 /** @param {string} name @param {number} value @param {number} index @param {Map<string, Meaning>} scope */
 function checkParameter(name, value, index, scope) {
-  const refuse = (/** @type {string} */ message) => {
-    throw new ExpressionError(name, 0, message, 'parameters');
-  };
   if (index >= LARGEST_PARAMETER_COUNT)
-    refuse(`there are more than ${LARGEST_PARAMETER_COUNT} parameters; write constants into the expressions`);
-  if (!isName(name)) refuse(`${JSON.stringify(name)} cannot name a parameter; write a letter, then letters and digits`);
-  if (functions.has(name)) refuse(`${name} is a function; give the parameter another name`);
-  if (scope.has(name)) refuse(`${name} is a variable of the surface; give the parameter another name`);
+    refuseParameter(name, `there are more than ${LARGEST_PARAMETER_COUNT} parameters; write constants into the expressions`);
+  if (!isName(name)) refuseParameter(name, `${JSON.stringify(name)} cannot name a parameter; write a letter, then letters and digits`);
+  if (functions.has(name)) refuseParameter(name, `${name} is a function; give the parameter another name`);
+  if (scope.has(name)) refuseVariable(name);
   if (typeof value !== 'number' || !Number.isFinite(value))
     throw new TypeError(`the parameter ${name} must be a finite number, not ${String(value)}`);
 }

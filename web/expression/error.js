@@ -2,6 +2,11 @@
 
 /** An expression that cannot be understood. The message is one sentence that says what to write instead. */
 export class ExpressionError extends Error {
+  // What a stack or a console shows: bundling shortens the name of the class itself.
+  static {
+    Object.defineProperty(ExpressionError, 'name', { value: 'ExpressionError' });
+  }
+
   /**
    * @param {string} source the whole text of the expression, or the name of the parameter at fault
    * @param {number} index position of the offending character in `source`, from 0, in UTF-16 units; the length of the text where it ends too early

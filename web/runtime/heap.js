@@ -43,7 +43,7 @@ export const LAYOUT = {
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
-  sp_graph: { bytes: 112, spacing: 0, vertex_count: 60, edge_count: 64, unique: 68, singular: 72 },
+  sp_graph: { bytes: 88, spacing: 0, vertex_count: 36, edge_count: 40, unique: 44, singular: 48 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
@@ -218,7 +218,7 @@ export class Heap {
     const [length, lengthError, conjugate] = this.#doubles(at, 3);
     const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
     if (normal) return null;
-    if (!pointsAt) return emptyPath(status);
+    if (!pointsAt && !parametersAt) return emptyPath(status);
     return {
       ...emptyPath(status),
       length,
@@ -227,7 +227,7 @@ export class Heap {
       touchesBoundary: touches !== 0,
       crossesSingularity: false,
       conjugate: Number.isNaN(conjugate) ? null : conjugate,
-      points: this.#doubles(pointsAt, 3 * count).slice(),
+      points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
       parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
     };
   }

@@ -21,21 +21,25 @@ function checkEngine() {
   if (!WebAssembly.validate(SIMD_PROBE)) throw new Error('surfpath needs WebAssembly SIMD: use a browser or Node.js of 2022 or later');
 }
 
-/** The bytes behind a URL: fetched, or, as Node.js does not fetch files, read. @param {URL | string} url @returns {Promise<Response | BufferSource>} */
+/**
+ * The bytes behind a URL: fetched, or, as Node.js does not fetch files, read. Not by `import`, behind which every bundler for browsers would look.
+ * @param {URL | string} url
+ * @returns {Promise<Response | BufferSource>}
+ */
 async function open(url) {
   const target = String(url);
-  if (!target.startsWith('file:')) return fetch(target);
-  const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
-  return readFile(new URL(target));
+  const files = target.startsWith('file:') && globalThis.process?.getBuiltinModule?.('node:fs/promises');
+  return files ? files.readFile(new URL(target)) : fetch(target);
 }
 
 /**
  * Compiles the solver's module.
- * @param {WasmSource} source the module, its bytes, or where they are
+ * @param {WasmSource | Promise<WasmSource>} given the module, its bytes, or where they are
  * @returns {Promise<WebAssembly.Module>}
  */
-export async function compileSolver(source) {
+export async function compileSolver(given) {
   checkEngine();
+  const source = await given;
   if (source instanceof WebAssembly.Module) return source;
   const found = typeof source === 'string' || source instanceof URL ? await open(source) : source;
   if (typeof Response === 'function' && found instanceof Response) {

@@ -1,5 +1,6 @@
 // A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
-import { ExpressionError, load } from 'surfpath';
+import { createPool } from 'surfpath/pool';
+import { type DistanceField, ExpressionError, type FieldOptions, load } from 'surfpath';
 import { load as loadSlim } from 'surfpath/slim';
 
 const surfpath = await load();
@@ -10,6 +11,15 @@ const points: Float64Array = path.points;
 const converged: boolean = path.converged;
 const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
 slim.dispose();
+const wanted: FieldOptions = { resolution: 8, exact: false };
+const field: DistanceField = torus.distanceField([4, 0, 0], wanted);
+
+const pool = createPool({ workers: 2 });
+const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' } as const;
+const report = ({ done, total }: { done: number; total: number }) => console.log(done / total);
+const lengths: Float64Array = await pool.lengths(sphere, [1, 0, 0, 0, 1, 0], { signal: AbortSignal.timeout(50), onProgress: report });
+const one: number = (await pool.shortestPath(sphere, [1, 0, 0], [0, 1, 0], { tolerance: 1e-6 })).length;
+await pool.dispose();
 
 try {
   surfpath.parametric({ x: 'u', y: 'v', z: 'sin u', u: [0, 1], v: [0, 1] });
@@ -19,6 +29,8 @@ try {
 
 // @ts-expect-error: no such status
 export const impossible = path.status === 'perfect';
+// @ts-expect-error: one path has no progress
+pool.shortestPath(sphere, [1, 0, 0], [0, 1, 0], { onProgress: report });
 // @ts-expect-error: a point is numbers
 torus.shortestPath('4, 0, 0', [0, 3, 1]);
 // @ts-expect-error: an implicit surface needs f
@@ -30,4 +42,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, length, points };
+export { converged, field, length, lengths, one, points };

@@ -1,0 +1,429 @@
+// surfpath/three where it draws: in headless Chromium, with both releases of three.js. Lines over the surface pixel by pixel; handles by mouse, finger and keys.
+import assert from 'node:assert/strict';
+import { mkdir, readFile } from 'node:fs/promises';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
+import { RELEASES, scenePage } from '../helpers/scene.js';
+import { serveSite } from '../helpers/site.js';
+
+const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
+/** The torus of the gallery. */
+const [R, A] = [4, 1.5];
+
+/** @type {Awaited<ReturnType<typeof serveSite>>} */ let site;
+
+before(async () => {
+  await mkdir(SCREENSHOTS, { recursive: true });
+  site = await serveSite(Object.fromEntries(Object.values(RELEASES).map((name) => [name, scenePage(name)])));
+});
+after(() => site?.close());
+
+/** How far a point is from the torus. @param {number[]} point */
+const fromTorus = ([x, y, z]) => Math.abs(Math.hypot(Math.hypot(x, y) - R, z) - A);
+
+for (const [title, name] of Object.entries(RELEASES))
+  describe(title, () => {
+    /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+    /** @type {import('playwright-core').Page} */ let page;
+    /** @type {string[]} */ let complaints;
+
+    before(async () => {
+      browser = await openBrowser();
+      ({ page, complaints } = await openPage(browser.context, `${site.address}/${name}`));
+      await page.waitForFunction(() => /** @type {any} */ (window).view);
+    });
+    after(() => browser?.close());
+
+    /** Empties the scene and puts a torus in it, with an end point at (u, v) if there are any. @param {number[] | null} end @param {string} entry */
+    const begin = (end, entry = 'parametricTorus') =>
+      page.evaluate(
+        ([at, key]) => {
+          const { view } = /** @type {any} */ (window);
+          const { THREE, draw, gallery, surfpath, scene, camera, controls, renderer, render } = view;
+          for (const thing of view.things ?? []) thing.dispose();
+          scene.remove(view.mesh);
+          camera.position.set(8, -12, 8);
+          controls.update();
+          view.surface = surfpath.surface(gallery[key]);
+          const geometry = draw.surfaceGeometry(view.surface);
+          const material = draw.surfaceMaterial(geometry);
+          view.mesh = new THREE.Mesh(geometry, material);
+          scene.add(view.mesh);
+          view.things = [geometry, material];
+          view.calls = { start: 0, drag: 0, end: 0, off: 0 };
+          const drawn = { camera, controls, domElement: renderer.domElement, mesh: view.mesh, label: 'Point A', onChange: render };
+          const events = {
+            onDragStart: () => view.calls.start++,
+            onDragEnd: () => view.calls.end++,
+            onDrag: () => {
+              view.calls.drag++;
+              view.calls.off += controls.enabled ? 0 : 1;
+            },
+          };
+          if (at) view.handle = new draw.DragHandle(view.surface, at, { ...drawn, ...events });
+          if (at) scene.add(view.handle);
+          if (at) view.things.push(view.handle);
+          render();
+        },
+        /** @type {[number[] | null, string]} */ ([end, entry]),
+      );
+
+    /** Where the handle is: as the surface has it, in the window, and the camera. */
+    const where = () =>
+      page.evaluate(() => {
+        const { view } = /** @type {any} */ (window);
+        view.render();
+        const box = view.handle.element.getBoundingClientRect();
+        return {
+          point: /** @type {number[]} */ (view.handle.point),
+          position: /** @type {number[]} */ (view.handle.position.toArray()),
+          screen: /** @type {{ x: number, y: number }} */ (view.place(view.handle.position)),
+          button: { x: box.x + box.width / 2, y: box.y + box.height / 2, size: box.width },
+          camera: /** @type {number[]} */ (view.camera.position.toArray()),
+          enabled: /** @type {boolean} */ (view.controls.enabled),
+          calls: /** @type {Record<'start' | 'drag' | 'end' | 'off', number>} */ (view.calls),
+        };
+      });
+
+    describe('a line', () => {
+      /** The colours of the picture along a path, with what an independent ray says of each place. @param {number[]} eye @param {object} options */
+      const along = (eye, options) =>
+        page.evaluate(
+          ([from, given]) => {
+            const { view } = /** @type {any} */ (window);
+            const { THREE, draw, surface, scene, camera, controls, renderer, render, mesh } = view;
+            camera.position.set(...from);
+            controls.update();
+            const path = surface.trace([0.3, 0.4], [0.4, 1], 40, { points: 600 });
+            const line = new draw.GeodesicLine(path, given);
+            scene.add(line);
+            view.things.push(line);
+            render();
+            const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+            if (!drawing) throw new Error('no canvas');
+            drawing.drawImage(renderer.domElement, 0, 0);
+            const { data } = drawing.getImageData(0, 0, 640, 480);
+            const normals = surface.evaluate(path.parameters);
+            const raycaster = new THREE.Raycaster();
+            const eyePoint = camera.position;
+            return Array.from({ length: path.points.length / 3 }, (_, i) => {
+              const point = new THREE.Vector3(...path.points.subarray(3 * i, 3 * i + 3));
+              const direction = point.clone().sub(eyePoint);
+              const distance = direction.length();
+              raycaster.set(eyePoint, direction.normalize());
+              const facing = -direction.dot(new THREE.Vector3(...normals.subarray(6 * i + 3, 6 * i + 6)));
+              const hit = raycaster.intersectObject(mesh)[0]?.distance ?? Infinity;
+              const { x, y } = view.place(point);
+              const box = renderer.domElement.getBoundingClientRect();
+              const at = 4 * (640 * Math.floor(y - box.top) + Math.floor(x - box.left));
+              return { facing, before: distance - hit, colour: Array.from(data.subarray(at, at + 3)), x, y };
+            });
+          },
+          /** @type {[number[], object]} */ ([eye, options]),
+        );
+      /** Whether the part of the line that is not hidden runs there too. @param {Awaited<ReturnType<typeof along>>} places @param {number} x @param {number} y */
+      const isNearSeen = (places, x, y) => places.some((other) => other.before < 0.2 && Math.hypot(other.x - x, other.y - y) < 14);
+
+      for (const eye of [
+        [8, -12, 8],
+        [14, 3, 5],
+        [-4, -9, 14],
+      ])
+        test(`is seen wherever the surface does not hide it, from (${eye})`, async () => {
+          await begin(null);
+          const places = await along(eye, { colour: '#ff0000' });
+          // The surface slopes up to 75 degrees there: what the lift promises.
+          const open = places.filter(({ facing, before }) => facing > 0.26 && before < 0.05);
+          const swallowed = open.filter(({ colour: [r, g, b] }) => !(r > 230 && g < 40 && b < 40));
+          assert.ok(open.length > 120);
+          assert.deepEqual(swallowed, []);
+          await page.locator('#frame').screenshot({ path: `${SCREENSHOTS}three-line-${eye[0]}-${name}.png` });
+        });
+
+      test('is dashed and dimmer where the surface hides it', async () => {
+        await begin(null);
+        const places = await along([8, -12, 8], { colour: '#ff0000' });
+        const behind = places.filter(({ before, x, y }) => before > 1 && !isNearSeen(places, x, y));
+        assert.ok(behind.length > 60);
+        assert.ok(
+          behind.every(({ colour: [r, g, b] }) => !(r > 230 && g < 40 && b < 40)),
+          'as bright as the line',
+        );
+        // Half transparent red over grey.
+        const dashes = behind.map(({ colour: [r, g, b] }) => r - (g + b) / 2 > 40);
+        const share = dashes.filter(Boolean).length / dashes.length;
+        assert.ok(share > 0.45 && share < 0.75, `dashes cover ${(100 * share).toFixed(0)} %, not 60 %`);
+        const changes = dashes.filter((dash, i) => i > 0 && dash !== dashes[i - 1]).length;
+        assert.ok(changes > 12, `${changes} ends of dashes`);
+      });
+
+      test('is not drawn where it is hidden if asked so', async () => {
+        await begin(null);
+        const places = await along([8, -12, 8], { colour: '#ff0000', hidden: false });
+        const behind = places.filter(({ before, x, y }) => before > 1 && !isNearSeen(places, x, y));
+        assert.ok(behind.length > 60);
+        assert.ok(behind.every(({ colour: [r, g, b] }) => r - (g + b) / 2 < 40));
+      });
+
+      test('has the width that was asked for at any distance', async () => {
+        for (const distance of [12, 30]) {
+          await begin(null);
+          const rows = await page.evaluate((far) => {
+            const { view } = /** @type {any} */ (window);
+            const { draw, scene, camera, controls, renderer, render } = view;
+            camera.position.set(0.01, 0, far);
+            controls.update();
+            const line = new draw.GeodesicLine([0, -4, 1.5, 0, 4, 1.5], { colour: '#ff0000', width: 8, halo: '#0000ff', haloWidth: 3 });
+            scene.add(line);
+            view.things.push(line);
+            render();
+            const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+            drawing?.drawImage(renderer.domElement, 0, 0);
+            const middle = Array.from(drawing?.getImageData(320, 0, 1, 480).data ?? []);
+            const count = (/** @type {number[]} */ pixels, /** @type {number} */ channel) =>
+              pixels.filter((x, i) => i % 4 === channel && x > 200 && pixels[i + 2 - 2 * channel] < 60).length;
+            return [count(middle, 0), count(middle, 2)];
+          }, distance);
+          assert.ok(Math.abs(rows[0] - 8) <= 1 && Math.abs(rows[1] - 6) <= 2, `${rows} at ${distance}`);
+        }
+      });
+    });
+
+    describe('a handle', () => {
+      test('follows the mouse on the surface, the controls off', async () => {
+        await begin([5, 0.9]);
+        const start = await where();
+        assert.ok(Math.hypot(start.button.x - start.screen.x, start.button.y - start.screen.y) < 1);
+        // Not in the middle: what was pressed stays under the pointer.
+        await page.mouse.move(start.screen.x + 7, start.screen.y + 5);
+        await page.mouse.down();
+        for (let i = 1; i <= 8; i++) {
+          await page.mouse.move(start.screen.x + 7 + 12 * i, start.screen.y + 5 + 6 * i);
+          const now = await where();
+          assert.ok(fromTorus(now.position) < 1e-12, `${fromTorus(now.position)} off the surface`);
+          const gap = Math.hypot(now.screen.x - start.screen.x - 12 * i, now.screen.y - start.screen.y - 6 * i);
+          assert.ok(gap < 1, `${gap} pixels from the pointer`);
+          assert.equal(now.enabled, false);
+        }
+        await page.mouse.up();
+        const end = await where();
+        assert.deepEqual(end.camera, start.camera);
+        assert.equal(end.enabled, true);
+        assert.deepEqual([end.calls.start, end.calls.end, end.calls.off], [1, 1, end.calls.drag]);
+        assert.ok(end.calls.drag >= 8);
+        await page.mouse.move(start.screen.x, start.screen.y);
+        assert.deepEqual((await where()).point, end.point);
+      });
+
+      test('goes to the nearest place where the pointer leaves the surface', async () => {
+        await begin([5.5, 0.2]);
+        const start = await where();
+        await page.mouse.move(start.screen.x, start.screen.y);
+        await page.mouse.down();
+        await page.mouse.move(start.screen.x + 40, start.screen.y + 60, { steps: 3 });
+        await page.mouse.move(start.screen.x + 90, start.screen.y + 200, { steps: 4 });
+        const outside = await where();
+        await page.mouse.up();
+        assert.ok(fromTorus(outside.position) < 1e-12);
+        assert.ok(outside.calls.drag >= 7, `${outside.calls.drag}`);
+        assert.ok(Math.hypot(outside.screen.x - start.screen.x, outside.screen.y - start.screen.y) > 30);
+      });
+
+      test('stays on its own side where it was hidden when it was pressed', async () => {
+        await begin([1.57, 4.7]);
+        const start = await where();
+        await page.mouse.move(start.screen.x, start.screen.y);
+        await page.mouse.down();
+        await page.mouse.move(start.screen.x + 12, start.screen.y, { steps: 4 });
+        await page.mouse.up();
+        const end = await where();
+        assert.ok(fromTorus(end.position) < 1e-12);
+        const moved = Math.hypot(...end.position.map((x, k) => x - start.position[k]));
+        assert.ok(moved > 0.05 && moved < 1, `it moved by ${moved}`);
+      });
+
+      test('follows a finger, and the page does not scroll', async () => {
+        await begin([5, 0.9]);
+        await page.evaluate(() => {
+          document.body.style.height = '3000px';
+        });
+        const start = await where();
+        const session = await page.context().newCDPSession(page);
+        const touch = (/** @type {string} */ type, /** @type {{ x: number, y: number }[]} */ touchPoints) =>
+          session.send('Input.dispatchTouchEvent', /** @type {any} */ ({ type, touchPoints }));
+        const at = (/** @type {number} */ i) => [{ x: start.screen.x + 4 + 8 * i, y: start.screen.y - 3 + 9 * i }];
+        await touch('touchStart', at(0));
+        for (let i = 1; i <= 6; i++) await touch('touchMove', at(i));
+        await nextFrame(page);
+        const end = await where();
+        assert.ok(fromTorus(end.position) < 1e-12);
+        const gap = [end.screen.x - start.screen.x - 48, end.screen.y - start.screen.y - 54];
+        assert.ok(Math.hypot(...gap) < 1.5, `${gap} pixels from the finger`);
+        assert.equal(end.button.size, 44, 'for a finger');
+        assert.equal(end.enabled, false);
+        await touch('touchEnd', []);
+        assert.equal((await where()).enabled, true);
+        assert.equal(await page.evaluate(() => scrollY), 0);
+        assert.deepEqual(end.camera, start.camera);
+        await page.evaluate(() => {
+          document.body.style.height = '';
+        });
+      });
+
+      test('can be hit within 24 pixels, and beside it the view turns', async () => {
+        await begin([5, 0.9]);
+        const start = await where();
+        assert.equal(start.button.size, 24);
+        const hit = (/** @type {number} */ dx) =>
+          page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.getAttribute('aria-label'), [start.screen.x + dx, start.screen.y]);
+        assert.deepEqual([await hit(-11), await hit(11), await hit(14)], ['Point A', 'Point A', null]);
+        await page.mouse.move(start.screen.x + 30, start.screen.y + 30);
+        await page.mouse.down();
+        await page.mouse.move(start.screen.x + 80, start.screen.y + 30, { steps: 3 });
+        await page.mouse.up();
+        const end = await where();
+        assert.deepEqual(end.point, start.point);
+        assert.notDeepEqual(end.camera, start.camera);
+        assert.ok(Math.hypot(end.button.x - end.screen.x, end.button.y - end.screen.y) < 1, 'the button came along');
+      });
+
+      test('moves by arrow keys as seen, and says when that ends', async () => {
+        await begin([5, 0.9]);
+        await page.keyboard.press('Tab');
+        assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Point A');
+        let last = await where();
+        for (const [key, x, y] of /** @type {const} */ ([
+          ['ArrowRight', 1, 0],
+          ['ArrowUp', 0, -1],
+          ['ArrowLeft', -1, 0],
+          ['ArrowDown', 0, 1],
+          ['Shift+ArrowLeft', -5, 0],
+        ])) {
+          await page.keyboard.press(key);
+          const now = await where();
+          const [dx, dy] = [now.screen.x - last.screen.x, now.screen.y - last.screen.y];
+          assert.ok((dx * x + dy * y) / Math.hypot(x, y) > 3, `${key} moved it by (${dx}, ${dy})`);
+          assert.ok(fromTorus(now.position) < 1e-12);
+          last = now;
+        }
+        assert.deepEqual([last.calls.drag, last.calls.end], [5, 5]);
+      });
+
+      test('stays on an implicit surface', async () => {
+        await begin([3.55, 2.77, 1.4], 'torus');
+        const start = await where();
+        assert.ok(fromTorus(start.position) < 1e-12);
+        await page.mouse.move(start.screen.x, start.screen.y);
+        await page.mouse.down();
+        await page.mouse.move(start.screen.x - 60, start.screen.y + 8, { steps: 5 });
+        await page.mouse.up();
+        const end = await where();
+        assert.ok(fromTorus(end.position) < 1e-12);
+        assert.ok(Math.hypot(end.screen.x - start.screen.x + 60, end.screen.y - start.screen.y - 8) < 1);
+      });
+
+      test('scrolls the view through its button, and hides it outside', async () => {
+        await begin([5, 0.9]);
+        const start = await where();
+        await page.mouse.move(start.screen.x, start.screen.y);
+        await page.mouse.wheel(0, -240);
+        await page.waitForFunction(
+          (was) => /** @type {any} */ (window).view.camera.position.length() < was - 0.1,
+          Math.hypot(...start.camera),
+        );
+        await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          view.camera.lookAt(100, 0, 0);
+          view.render();
+        });
+        assert.equal(await page.evaluate(() => /** @type {any} */ (window).view.handle.element.style.visibility), 'hidden');
+      });
+    });
+
+    test('forty surfaces, lines and handles leave nothing behind', async () => {
+      await begin(null);
+      const counts = await page.evaluate(() => {
+        const { THREE, draw, surface, scene, camera, renderer, render } = /** @type {any} */ (window).view;
+        const path = surface.shortestPath([1, 1], [3, 0.5]);
+        const turn = () => {
+          const geometry = draw.surfaceGeometry(surface, { resolution: 8, colour: 'curvature' });
+          const material = draw.surfaceMaterial(geometry);
+          const mesh = new THREE.Mesh(geometry, material);
+          const line = new draw.GeodesicLine(path);
+          const handle = new draw.DragHandle(surface, [1, 1], { camera, domElement: renderer.domElement });
+          scene.add(mesh, line, handle);
+          render();
+          line.setPath([0, 0, 0, 1, 1, 1]);
+          render();
+          scene.remove(mesh);
+          for (const thing of [geometry, material, line, handle]) thing.dispose();
+        };
+        const count = () => [
+          renderer.info.memory.geometries,
+          renderer.info.memory.textures,
+          renderer.info.programs.length,
+          scene.children.length,
+          document.querySelectorAll('button').length,
+        ];
+        turn();
+        render();
+        const before = count();
+        for (let i = 0; i < 40; i++) turn();
+        render();
+        // Waits until the graphics card has done all of it.
+        renderer.getContext().finish();
+        return [before, count()];
+      });
+      assert.deepEqual(counts[1], counts[0]);
+    });
+
+    test('the console stayed silent', () => {
+      assert.deepEqual(complaints, []);
+    });
+  });
+
+test('a bundler drops surfpath/three where nothing of it is used', async () => {
+  const { build } = await import('esbuild');
+  const root = fileURLToPath(new URL('../..', import.meta.url));
+  const { outputFiles } = await build({
+    stdin: { contents: "import './dist/three.js';", resolveDir: root },
+    external: ['three', 'three/*'],
+    bundle: true,
+    format: 'esm',
+    write: false,
+    logLevel: 'error',
+  });
+  assert.doesNotMatch(outputFiles[0].text, /class|=>|import/);
+});
+
+test('the page of README.md draws its path, and moves it with its end', async () => {
+  const readme = await readFile(new URL('../../README.md', import.meta.url), 'utf8');
+  const html = [...readme.matchAll(/^```html\n(.*?)^```$/gms)].map(([, text]) => text).find((text) => text.includes('surfpath/three'));
+  assert.ok(html);
+  const served = await serveSite({ 'page.html': html });
+  const browser = await openBrowser();
+  try {
+    const { page, complaints } = await openPage(browser.context, `${served.address}/page.html`);
+    const length = () => page.title();
+    await page.waitForFunction(() => /^\d/.test(document.title));
+    await page.waitForSelector('.surfpath-handle');
+    await page.waitForFunction(() => document.querySelector('button')?.style.visibility === 'visible');
+    const before = await length();
+    assert.match(before, /^8\.8\d/);
+    const box = await page.locator('.surfpath-handle').boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + 12, box.y + 12);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 40, box.y + 12, { steps: 4 });
+    await page.mouse.up();
+    await nextFrame(page);
+    assert.notEqual(await length(), before);
+    const { warm } = await measurePicture(page, await page.locator('canvas').screenshot());
+    assert.ok(warm > 60, `only ${warm} pixels of the path are seen`);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await browser.close();
+    await served.close();
+  }
+});

@@ -1,0 +1,208 @@
+/**
+ * Do the tests notice? Puts one small mistake at a time into a copy of the sources, builds it, and runs the tests until one fails. The mistakes
+ * are drawn by seed: from wasm/*.c, where the native tests look first, then those of the built library, and from web/expression/*.js.
+ *
+ * Usage: node tests/mutants/mutants.js [count, default 45] [seed, default 1]; exits with 1 if fewer than 90 % are noticed, or if one that is
+ * not noticed is missing from survivors.md.
+ */
+import { execFileSync, spawn } from 'node:child_process';
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { findMutants } from './candidates.js';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const tree = join(root, 'build/mutants');
+const [count, seed] = [Number(process.argv[2] ?? 45), Number(process.argv[3] ?? 1)];
+const WANTED = 0.9;
+/** Of three mutants this many are C. */
+const C_SHARE = 2 / 3;
+const GCC = ['-std=c17', '-w', '-O1', '-ffp-contract=off', '-fno-math-errno', '-Iwasm'];
+/** They test what is packed and written, not what is computed. */
+const NOT_RUN = /\/(build|readme)\.test\.js$/;
+const AT_A_TIME = 2;
+
+/** @typedef {import('./candidates.js').Mutant} Mutant */
+/** @typedef {{ name: string, command: string[], milliseconds: number, noticed: number }} Test */
+
+/** A copy of what is compiled and run; what is only read is linked to. */
+function makeTree() {
+  rmSync(tree, { recursive: true, force: true });
+  mkdirSync(join(tree, 'native'), { recursive: true });
+  for (const name of ['Makefile', 'package.json', 'package-lock.json', 'wasm', 'web', 'demo', 'build/wasm', 'dist'])
+    cpSync(join(root, name), join(tree, name), { recursive: true, preserveTimestamps: true });
+  const isData = (/** @type {string} */ path) => path === join(root, 'tests/data') || path.includes('/tests/package/');
+  cpSync(join(root, 'tests'), join(tree, 'tests'), { recursive: true, preserveTimestamps: true, filter: (path) => !isData(path) });
+  symlinkSync(join(root, 'tests/data'), join(tree, 'tests/data'));
+  symlinkSync(join(root, 'node_modules'), join(tree, 'node_modules'));
+}
+
+/** @param {string} command @param {string[]} parameters */
+const build = (command, ...parameters) => execFileSync(command, parameters, { cwd: tree, stdio: 'pipe' });
+
+/** @param {string} source */
+const objectOf = (source) => `native/${basename(source, '.c')}.o`;
+const sources = readdirSync(join(root, 'wasm')).filter((name) => name.endsWith('.c'));
+const programs = readdirSync(join(root, 'tests/native')).filter((name) => name.endsWith('_test.c'));
+
+/** Links every native test with the objects of the core. */
+function linkNative() {
+  const objects = sources.map(objectOf);
+  for (const name of programs)
+    build('gcc', `native/${basename(name, '.c')}.test.o`, ...objects, '-lm', '-o', `native/${basename(name, '.c')}`);
+}
+
+function compileNative() {
+  for (const source of sources) build('gcc', ...GCC, '-c', `wasm/${source}`, '-o', objectOf(source));
+  for (const name of programs) build('gcc', ...GCC, '-c', `tests/native/${name}`, '-o', `native/${basename(name, '.c')}.test.o`);
+  linkNative();
+}
+
+/** @returns {Test[]} */
+const nativeTests = () =>
+  programs.map((name) => ({ name, command: [`native/${basename(name, '.c')}`, 'tests/data'], milliseconds: 0, noticed: 0 }));
+
+/** @param {string} under @returns {Test[]} */
+function unitTests(under) {
+  return readdirSync(join(tree, under), { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.test.js') && !NOT_RUN.test(`/${name}`))
+    .map((name) => ({ name, command: [process.execPath, join(under, name)], milliseconds: 0, noticed: 0 }));
+}
+
+/** Runs a test; resolves to whether it passed. @param {Test} test @param {AbortSignal} [signal] @returns {Promise<boolean>} */
+function run({ command: [program, ...parameters], milliseconds }, signal) {
+  const timeout = milliseconds > 0 ? Math.ceil(10_000 + 5 * milliseconds) : 300_000;
+  return new Promise((resolve) => {
+    const child = spawn(program, parameters, { cwd: tree, stdio: 'ignore', timeout, killSignal: 'SIGKILL', signal });
+    child.on('error', () => resolve(false));
+    child.on('exit', (code) => resolve(code === 0));
+  });
+}
+
+/** Those first that are named like the file, then those that have noticed most, then the fast ones. @param {Test[]} tests @param {string} file */
+function inOrder(tests, file) {
+  const words = basename(file)
+    .replace(/\.\w+$/, '')
+    .split('_');
+  const isNamesake = (/** @type {Test} */ { name }) => (words.some((word) => name.includes(word)) ? 0 : 1);
+  return [...tests].sort((a, b) => isNamesake(a) - isNamesake(b) || b.noticed - a.noticed || a.milliseconds - b.milliseconds);
+}
+
+/** Runs tests until one fails. @param {Test[]} tests @returns {Promise<Test | null>} the one that failed */
+async function firstFailure(tests) {
+  const waiting = [...tests];
+  const stop = new AbortController();
+  /** @type {Test | null} */
+  let failed = null;
+  const work = async () => {
+    for (let test = waiting.shift(); test && !failed; test = waiting.shift()) {
+      if ((await run(test, stop.signal)) || failed) continue;
+      failed = test;
+      stop.abort();
+    }
+  };
+  await Promise.all(Array.from({ length: AT_A_TIME }, work));
+  return failed;
+}
+
+/** Runs all tests of the sound sources, which must pass. @param {Test[]} tests */
+async function measure(tests) {
+  const waiting = [...tests];
+  const work = async () => {
+    for (let test = waiting.shift(); test; test = waiting.shift()) {
+      const start = performance.now();
+      if (!(await run(test))) throw new Error(`${test.name} fails without any mutant`);
+      test.milliseconds = performance.now() - start;
+    }
+  };
+  await Promise.all(Array.from({ length: AT_A_TIME }, work));
+  return tests;
+}
+
+/** Puts a mutant into the tree and looks which test fails; null: none does. @param {Mutant} mutant @param {{ native: Test[], compiler: Test[], others: Test[] }} tests */
+async function judge(mutant, { native, compiler, others }) {
+  const path = join(tree, mutant.file);
+  const sound = readFileSync(path);
+  writeFileSync(path, mutant.text);
+  try {
+    if (!mutant.file.endsWith('.c')) return await firstFailure([...inOrder(compiler, mutant.file), ...inOrder(others, mutant.file)]);
+    const object = objectOf(mutant.file);
+    cpSync(join(tree, object), join(tree, 'native/sound.o'));
+    try {
+      build('gcc', ...GCC, '-c', mutant.file, '-o', object);
+      linkNative();
+      const failed = await firstFailure(inOrder(native, mutant.file));
+      if (failed) return failed;
+    } finally {
+      cpSync(join(tree, 'native/sound.o'), join(tree, object));
+    }
+    build('make', 'dist/wasm.js');
+    return await firstFailure([...inOrder(others, mutant.file), ...compiler]);
+  } finally {
+    writeFileSync(path, sound);
+  }
+}
+
+/** The first of a seeded order that compile. @param {Mutant[]} all @param {number} wanted */
+function draw(all, wanted) {
+  const drawn = [];
+  for (const mutant of all.sort((a, b) => (a.key < b.key ? -1 : 1))) {
+    if (drawn.length === wanted) break;
+    if (compiles(mutant)) drawn.push(mutant);
+  }
+  return drawn;
+}
+
+/** @param {Mutant} mutant */
+function compiles({ file, text }) {
+  const isC = file.endsWith('.c');
+  const copy = join(tree, isC ? 'wasm/mutant.c' : 'mutant.mjs');
+  writeFileSync(copy, text);
+  try {
+    if (isC) build('gcc', ...GCC, '-fsyntax-only', copy);
+    else build(process.execPath, '--check', copy);
+    return true;
+  } catch {
+    return false;
+  } finally {
+    rmSync(copy);
+  }
+}
+
+makeTree();
+compileNative();
+const unit = await measure(unitTests('tests/unit'));
+const isCompiler = (/** @type {Test} */ { name }) => name.startsWith('expression/');
+const tests = {
+  native: await measure(nativeTests()),
+  compiler: unit.filter(isCompiler),
+  others: unit.filter((test) => !isCompiler(test)),
+};
+const cCount = Math.round(count * C_SHARE);
+const mutants = [
+  ...draw(
+    sources.flatMap((name) => findMutants(root, `wasm/${name}`, seed)),
+    cCount,
+  ),
+  ...draw(
+    readdirSync(join(root, 'web/expression')).flatMap((name) => findMutants(root, `web/expression/${name}`, seed)),
+    count - cCount,
+  ),
+];
+
+const explained = readFileSync(new URL('survivors.md', import.meta.url), 'utf8');
+let [noticed, unexplained] = [0, 0];
+for (const mutant of mutants) {
+  const failed = await judge(mutant, tests);
+  const isExplained = explained.includes(`\`${mutant.after}\``);
+  if (failed) {
+    noticed++;
+    failed.noticed++;
+  } else if (!isExplained) unexplained++;
+  const verdict = failed ? `noticed by ${failed.name}` : `SURVIVED${isExplained ? ', explained' : ''}`;
+  console.log(`${mutant.file}:${mutant.line}: ${mutant.before}  =>  ${mutant.after}\n    ${verdict}`);
+}
+console.log(
+  `seed ${seed}: ${noticed} of ${mutants.length} mutants noticed (wanted: ${100 * WANTED} %), ${unexplained} survivors not explained`,
+);
+process.exitCode = noticed >= WANTED * mutants.length && unexplained === 0 ? 0 : 1;

@@ -1,0 +1,5 @@
+/* The program of every runtime: prints the sample. */
+
+import { sample } from './sample.js';
+
+console.log(await sample());

@@ -1,0 +1,40 @@
+/* What every consumer computes, through both entries: a line a path, with all digits, so that the same text means the same bits. */
+
+import * as inlined from 'surfpath';
+import { gallery } from 'surfpath/gallery';
+import * as slim from 'surfpath/slim';
+import { GeodesicLine, surfaceGeometry } from 'surfpath/three';
+
+/** @returns {Promise<string>} */
+export async function sample() {
+  const said = await solve(inlined);
+  const again = await solve(slim);
+  if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
+  return `${said}\n${await draw()}`;
+}
+
+/** @param {typeof inlined | typeof slim} entry */
+async function solve({ load, ExpressionError }) {
+  const surfpath = await load();
+  const lines = [gallery.saddle, gallery.torus].map((entry) => {
+    const path = surfpath.surface(entry).shortestPath(entry.from, entry.to, { points: 9 });
+    return `${entry.title}: ${path.status} ${path.length} ${path.points.slice(12, 15).join(' ')}`;
+  });
+  try {
+    surfpath.implicit({ f: 'x +' });
+  } catch (error) {
+    if (error instanceof ExpressionError) lines.push(String(error));
+  }
+  surfpath.dispose();
+  return lines.join('\n');
+}
+
+/** The objects for three.js, as far as they go without a canvas. */
+async function draw() {
+  const surfpath = await inlined.load();
+  const { torus } = gallery;
+  const surface = surfpath.surface(torus);
+  const geometry = surfaceGeometry(surface, { resolution: 12 });
+  const line = new GeodesicLine(surface.shortestPath(torus.from, torus.to, { points: 9 }));
+  return `three.js: ${geometry.getAttribute('position').count} vertices, a line is a ${line.type}`;
+}

@@ -1,0 +1,156 @@
+// Paths made of arcs, where length has a measure of its own, and what a result says of the whole: contacts, poles, cusps, steps, energy, history.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { loadCases } from '../helpers/cases.js';
+
+/** @typedef {import('../../web/path.js').Path} Path */
+
+const surfpath = await load();
+/** @type {any} */
+const plane = { x: 'u', y: 'v', z: 0, u: [-3, 3], v: [0.5, 3] };
+const wideDini = surfpath.parametric({ ...gallery.dini, v: [0.1, 2] });
+
+/** @param {Path} path @param {number} length @param {number} tolerance */
+function assertLength(path, length, tolerance) {
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - length) <= tolerance * length, `${path.length}, not ${length}`);
+  assert.ok(Math.abs(path.length - length) <= path.lengthError + 4e-15 * length, `error ${path.length - length}, said ${path.lengthError}`);
+}
+
+/**
+ * The shortest path from (-2, 1) to (2, 3/2) above v = 1/2 under the length element v ds, a soap film's: catenaries v = cosh(2 (u - u0))/2 down to the edge,
+ * which they touch, and along it.
+ */
+function soapLength() {
+  const [left, right] = [1, 1.5].map((v) => Math.acosh(2 * v));
+  const film = (/** @type {number} */ t) => (t / 2 + Math.sinh(2 * t) / 4) / 4;
+  return film(left) + film(right) + (4 - left / 2 - right / 2) / 2;
+}
+
+describe('contacts', () => {
+  const forms = {
+    density: surfpath.parametric({ ...plane, density: 'v' }),
+    metric: surfpath.parametric({ ...plane, metric: { E: 'v^2', F: 0, G: 'v^2' } }),
+    'E, F, G alone': surfpath.metric({ E: 'v^2', F: 0, G: 'v^2', u: [-3, 3], v: [0.5, 3] }),
+  };
+  for (const [name, surface] of Object.entries(forms))
+    test(`${name}: down to the edge, along it, and up again`, () => {
+      for (const tolerance of [1e-4, 1e-9, 1e-12]) {
+        const path = surface.shortestPath([-2, 1], [2, 1.5], { tolerance });
+        assertLength(path, soapLength(), tolerance);
+        assert.ok(path.touchesBoundary);
+        assert.equal(path.points.length, surface.kind === 'metric' ? 0 : 3 * 66);
+        assert.equal(path.length, surface.shortestPath([2, 1.5], [-2, 1], { tolerance }).length);
+      }
+    });
+
+  test('a skewed chart, where the direction across the edge is not that of its coordinate', () => {
+    const skewed = surfpath.metric({ E: 'v^2', F: '-v^2/2', G: '5*v^2/4', u: [-3, 6], v: [0.5, 3] });
+    assertLength(skewed.shortestPath([-1.5, 1], [2.75, 1.5], { tolerance: 1e-12 }), soapLength(), 1e-12);
+  });
+
+  test('many chords without arcs come to the same', () => {
+    const chords = forms.density.shortestPath([-2, 1], [2, 1.5], { algorithm: 'polyline', points: 2047, maxIterations: 1000 });
+    assert.equal(chords.status, 'converged');
+    assert.ok(Math.abs(chords.length / soapLength() - 1) < 2e-6);
+  });
+
+  test('a field of 25 : 1 that turns by three radians, the open case', () => {
+    const [one] = loadCases({ families: 'E' }).filter(({ id }) => id === 'E-rotating_strong-00');
+    const surface = surfpath.surface(/** @type {any} */ (one.definition));
+    for (const tolerance of [1e-9, 1e-12]) assertLength(surface.shortestPath(one.from, one.to, { tolerance }), one.expected.length, 1e-12);
+  });
+});
+
+describe('poles', () => {
+  /** @type {any} */
+  const sphere = { E: 'sin(v)^2', F: 0, G: 1, u: [0, '2*pi'], v: [0, 'pi'], periodic: { u: true } };
+  test('a sphere of E, F and G alone: over the pole, and from it', () => {
+    const surface = surfpath.metric(sphere);
+    for (const tolerance of [1e-6, 1e-9, 1e-12])
+      assertLength(surface.shortestPath([0.3, 0.5], [0.3 + Math.PI, 0.7], { tolerance }), 1.2, Math.max(tolerance, 1e-14));
+    assertLength(surface.shortestPath([5, 0], [0.3, 0.7]), 0.7, 1e-12);
+  });
+
+  test('an edge on which E, F and G are constant is no pole', () => {
+    const half = surfpath.metric({ E: '1/v^2', F: 0, G: '1/v^2', u: [-5, 5], v: [1, 5] });
+    const path = half.shortestPath([-1, 1], [1, 2]);
+    assertLength(path, Math.acosh(1 + (4 + 1) / 4), 1e-9);
+    assert.deepEqual(Array.from(/** @type {Float64Array} */ (path.parameters).subarray(0, 2)), [-1, 1]);
+  });
+
+  test('a density: as on the same surface without poles', () => {
+    const density = '1 + 0.2*x + 0.1*y*z';
+    const chart = surfpath.parametric({
+      ...gallery.globe,
+      x: '2*cos(u)*sin(v)',
+      y: '2*sin(u)*sin(v)',
+      z: 'cos(v)',
+      u: [0, '2*pi'],
+      v: [0, 'pi'],
+      density,
+    });
+    const space = surfpath.implicit({ f: 'x^2/4 + y^2/4 + z^2 - 1', density });
+    for (const [a, b] of [
+      [
+        [0.3, 0.5],
+        [0.3 + Math.PI, 0.7],
+      ],
+      [
+        [1, 0.05],
+        [1.1 + Math.PI, 0.06],
+      ],
+    ]) {
+      const [from, to] = [a, b].map(([u, v]) => [2 * Math.cos(u) * Math.sin(v), 2 * Math.sin(u) * Math.sin(v), Math.cos(v)]);
+      const known = space.shortestPath(from, to, { tolerance: 1e-12 });
+      assert.equal(known.status, 'converged');
+      assertLength(chart.shortestPath(a, b, { tolerance: 1e-10 }), known.length, 1e-10);
+    }
+  });
+});
+
+describe('what a path of arcs says of itself', () => {
+  const annulus = surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: 0, u: [-3, 3], v: [1, 3] });
+  const globe = surfpath.surface(/** @type {any} */ (gallery.globe));
+  /** @type {Record<string, (options?: object) => Path>} */
+  const paths = {
+    'along an edge': (options) => annulus.shortestPath([-1.5, 2], [1.5, 2], options),
+    'over a pole': (options) => globe.shortestPath([0.3, 1.3], [0.3 + Math.PI, 1.2], options),
+    'across a cusp': (options) => wideDini.shortestPath([0, 1.2], [1, 1.9], options),
+    smooth: (options) => wideDini.shortestPath([0, 1.2], [1, 0.5], options),
+  };
+  for (const [name, solve] of Object.entries(paths))
+    test(`${name}: energy is that of constant speed, the gradient is small, the history falls to both`, () => {
+      for (const tolerance of [1e-6, 1e-9, 1e-12]) {
+        const path = solve({ tolerance });
+        assert.equal(path.status, 'converged');
+        assert.ok(Math.abs(path.energy / path.length ** 2 - 1) <= tolerance, `energy ${path.energy}, length ${path.length}`);
+        assert.ok(path.gradientNorm >= 0 && path.gradientNorm <= 0.1 * path.length ** 2, `${path.gradientNorm}`);
+        const { history } = path;
+        assert.deepEqual([history.at(-1)?.energy, history.at(-1)?.gradientNorm, history.at(-1)?.step], [path.energy, path.gradientNorm, 0]);
+        for (const [i, { energy, step }] of history.entries())
+          assert.ok(i === history.length - 1 || (step > 0 && energy >= history[i + 1].energy * (1 - 1e-13)), `entry ${i}`);
+      }
+    });
+
+  for (const [name, solve] of Object.entries(paths))
+    test(`${name}: maxIterations bounds the sum of all steps`, () => {
+      const { iterations } = solve();
+      for (const maxIterations of [0, 1, 5, iterations - 1, iterations]) {
+        const path = solve({ maxIterations, start: 'straight' });
+        assert.ok(path.iterations <= maxIterations, `${path.iterations} of ${maxIterations}`);
+        if (maxIterations < 5) assert.notEqual(path.status, 'converged');
+      }
+      assert.equal(solve({ maxIterations: iterations }).status, 'converged');
+    });
+
+  test('record: the last polyline of the history is the path', () => {
+    for (const solve of Object.values(paths)) {
+      const path = solve({ record: true });
+      assert.deepEqual(path.history.at(-1)?.points, path.points);
+      for (const { points } of path.history) assert.ok(points?.every(Number.isFinite));
+    }
+  });
+});

@@ -1,0 +1,82 @@
+// The globally shortest path where length has a density or a metric: what is shortest in space is not, and the graph knows it.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+const surfpath = await load();
+const make = (/** @type {any} */ definition) => surfpath.surface(definition);
+const hill = '1 + 9*exp(-((x - 0.1)^2 + (y - 1)^2)/0.2)';
+const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1', bounds: [0, 1, 2].map(() => [-1.3, 1.3]) };
+const globe = { kind: 'parametric', x: 'cos(v)*cos(u)', y: 'cos(v)*sin(u)', z: 'sin(v)', u: ['-pi', 'pi'], v: ['-pi/2', 'pi/2'] };
+
+/** The shortest of the paths that start over random points. @param {any} surface @param {number[]} from @param {number[]} to @param {number} half of the square the points are from */
+function multistart(surface, from, to, half) {
+  const random = createRandom(3);
+  let best = surface.shortestPath(from, to, { start: 'straight' });
+  for (let i = 0; i < 40; i++) {
+    const start = [...from, random.between(-half, half), random.between(-half, half), ...to];
+    const path = surface.shortestPath(from, to, { start });
+    if (path.converged && !(path.length >= best.length)) best = path;
+  }
+  return best;
+}
+
+test('a hill of the density on the straight way: round it, on both forms of a sphere', () => {
+  const [level, chart] = [make({ ...sphere, density: hill }), make({ ...globe, density: hill })];
+  const global = level.shortestPath([-0.8, 0.6, 0], [0.8, 0.6, 0]);
+  const straight = level.shortestPath([-0.8, 0.6, 0], [0.8, 0.6, 0], { start: 'straight' });
+  assert.ok(
+    global.converged && straight.converged && global.length < 0.5 * straight.length,
+    `${global.length}, straight ${straight.length}`,
+  );
+  assert.ok(Math.abs(global.points[3 * 32 + 1]) < 0.9, `passes the hill at y = ${global.points[3 * 32 + 1]}`);
+  const other = chart.shortestPath([Math.atan2(0.6, -0.8), 0], [Math.atan2(0.6, 0.8), 0]);
+  assert.ok(
+    other.converged && Math.abs(other.length / global.length - 1) < 1e-8,
+    `${other.status} ${other.length}, implicit ${global.length}`,
+  );
+});
+
+test('the longer way round a torus, where the shorter one is dense', () => {
+  const torus = { kind: 'parametric', x: '(2 + cos(v))*cos(u)', y: '(2 + cos(v))*sin(u)', z: 'sin(v)', u: [0, '2pi'], v: [0, '2pi'] };
+  const surface = make({ ...torus, density: '1 + 4*(1 + cos(u - 1))^2' });
+  const path = surface.shortestPath([0, 3], [2, 3]);
+  const [turn] = /** @type {Float64Array} */ (path.parameters).subarray(-2);
+  assert.ok(path.converged && Math.abs(turn - (2 - 2 * Math.PI)) < 1e-9, `${path.status}, goes to u = ${turn}`);
+  const short = surface.shortestPath([0, 3], [2, 3], { start: [0, 3, 1, 3, 2, 3] });
+  assert.ok(path.length < 0.8 * short.length, `${path.length}, the other way ${short.length}`);
+});
+
+test('a metric whose shortest way no straight start leads to: as short as multistart finds', () => {
+  const wall = '1 + 30*exp(-(u^2 + (v - 0.3)^2)/0.4) + 30*exp(-(u^2 + (v + 1.6)^2)/0.4)';
+  const [E, F, G] = [wall, '0.2*sin(u)', '1 + 0.5*cos(v)^2'];
+  const range = { u: [-3, 3], v: [-3, 3] };
+  const plane = { kind: 'parametric', x: 'u', y: 'v', z: 0 };
+  for (const definition of [
+    { kind: 'metric', E, F, G, ...range },
+    { ...plane, metric: { E, F, G }, ...range },
+  ]) {
+    const surface = make(definition);
+    const global = surface.shortestPath([-2, 0.2], [2, 0.4]);
+    const best = multistart(surface, [-2, 0.2], [2, 0.4], 3);
+    assert.ok(
+      global.converged && global.length <= best.length * (1 + 1e-8),
+      `${definition.kind}: ${global.status} ${global.length}, seed 3: ${best.length}`,
+    );
+    const found = surface.geodesics([-2, 0.2], [2, 0.4]);
+    assert.equal(found[0].length, global.length);
+    for (let i = 1; i < found.length; i++) assert.ok(found[i].length >= found[i - 1].length);
+    surface.dispose();
+  }
+});
+
+test('the hyperbolic plane: one geodesic, and pieces through a point', () => {
+  const half = make({ kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-3, 3], v: [0.05, 5] });
+  const distance = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    Math.acosh(1 + ((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) / (2 * a[1] * b[1]));
+  assert.equal(half.geodesics([-1, 1], [1, 1]).length, 1);
+  const path = half.shortestPath([-1, 1], [1, 1], { via: [[0, 3]] });
+  assert.ok(path.converged && Math.abs(path.length - 2 * distance([-1, 1], [0, 3])) < 1e-9, `${path.status} ${path.length}`);
+  assert.equal(path.points.length, 0);
+});

@@ -1,0 +1,196 @@
+// The pool under fire: workers killed at random times, calls aborted at every stage, pairs that kill. No pair is lost, none is double, the pool goes on.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { gallery } from '../../../web/gallery.js';
+import { load } from '../../../web/index.js';
+import { createPool } from '../../../web/pool.js';
+import { randomPairs } from '../../bench/pairs.js';
+import { createRandom } from '../../helpers/random.js';
+import { alive, FRAGILE, killOne, MORTAL, started, wait } from '../../helpers/workers.js';
+
+const SEED = 97;
+const COUNT = 600;
+const random = createRandom(SEED);
+const OPTIONS = /** @type {const} */ ({ start: 'straight', tolerance: 1e-6, points: 3 });
+const definition = gallery.dini;
+
+/** @type {number[]} */ let pairs;
+/** @type {Float64Array} */ let expected;
+before(async () => {
+  const surfpath = await load();
+  const surface = surfpath.surface(definition);
+  pairs = randomPairs(surface, random, COUNT).flat(2);
+  expected = surface.lengths(pairs, OPTIONS);
+  surfpath.dispose();
+});
+
+/** Whether the pool still works. @param {import('../../../web/runtime/pool.js').Pool} pool */
+async function works(pool) {
+  const few = pairs.slice(0, 40);
+  assert.deepEqual(await pool.lengths(definition, few, OPTIONS), expected.slice(0, 10));
+}
+
+describe(`workers that are killed, seed ${SEED}`, () => {
+  /** @type {import('../../../web/runtime/pool.js').Pool} */ let pool;
+  before(() => {
+    pool = createPool({ workers: 2 });
+  });
+  after(() => pool.dispose());
+
+  for (let round = 0; round < 8; round++)
+    test(`once, at a random time, ${round}`, async () => {
+      let sum = 0;
+      const batch = pool.lengths(definition, pairs, {
+        ...OPTIONS,
+        onProgress({ done, total }) {
+          assert.ok(done > sum && done <= total);
+          sum = done;
+        },
+      });
+      await wait(random.between(0, 150));
+      killOne(random);
+      assert.deepEqual(await batch, expected);
+      assert.equal(sum, COUNT);
+    });
+
+  test('again and again: every pair is solved, or lost for two workers', async () => {
+    let [kills, last] = [0, 0];
+    const timer = setInterval(() => {
+      kills++;
+      killOne(random);
+    }, 150);
+    const batch = pool.lengths(definition, pairs, {
+      ...OPTIONS,
+      onProgress({ done }) {
+        assert.ok(done > last);
+        last = done;
+      },
+    });
+    const lengths = await batch.finally(() => clearInterval(timer));
+    assert.equal(last, COUNT);
+    const lost = lengths.filter((length, i) => !Object.is(length, expected[i]));
+    assert.ok(lost.every(Number.isNaN) && lost.length <= kills / 2, `${lost.length} of ${COUNT} pairs lost to ${kills} kills`);
+    await works(pool);
+  });
+
+  test('while they start', async () => {
+    for (let i = 0; i < 4; i++) {
+      const batch = pool.lengths(definition, pairs, OPTIONS);
+      for (const worker of alive) worker.terminate();
+      await wait(random.between(0, 40));
+      for (const worker of alive) worker.terminate();
+      assert.deepEqual(await batch, expected);
+    }
+  });
+});
+
+describe('pairs that kill', () => {
+  /** @type {import('../../../web/runtime/pool.js').Pool} */ let pool;
+  before(() => {
+    pool = createPool({ workers: 2, worker: FRAGILE });
+  });
+  after(() => pool.dispose());
+
+  test('give NaN, and the others their lengths', async () => {
+    const mortal = Float64Array.from(pairs);
+    const places = [0, 300, 301, COUNT - 1];
+    for (const i of places) mortal[4 * i] = MORTAL;
+    const before = started.count;
+    let last = 0;
+    const lengths = await pool.lengths(definition, mortal, {
+      ...OPTIONS,
+      onProgress({ done }) {
+        assert.ok(done > last);
+        last = done;
+      },
+    });
+    const wanted = expected.map((length, i) => (places.includes(i) ? Number.NaN : length));
+    assert.deepEqual(lengths, wanted);
+    assert.equal(last, COUNT);
+    assert.ok(started.count - before <= 2 + 2 * places.length, `${started.count - before} workers`);
+  });
+
+  test('give a path that says so', async () => {
+    const [path, other] = await pool.shortestPaths(definition, [MORTAL, 0.5, 1, 1, ...pairs.slice(0, 4)], OPTIONS);
+    const { status, converged, length, points } = path;
+    assert.deepEqual([status, converged, length, points.length], ['worker-died', false, Number.NaN, 0]);
+    assert.equal(other.length, expected[0]);
+  });
+
+  test('reject a single question', async () => {
+    await assert.rejects(pool.shortestPath(definition, [MORTAL, 0.5], [1, 1]), /shortestPath: two workers ended while they computed this/);
+    await works(pool);
+  });
+});
+
+describe(`calls that are aborted, seed ${SEED}`, () => {
+  /** @type {import('../../../web/runtime/pool.js').Pool} */ let pool;
+  before(() => {
+    pool = createPool({ workers: 2 });
+  });
+  after(() => pool.dispose());
+
+  test('before they begin: nothing is started', async () => {
+    const idle = createPool();
+    const before = started.count;
+    const reason = new Error('not needed');
+    await assert.rejects(idle.lengths(definition, pairs, { signal: AbortSignal.abort(reason) }), reason);
+    assert.equal(started.count, before);
+    await idle.dispose();
+  });
+
+  for (const delay of [0, 1, 5, 20, 40, 60, 80, 120, 160])
+    test(`after ${delay} ms`, async () => {
+      const controller = new AbortController();
+      let calls = 0;
+      const signal = controller.signal;
+      const batch = pool.lengths(definition, [...pairs, ...pairs, ...pairs], { signal, onProgress: () => calls++ });
+      const other = pool.lengths(definition, pairs.slice(0, 400), OPTIONS);
+      await wait(delay);
+      controller.abort();
+      const calledBefore = calls;
+      await assert.rejects(batch, { name: 'AbortError' });
+      await works(pool);
+      assert.deepEqual(await other, expected.slice(0, 100));
+      assert.equal(calls, calledBefore);
+    });
+
+  describe('a long question', () => {
+    /** @type {import('../../../web/runtime/pool.js').Pool} */ let single;
+    /* Nothing of an aborted call keeps Node.js from exiting, so the test does. */
+    /** @type {ReturnType<typeof setInterval>} */ let keep;
+    before(() => {
+      single = createPool({ workers: 1 });
+      keep = setInterval(() => {}, 1000);
+    });
+    after(() => {
+      clearInterval(keep);
+      return single.dispose();
+    });
+
+    for (let i = 0; i < 3; i++)
+      test(`is cut short at once, and its worker replaced, ${i}`, async () => {
+        await works(single);
+        const controller = new AbortController();
+        const long = single.distanceField(definition, [1, 1], { exact: true, signal: controller.signal });
+        const [busy] = [...alive].slice(-1);
+        const ended = new Promise((resolve) => busy.once('exit', () => resolve(performance.now())));
+        await wait(100);
+        const aborted = performance.now();
+        controller.abort();
+        await assert.rejects(long, { name: 'AbortError' });
+        assert.ok(performance.now() - aborted < 50, `rejected after ${performance.now() - aborted} ms`);
+        /* 30 ms of grace and the end of the thread: 35 to 45 ms on an idle machine, which this one need not be. */
+        const after = /** @type {number} */ (await ended) - aborted;
+        assert.ok(after < 200, `the worker was busy for ${after} ms`);
+        await works(single);
+        assert.ok(!alive.has(busy));
+      });
+  });
+});
+
+test('without its script a pool says so, every time', async () => {
+  const lost = createPool({ workers: 2, worker: new URL('./nowhere.js', import.meta.url) });
+  for (let i = 0; i < 2; i++) await assert.rejects(lost.lengths(definition, pairs), /no worker can be started: .*nowhere\.js/s);
+  await lost.dispose();
+});

@@ -1,0 +1,300 @@
+// The pool: answers of the main thread to the bit, its exceptions, progress, settings, the end of it.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { gallery } from '../../../web/gallery.js';
+import { ExpressionError, load } from '../../../web/index.js';
+import { createPool } from '../../../web/pool.js';
+import { randomPairs } from '../../bench/pairs.js';
+import { createRandom } from '../../helpers/random.js';
+import { anything } from '../../helpers/refuses.js';
+import { alive, wait } from '../../helpers/workers.js';
+
+const SEED = 41;
+const run = promisify(execFile);
+
+/** @type {import('../../../web/instance.js').Surfpath} */ let surfpath;
+/** @type {import('../../../web/runtime/pool.js').Pool} */ let pool;
+before(async () => {
+  surfpath = await load();
+  pool = createPool({ workers: 2 });
+});
+after(async () => {
+  await pool.dispose();
+  assert.equal(alive.size, 0);
+  surfpath.dispose();
+});
+
+/** @type {Record<string, any>} */
+const DEFINITIONS = {
+  saddle: gallery.saddle,
+  genus2: gallery.genus2,
+  globe: gallery.globe,
+  trefoil: gallery.trefoil,
+  halfPlane: { kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-3, 3], v: [0.05, 5] },
+  hindered: { ...gallery.saddle, density: '1 + a exp(-x^2)', parameters: { a: -0 } },
+};
+
+/** Pairs on a surface. @param {any} definition @param {number} count */
+function choosePairs(definition, count) {
+  const surface = surfpath.surface(definition);
+  const pairs = randomPairs(surface, createRandom(SEED), count).flat(2);
+  surface.dispose();
+  return pairs;
+}
+
+for (const [name, definition] of Object.entries(DEFINITIONS))
+  describe(`${name}: the bits of the main thread, seed ${SEED}`, () => {
+    /** @type {any} */ let surface;
+    /** @type {number[]} */ let pairs;
+    before(() => {
+      surface = surfpath.surface(definition);
+      pairs = choosePairs(definition, 24);
+    });
+    after(() => surface.dispose());
+
+    for (const options of [undefined, { start: /** @type {const} */ ('straight'), tolerance: 1e-6, points: 5 }])
+      test(`lengths and shortestPaths, ${JSON.stringify(options) ?? 'defaults'}`, async () => {
+        const paths = surface.shortestPaths(pairs, options);
+        const [lengths, found] = await Promise.all([
+          pool.lengths(definition, pairs, options),
+          pool.shortestPaths(definition, Float64Array.from(pairs), options),
+        ]);
+        assert.deepEqual(found, paths);
+        assert.deepEqual(
+          lengths,
+          Float64Array.from(paths, ({ length }) => length),
+        );
+      });
+
+    test('shortestPath and geodesics', async () => {
+      const width = definition.kind === 'implicit' ? 3 : 2;
+      const [from, to] = [pairs.slice(0, width), pairs.slice(width, 2 * width)];
+      const path = surface.shortestPath(from, to);
+      assert.deepEqual(await pool.shortestPath(definition, from, to), path);
+      assert.deepEqual(await pool.shortestPath(definition, from, to, { start: path }), surface.shortestPath(from, to, { start: path }));
+      if (definition.kind !== 'metric')
+        assert.deepEqual(await pool.geodesics(definition, from, to, { max: 3 }), surface.geodesics(from, to, { max: 3 }));
+    });
+  });
+
+test('distanceField is that of the main thread', async () => {
+  const surface = surfpath.surface(gallery.globe);
+  const options = { resolution: 12 };
+  assert.deepEqual(await pool.distanceField(gallery.globe, [0.3, 0.2], options), surface.distanceField([0.3, 0.2], options));
+  surface.dispose();
+});
+
+test('other parameters are another surface; a definition that is changed afterwards is not', async () => {
+  const definition = {
+    ...gallery.parametricTorus,
+    parameters: { R: 3, a: 1 },
+    x: '(R + a cos(v)) cos(u)',
+    y: '(R + a cos(v)) sin(u)',
+    z: 'a sin(v)',
+  };
+  const pairs = new Float64Array([0.5, 0.6, 2.6, 1.2]);
+  const alone = [3, 4].map((R) => {
+    const surface = surfpath.surface({ ...definition, parameters: { R, a: 1 } });
+    const [length] = surface.lengths(pairs);
+    surface.dispose();
+    return length;
+  });
+  const first = pool.lengths(definition, pairs);
+  definition.parameters.R = 4;
+  const second = pool.lengths(definition, pairs);
+  pairs.fill(0);
+  assert.deepEqual([(await first)[0], (await second)[0]], alone);
+});
+
+test('many surfaces in turn', async () => {
+  const wanted = Array.from({ length: 12 }, (_, i) => i);
+  const lengths = await Promise.all(
+    wanted.map((z) => pool.lengths({ kind: 'parametric', x: 'u', y: `${z}*v`, z, u: [0, 1], v: [0, 1] }, [0, 0, 0, 1])),
+  );
+  for (const i of wanted.slice(1)) assert.ok(Math.abs(lengths[i][0] - i) < 1e-9 * i, `${lengths[i][0]} is not ${i}`);
+});
+
+test('bad pairs are bad in themselves; no pairs give nothing', async () => {
+  const pairs = [0, 0, 0.5, 0.5, Number.NaN, 0, 0.5, 0.5, 0, 0, 1.5, 0, 0.1, 0.2, 0.3, 0.4];
+  const paths = await pool.shortestPaths(gallery.saddle, pairs);
+  assert.deepEqual(
+    paths.map(({ status }) => status),
+    ['converged', 'not-finite', 'off-surface', 'converged'],
+  );
+  assert.deepEqual(
+    Array.from(await pool.lengths(gallery.saddle, pairs)),
+    paths.map(({ length }) => length),
+  );
+  assert.deepEqual(await pool.lengths(gallery.saddle, []), new Float64Array(0));
+  assert.deepEqual(await pool.shortestPaths(gallery.saddle, new Float64Array(0)), []);
+});
+
+test('progress rises to the whole, in whole pairs, and stops there', async () => {
+  const pairs = choosePairs(gallery.saddle, 3000);
+  /** @type {{ done: number, total: number }[]} */ const said = [];
+  const onProgress = (/** @type {{ done: number, total: number }} */ progress) => said.push(progress);
+  await pool.lengths(gallery.saddle, pairs, { start: 'straight', onProgress });
+  const count = said.length;
+  assert.ok(count > 3, `${count} reports`);
+  assert.deepEqual(said.at(-1), { done: 3000, total: 3000 });
+  for (let i = 1; i < count; i++) assert.ok(said[i].done > said[i - 1].done && said[i].total === 3000);
+  await wait(20);
+  assert.equal(said.length, count);
+});
+
+test('an exception of onProgress is that of the call', async () => {
+  const mistake = new Error('mine');
+  const onProgress = () => {
+    throw mistake;
+  };
+  await assert.rejects(pool.lengths(gallery.saddle, [0, 0, 1, 1], { onProgress }), mistake);
+});
+
+test('a question is answered while a batch is under way', async () => {
+  const one = createPool({ workers: 1 });
+  let done = 0;
+  const batch = one.lengths(gallery.saddle, choosePairs(gallery.saddle, 4000), {
+    onProgress(progress) {
+      done = progress.done;
+    },
+  });
+  await one.shortestPath(gallery.saddle, [0, 0], [0.5, 0.5]);
+  assert.ok(done < 2000, `${done} of 4000 pairs were solved first`);
+  await Promise.all([assert.rejects(batch, /this pool was disposed/), one.dispose()]);
+});
+
+describe('the exceptions of the main thread', () => {
+  const cyclic = /** @type {any} */ ({ ...gallery.saddle });
+  cyclic.parameters = { cyclic };
+  const saddle = gallery.saddle;
+  /** @type {any[]} */
+  const definitions = [
+    { ...saddle, z: 'sin u' },
+    { ...saddle, z: 'u +' },
+    { ...saddle, u: ['0', 'q'] },
+    { ...saddle, u: [0, Number.NaN] },
+    { ...saddle, u: [0, Infinity] },
+    { ...saddle, u: [0, undefined] },
+    { ...saddle, u: undefined },
+    { ...saddle, x: () => 0 },
+    { ...saddle, x: Symbol('x') },
+    { ...saddle, x: 1n },
+    { ...saddle, parameters: { a: 'b' } },
+    { ...saddle, kind: 'sphere' },
+    { kind: 'implicit', f: 'x^2 + y^2 = 1' },
+    { kind: 'tube', centreline: ['t', 0], radius: 1, t: [0, 1] },
+    cyclic,
+    null,
+    undefined,
+    'saddle',
+  ];
+  for (const [i, definition] of definitions.entries())
+    test(`definition ${i}`, async () => {
+      /** @type {any} */ let expected;
+      assert.throws(
+        () => surfpath.surface(definition),
+        (error) => {
+          expected = error;
+          return true;
+        },
+      );
+      for (const pairs of [[], [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]])
+        await assert.rejects(pool.lengths(definition, pairs), (/** @type {any} */ error) => {
+          assert.deepEqual(error, expected);
+          assert.equal(error.constructor, expected.constructor);
+          if (expected instanceof ExpressionError)
+            assert.deepEqual([error.source, error.index, error.argument], [expected.source, expected.index, expected.argument]);
+          return true;
+        });
+    });
+
+  for (const [i, [method, ...given]] of /** @type {[string, ...any][]} */ ([
+    ['lengths', [0, 0, 1]],
+    ['lengths', ['0', 0, 1, 1]],
+    ['lengths', null],
+    ['shortestPaths', [0, 0, 1, 1], { via: [[0, 0]] }],
+    ['lengths', [0, 0, 1, 1], { tolerance: 1 }],
+    ['lengths', [0, 0, 1, 1], { tolerance: () => 1 }],
+    ['lengths', [0, 0, 1, 1], { exact: true }],
+    ['lengths', [0, 0, 1, 1], 5],
+    ['lengths', [0, 0, 1, 1], null],
+    ['shortestPath', [0, 0], [2, 0]],
+    ['shortestPath', [0, 0], [Number.NaN, 0]],
+    ['shortestPath', [0, 0], [0, 0], { start: () => 0 }],
+    ['shortestPath', [0, 0], [0, 0], { onProgress: () => 0 }],
+    ['shortestPath', [0, 0], () => 0],
+    ['geodesics', [0, 0], [0, 1], { max: 0 }],
+    ['distanceField', [0, 0], { resolution: 1000 }],
+  ]).entries())
+    test(`arguments ${i}, of ${method}`, async () => {
+      const surface = /** @type {any} */ (surfpath.surface(saddle));
+      /** @type {any} */ let expected;
+      assert.throws(
+        () => surface[method](...given),
+        (error) => {
+          expected = error;
+          return true;
+        },
+      );
+      await assert.rejects(anything(pool)[method](saddle, ...given), (error) => {
+        assert.deepEqual(error, expected);
+        return true;
+      });
+      surface.dispose();
+    });
+});
+
+test('settings, signals and listeners are checked', async () => {
+  assert.throws(() => createPool(anything(5)), /createPool: options must be an object, not 5/);
+  assert.throws(() => createPool(anything({ threads: 2 })), /there is no option 'threads'; the options are workers, worker/);
+  for (const workers of [0, 1.5, 257, Number.NaN]) assert.throws(() => createPool({ workers }), RangeError);
+  await assert.rejects(pool.lengths(gallery.saddle, [], { signal: anything(1) }), /lengths: options.signal must be an AbortSignal, not 1/);
+  await assert.rejects(
+    pool.lengths(gallery.saddle, [], { onProgress: anything(1) }),
+    /lengths: options.onProgress must be a function, not 1/,
+  );
+});
+
+test('after dispose, calls reject, and so do those under way; disposing again does nothing', async () => {
+  const short = createPool({ workers: 1 });
+  const waiting = [short.lengths(gallery.saddle, [0, 0, 1, 1]), short.shortestPath(gallery.saddle, [0, 0], [1, 1])];
+  const refused = Promise.all(waiting.map((call) => assert.rejects(call, /this pool was disposed/)));
+  await short.dispose();
+  await refused;
+  await assert.rejects(short.lengths(gallery.saddle, []), /lengths: this pool was disposed/);
+  await short.dispose();
+});
+
+describe('a program', () => {
+  const address = JSON.stringify(new URL('../../../web/pool.js', import.meta.url));
+  const start = `import { createPool } from ${address}; const pool = createPool({ workers: 2 });
+    const plane = { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [0, 1], v: [0, 1] };`;
+  const play = async (/** @type {string} */ program) =>
+    (await run(process.execPath, ['--input-type=module', '-e', start + program], { timeout: 60000 })).stdout;
+
+  test('ends by itself, though its idle pool was not disposed', async () => {
+    assert.equal(await play('console.log((await pool.lengths(plane, [0, 0, 0, 1]))[0].toFixed(9));'), '1.000000000\n');
+  });
+
+  test('waits for what is under way', async () => {
+    assert.equal(await play('pool.lengths(plane, [0, 0, 0, 1]).then(([length]) => console.log(length.toFixed(9)));'), '1.000000000\n');
+  });
+
+  test('ends while a worker is still busy with what was aborted', async () => {
+    const from = '{ kind: "implicit", f: "x^2+y^2+z^2-1", bounds: [[-2,2],[-2,2],[-2,2]] }, [1, 0, 0]';
+    const said = await play(
+      `pool.distanceField(${from}, { exact: true, signal: AbortSignal.timeout(300) }).catch(({ name }) => console.log(name));`,
+    );
+    assert.equal(said, 'TimeoutError\n');
+  });
+
+  test('runs in a file that was bundled elsewhere, told where the worker is', async () => {
+    const worker = fileURLToPath(new URL('../../../dist/worker.js', import.meta.url));
+    const program = `const there = createPool({ workers: 1, worker: ${JSON.stringify(new URL(`file://${worker}`))} });
+      console.log((await there.lengths(plane, [0, 0, 0, 1]))[0].toFixed(9));`;
+    assert.equal(await play(program), '1.000000000\n');
+  });
+});

@@ -1,0 +1,135 @@
+// Surfaces as three.js geometry, with both releases of three.js: exact normals, curvature and distance as colours, what is refused.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { gallery } from '../../../web/gallery.js';
+import { load } from '../../../web/index.js';
+import { gaussianCurvature } from '../../../web/view/curvature.js';
+import { loadReleases } from '../../helpers/three-releases.js';
+
+const surfpath = await load();
+const torus = surfpath.surface(gallery.parametricTorus);
+const sphere = surfpath.surface(gallery.sphere);
+const { R, a } = gallery.parametricTorus.parameters;
+
+describe('Gaussian curvature', () => {
+  const close = (/** @type {number} */ actual, /** @type {number} */ expected, size = Math.abs(expected)) =>
+    assert.ok(Math.abs(actual - expected) < 1e-7 * size, `${actual} is not ${expected}`);
+
+  test('of the torus is cos v / (a (R + a cos v)), parametric', () => {
+    const { parameters } = torus.mesh({ resolution: 20 });
+    assert.ok(parameters);
+    // On the edges of the rectangle it is taken two steps inside: a 50,000th of the range, and as much of K.
+    for (const [i, K] of gaussianCurvature(torus, parameters).entries()) {
+      const cos = Math.cos(parameters[2 * i + 1]);
+      const onEdge = i % 21 === 0 || i % 21 === 20 || i < 21 || i >= 420;
+      close(K, cos / (a * (R + a * cos)), onEdge ? 1e4 : 1);
+    }
+  });
+
+  test('of the torus, implicit, has the same values', () => {
+    const implicit = surfpath.surface(gallery.torus);
+    const { positions } = implicit.mesh({ resolution: 16 });
+    for (const [i, K] of gaussianCurvature(implicit, positions).entries()) {
+      const cos = (Math.hypot(positions[3 * i], positions[3 * i + 1]) - R) / a;
+      close(K, cos / (a * (R + a * cos)), 1);
+    }
+  });
+
+  test('of the sphere is 1 at its poles too, that of a plane and a cylinder none', () => {
+    const globe = surfpath.surface(gallery.globe);
+    for (const K of gaussianCurvature(globe, /** @type {Float64Array} */ (globe.mesh({ resolution: 12 }).parameters))) close(K, 1, 1e2);
+    const plane = surfpath.graph({ z: 'x - 2 y', x: [-1, 1], y: [-1, 1] });
+    for (const K of gaussianCurvature(plane, Float64Array.of(0, 0, 1, 1, -1, 0.5))) close(K, 0, 1e-2);
+    const cylinder = surfpath.surface(gallery.cylinder);
+    for (const K of gaussianCurvature(cylinder, Float64Array.of(0, 0, 1, 1, 3, -0.5))) close(K, 0, 1);
+  });
+});
+
+for (const [title, { draw, THREE }] of await loadReleases())
+  describe(`surfaceGeometry, ${title}`, () => {
+    test('holds the mesh, with the surface’s own normals', () => {
+      const geometry = draw.surfaceGeometry(torus, { resolution: 24 });
+      const mesh = torus.mesh({ resolution: 24 });
+      assert.ok(geometry instanceof THREE.BufferGeometry);
+      assert.deepEqual(Array.from(geometry.attributes.position.array), Array.from(Float32Array.from(mesh.positions)));
+      assert.deepEqual(Array.from(geometry.attributes.normal.array), Array.from(Float32Array.from(mesh.normals)));
+      assert.deepEqual(geometry.index?.array, mesh.indices);
+      assert.deepEqual([...geometry.attributes.uv.array.slice(0, 2), ...geometry.attributes.uv.array.slice(-2)], [0, 0, 1, 1]);
+      assert.equal(geometry.attributes.color, undefined);
+      const size = geometry.boundingSphere?.radius ?? 0;
+      assert.ok(size >= R && size < 1.05 * Math.hypot(R + a, a));
+    });
+
+    test('leaves out triangles where a formula has no value', () => {
+      const half = surfpath.graph({ z: 'sqrt(x)', x: [-1, 1], y: [-1, 1] });
+      const { index, attributes } = draw.surfaceGeometry(half, { resolution: 10 });
+      assert.ok(index && index.count > 0 && index.count < 6 * 100);
+      assert.ok(attributes.position.array.every(Number.isFinite));
+      for (const vertex of index.array) assert.ok(attributes.position.getX(vertex) > 0);
+    });
+
+    test('colours by curvature: the neutral colour is at zero, the two sides differ in hue', () => {
+      const geometry = draw.surfaceGeometry(torus, { resolution: 32, colour: 'curvature' });
+      const { scale } = geometry.userData;
+      assert.equal(scale.quantity, 'curvature');
+      assert.equal(scale.low, -scale.high);
+      assert.equal(scale.palette.length % 2, 1);
+      const colours = geometry.attributes.color;
+      const colourAt = (/** @type {number} */ row) => new THREE.Color().fromBufferAttribute(colours, 33 * row);
+      const neutral = new THREE.Color(scale.palette[(scale.palette.length - 1) / 2]);
+      assert.ok(Math.hypot(...colourAt(8).sub(neutral).toArray()) < 0.01, 'K = 0 at v = π/2');
+      const [outside, inside] = [colourAt(0), colourAt(16)];
+      assert.ok(outside.g > outside.r && inside.r > inside.g && inside.b > inside.g);
+    });
+
+    test('a plane has the neutral colour, whatever differences leave of its curvature', () => {
+      const plane = surfpath.graph({ z: 'x - 2 y', x: [-1, 1], y: [-1, 1] });
+      const { attributes, userData } = draw.surfaceGeometry(plane, { resolution: 4, colour: 'curvature' });
+      const neutral = new THREE.Color(userData.scale.palette[2]);
+      for (let i = 0; i < 25; i++) assert.ok(Math.abs(attributes.color.getX(i) - neutral.r) < 0.02);
+    });
+
+    test('colours by distance, with contours at round numbers', () => {
+      const from = gallery.sphere.from;
+      const { attributes, userData } = draw.surfaceGeometry(sphere, { colour: 'distance', from, resolution: 8, exact: true });
+      const { scale } = userData;
+      assert.ok(scale.low === 0 && scale.high > 0.95 * Math.PI && scale.high < Math.PI + 1e-6);
+      assert.equal(scale.spacing, 0.5);
+      const { position, contour } = attributes;
+      for (let i = 0; i < position.count; i++) {
+        const chord = Math.hypot(...[0, 1, 2].map((k) => position.array[3 * i + k] - from[k]));
+        // Single precision: near the opposite point the arc sine keeps half of its seven digits.
+        const angle = 2 * Math.asin(Math.min(chord / 2, 1));
+        assert.ok(Math.abs(contour.getX(i) * scale.spacing - angle) < 1e-3, `${contour.getX(i) * scale.spacing} is not ${angle}`);
+      }
+    });
+
+    test('colours by any numbers', () => {
+      const { userData } = draw.surfaceGeometry(torus, { colour: ({ positions }) => positions.filter((_, i) => i % 3 === 2) });
+      assert.equal(userData.scale.quantity, 'values');
+      assert.ok(Math.abs(userData.scale.low + a) < 0.01 && Math.abs(userData.scale.high - a) < 0.01);
+      assert.throws(() => draw.surfaceGeometry(torus, { colour: () => [1, 2] }), /surfaceGeometry: options.colour must give 9409 numbers/);
+    });
+
+    test('refuses what it cannot draw, in words', () => {
+      const abstract = surfpath.metric({ E: 1, F: 0, G: 1, u: [0, 1], v: [0, 1] });
+      assert.throws(() => draw.surfaceGeometry(abstract), { name: 'TypeError', message: /^surfaceGeometry: .* no positions/ });
+      assert.throws(() => draw.surfaceGeometry(/** @type {any} */ (null)), {
+        name: 'TypeError',
+        message: /^surfaceGeometry: surface must be/,
+      });
+      assert.throws(() => draw.surfaceGeometry(torus, { colour: 'distance' }), { name: 'TypeError', message: /options.from/ });
+      assert.throws(() => draw.surfaceGeometry(torus, { colour: /** @type {any} */ ('red') }), RangeError);
+      assert.throws(() => draw.surfaceGeometry(torus, /** @type {any} */ ({ color: 'curvature' })), /no option 'color'/);
+    });
+
+    test('its material has lines where there are parameters, contours where there are colours', () => {
+      const plain = draw.surfaceMaterial(draw.surfaceGeometry(torus, { resolution: 4 }));
+      assert.ok(plain.defines && 'PARAMETER_LINES' in plain.defines && !('CONTOURS' in plain.defines) && !plain.vertexColors);
+      const coloured = draw.surfaceMaterial(draw.surfaceGeometry(torus, { resolution: 4, colour: 'curvature' }), { roughness: 0.5 });
+      assert.ok(coloured.defines && !('PARAMETER_LINES' in coloured.defines) && 'CONTOURS' in coloured.defines && coloured.vertexColors);
+      assert.equal(coloured.roughness, 0.5);
+      const implicit = draw.surfaceMaterial(draw.surfaceGeometry(sphere, { resolution: 8 }));
+      assert.ok(implicit.defines && !('PARAMETER_LINES' in implicit.defines));
+    });
+  });

@@ -1,0 +1,234 @@
+/** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
+
+import { NOT_FINITE, readPairNumbers, readPairOptions } from '../batch.js';
+import { checkNames, describe, makePath } from '../path.js';
+import { Crew } from './crew.js';
+import { emptyPath } from './heap.js';
+import { Job } from './job.js';
+import { countProcessors, startThread } from './thread.js';
+import { unpackError, writeDefinition } from './wire.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('../path.js').PathOptions} PathOptions */
+/** @typedef {import('../field.js').FieldOptions} FieldOptions */
+/** @typedef {import('../field.js').DistanceField} DistanceField */
+/** @typedef {import('../instance.js').AnyDefinition} AnyDefinition */
+/** @typedef {import('./worker.js').Question['method']} Method */
+
+/**
+ * @typedef {object} PoolSettings
+ * @property {number} [workers] how many at most, 1 … 256; default: as many as the machine has processors
+ * @property {URL | string} [worker] where worker.js is; default: beside pool.js
+ */
+/** @typedef {{ signal?: AbortSignal }} Cancellable signal: aborting it rejects the call with its reason, and frees the workers within 50 ms */
+/** @typedef {{ done: number, total: number }} Pairs so many of so many are solved */
+/** @typedef {{ onProgress?: (progress: Pairs) => void }} Progress onProgress: called after each chunk of pairs, never after the call is settled */
+
+/** The entry that the pool belongs to. @typedef {Pick<typeof import('../index.js'), 'compileModule' | 'ExpressionError' | 'load'>} Entry */
+
+const MOST_WORKERS = 256;
+
+/** @param {PoolSettings | undefined} settings */
+function readSettings(settings = {}) {
+  const caller = 'createPool';
+  if (typeof settings !== 'object' || settings === null)
+    throw new TypeError(`${caller}: options must be an object, not ${describe(settings)}`);
+  checkNames(caller, settings, ['workers', 'worker']);
+  const { workers, worker } = settings;
+  if (workers !== undefined && !(Number.isInteger(workers) && workers >= 1 && workers <= MOST_WORKERS))
+    throw new RangeError(`${caller}: options.workers must be a whole number from 1 to ${MOST_WORKERS}, not ${describe(workers)}`);
+  return { workers, script: worker === undefined ? undefined : new URL(String(worker), globalThis.location?.href) };
+}
+
+/**
+ * Takes what concerns the pool out of a call's options.
+ * @param {string} caller @param {any} given @param {boolean} isBatch whether it has progress
+ * @returns {{ signal?: AbortSignal, onProgress?: (progress: Pairs) => void, options: any }}
+ */
+function readCall(caller, given, isBatch) {
+  if (typeof given !== 'object' || given === null) return { options: given };
+  const { signal, ...others } = given;
+  if (signal !== undefined && (typeof signal?.aborted !== 'boolean' || typeof signal.addEventListener !== 'function'))
+    throw new TypeError(`${caller}: options.signal must be an AbortSignal, not ${describe(signal)}`);
+  if (!isBatch) return { signal, options: others };
+  const { onProgress, ...options } = others;
+  if (onProgress !== undefined && typeof onProgress !== 'function')
+    throw new TypeError(`${caller}: options.onProgress must be a function, not ${describe(onProgress)}`);
+  return { signal, onProgress, options };
+}
+
+/** Made by `createPool`. Every method answers as the surface's method of the same name does on the main thread, to the bit, and rejects with what that throws. */
+export class Pool {
+  #entry;
+  #crew;
+  #disposed = false;
+
+  /** @param {Entry} entry @param {PoolSettings} [settings] */
+  constructor(entry, settings) {
+    const { workers, script } = readSettings(settings);
+    this.#entry = entry;
+    this.#crew = new Crew({
+      prepare: async () => ({ module: await entry.compileModule(), most: workers ?? countProcessors() }),
+      start: (listener) => startThread(script, listener),
+    });
+  }
+
+  /**
+   * The lengths of the shortest paths of many pairs of points.
+   * @param {AnyDefinition} definition as for `surfpath.surface`
+   * @param {ArrayLike<number>} pairs u v u v, or x y z x y z; copied at once
+   * @param {PathOptions & Cancellable & Progress} [options]
+   * @returns {Promise<Float64Array>} in the order of the pairs; NaN for a pair without a path, and for one that two workers died of
+   */
+  async lengths(definition, pairs, options) {
+    const make = (/** @type {number} */ total) => new Float64Array(total);
+    return this.#solvePairs('lengths', { definition, pairs, options }, make, Number.NaN);
+  }
+
+  /**
+   * The shortest paths of many pairs of points.
+   * @param {AnyDefinition} definition @param {ArrayLike<number>} pairs @param {PathOptions & Cancellable & Progress} [options]
+   * @returns {Promise<Path[]>} in the order of the pairs; status `worker-died`: two workers ended while they solved this pair
+   */
+  async shortestPaths(definition, pairs, options) {
+    const make = (/** @type {number} */ total) => new Array(total);
+    const lost = { ...makePath(emptyPath(NOT_FINITE)), status: 'worker-died' };
+    return this.#solvePairs('shortestPaths', { definition, pairs, options }, make, lost);
+  }
+
+  /**
+   * The shortest path between two points.
+   * @param {AnyDefinition} definition @param {ArrayLike<number>} from @param {ArrayLike<number>} to @param {PathOptions & Cancellable} [options]
+   * @returns {Promise<Path>}
+   */
+  async shortestPath(definition, from, to, options) {
+    return this.#ask('shortestPath', definition, [from, to], options);
+  }
+
+  /**
+   * All locally shortest paths between two points that a graph search finds.
+   * @param {AnyDefinition} definition @param {ArrayLike<number>} from @param {ArrayLike<number>} to
+   * @param {PathOptions & { max?: number } & Cancellable} [options]
+   * @returns {Promise<Path[]>}
+   */
+  async geodesics(definition, from, to, options) {
+    return this.#ask('geodesics', definition, [from, to], options);
+  }
+
+  /**
+   * How far all of a surface is from a point.
+   * @param {AnyDefinition} definition @param {ArrayLike<number>} from @param {FieldOptions & Cancellable} [options]
+   * @returns {Promise<DistanceField>}
+   */
+  async distanceField(definition, from, options) {
+    return this.#ask('distanceField', definition, [from], options);
+  }
+
+  /** Ends all workers, and rejects what is under way. Using the pool afterwards throws. @returns {Promise<void>} when the workers have ended */
+  async dispose() {
+    this.#disposed = true;
+    await this.#crew.dispose(new Error('surfpath: this pool was disposed'));
+  }
+
+  /**
+   * @template {Float64Array | Path[]} Results
+   * @param {'lengths' | 'shortestPaths'} method
+   * @param {{ definition: AnyDefinition, pairs: ArrayLike<number>, options: any }} call
+   * @param {(total: number) => Results} make @param {any} lost result of a pair that two workers died of
+   * @returns {Promise<Results>}
+   */
+  async #solvePairs(method, { definition, pairs, options: given }, make, lost) {
+    this.#checkAlive(method);
+    const { signal, onProgress, options } = readCall(method, given, true);
+    readPairOptions(method, options);
+    const variables = definition?.kind === 'implicit' ? ['x', 'y', 'z'] : ['u', 'v'];
+    const all = readPairNumbers(method, pairs, variables);
+    const width = 2 * variables.length;
+    if (all.length === 0) return this.#ask(method, definition, [all], options && { ...options, signal });
+    const results = make(all.length / width);
+    return this.#run({ method, definition, args: [all, options], signal }, (text, [numbers, wanted]) => ({
+      total: results.length,
+      isBatch: true,
+      ask: (first, count) => ({ definition: text, method, args: [numbers.slice(width * first, width * (first + count)), wanted] }),
+      store: (first, values) => {
+        for (let i = 0; i < values.length; i++) results[first + i] = values[i];
+      },
+      lose: (pair) => {
+        results[pair] = lost;
+      },
+      result: () => results,
+      onProgress,
+    }));
+  }
+
+  /** One question that is not cut into pieces. @param {Method} method @param {AnyDefinition} definition @param {unknown[]} places @param {any} given options */
+  async #ask(method, definition, places, given) {
+    this.#checkAlive(method);
+    const { signal, options } = readCall(method, given, false);
+    /** @type {any} */ let value;
+    return this.#run({ method, definition, args: [...places, options], signal }, (text, args) => ({
+      total: 1,
+      isBatch: false,
+      ask: () => ({ definition: text, method, args }),
+      store: (_, found) => {
+        value = found;
+      },
+      lose: () => {
+        throw new Error(`${method}: two workers ended while they computed this`);
+      },
+      result: () => value,
+      onProgress: undefined,
+    }));
+  }
+
+  /**
+   * Has a call answered by the workers. What cannot be posted to them is answered here: as a rule by the exception that it deserves.
+   * @param {{ method: Method, definition: AnyDefinition, args: any[], signal: AbortSignal | undefined }} call
+   * @param {(text: string, args: any[]) => Omit<import('./job.js').Task, 'unpack'>} plan with the definition and the arguments as they are now
+   */
+  async #run({ method, definition, args, signal }, plan) {
+    if (signal?.aborted) throw signal.reason;
+    const now = freeze(definition, args);
+    if (!now) return this.#answerHere(method, definition, args);
+    const unpack = (/** @type {import('./wire.js').PackedError} */ error) => unpackError(error, this.#entry.ExpressionError);
+    const job = new Job({ ...plan(now.text, now.args), unpack });
+    const abort = () => {
+      job.reject(signal?.reason);
+      this.#crew.drop(job);
+    };
+    signal?.addEventListener('abort', abort, { once: true });
+    this.#crew.add(job);
+    try {
+      return await job.promise;
+    } finally {
+      signal?.removeEventListener('abort', abort);
+    }
+  }
+
+  /** @param {Method} method @param {AnyDefinition} definition @param {any[]} args */
+  async #answerHere(method, definition, args) {
+    const surfpath = await this.#entry.load();
+    try {
+      return /** @type {any} */ (surfpath.surface(definition))[method](...args);
+    } finally {
+      surfpath.dispose();
+    }
+  }
+
+  /** @param {string} caller */
+  #checkAlive(caller) {
+    if (this.#disposed) throw new Error(`${caller}: this pool was disposed`);
+  }
+}
+
+for (const symbol of [Symbol.dispose, Symbol.asyncDispose])
+  if (typeof symbol === 'symbol') Object.defineProperty(Pool.prototype, symbol, { value: Pool.prototype.dispose });
+
+/** Copies, which the caller does not change any more; null: they cannot be copied. @param {AnyDefinition} definition @param {any[]} args */
+function freeze(definition, args) {
+  try {
+    return { text: writeDefinition(definition), args: structuredClone(args) };
+  } catch {
+    return null;
+  }
+}

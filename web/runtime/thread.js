@@ -1,0 +1,73 @@
+/** Threads: a module worker in a page, a worker thread in Node.js, with the same few verbs. Knows nothing of what they compute. */
+
+/**
+ * @typedef {object} Thread
+ * @property {(message: unknown) => void} post messages arrive in this order
+ * @property {() => Promise<unknown>} end at once, whatever it is doing; its listener hears nothing of it
+ * @property {(wanted: boolean) => void} hold whether it keeps Node.js from exiting
+ */
+
+/**
+ * @typedef {object} Listener
+ * @property {(message: any) => void} message
+ * @property {(error: Error | null) => void} death it ended by itself; null: without a word
+ */
+
+/**
+ * Modules of Node.js, which Deno and Bun have too; null in pages. Not by `import`, behind which every bundler for pages would look.
+ * @type {((name: string) => any) | null}
+ */
+const getModule = typeof document === 'undefined' ? (globalThis.process?.getBuiltinModule ?? null) : null;
+
+/** How many threads can run at the same time. */
+export function countProcessors() {
+  return globalThis.navigator?.hardwareConcurrency || getModule?.('node:os').availableParallelism() || 1;
+}
+
+/**
+ * Starts a thread.
+ * @param {URL | undefined} script default: worker.js beside this file
+ * @param {Listener} listener
+ * @returns {Thread}
+ */
+export function startThread(script, listener) {
+  return getModule ? startNodeThread(getModule('node:worker_threads').Worker, script, listener) : startPageWorker(script, listener);
+}
+
+/* Bundlers find the worker's script by exactly this expression, `new Worker(new URL('…', import.meta.url))`. */
+
+/** @param {URL | undefined} script @param {Listener} listener @returns {Thread} */
+function startPageWorker(script, { message, death }) {
+  const worker = script ? new Worker(script, { type: 'module' }) : new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  const fail = (/** @type {string} */ text) => {
+    worker.terminate();
+    death(new Error(text));
+  };
+  worker.onmessage = ({ data }) => message(data);
+  worker.onmessageerror = () => fail('its message cannot be read');
+  worker.onerror = (event) => {
+    event.preventDefault();
+    fail(event.message || `the script ${script ?? 'worker.js'} cannot be loaded`);
+  };
+  return { post: (given) => worker.postMessage(given), end: async () => worker.terminate(), hold() {} };
+}
+
+/** @param {any} Worker of Node.js @param {URL | undefined} script @param {Listener} listener @returns {Thread} */
+function startNodeThread(Worker, script, { message, death }) {
+  /* Without the flags of this process, some of which no thread takes. */
+  const worker = script ? new Worker(script, { execArgv: [] }) : new Worker(new URL('./worker.js', import.meta.url), { execArgv: [] });
+  const exit = () => death(null);
+  worker.on('message', message);
+  worker.on('error', death);
+  worker.on('exit', exit);
+  const end = () => {
+    worker.off('message', message);
+    worker.off('exit', exit);
+    return worker.terminate();
+  };
+  return {
+    post: (/** @type {unknown} */ given) => worker.postMessage(given),
+    end,
+    hold: (/** @type {boolean} */ wanted) => (wanted ? worker.ref() : worker.unref()),
+  };
+}

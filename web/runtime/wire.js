@@ -1,0 +1,47 @@
+/** What goes between a pool and its workers, where it is more than structured cloning carries: definitions as text, errors with their class. */
+
+/** Marks what JSON has no word for. No definition has a field of this name. */
+const MARK = '\0';
+
+/**
+ * A definition as text, equal for equal ones, so that workers know a surface again.
+ * @param {unknown} definition
+ * @returns {string} throws a TypeError for what text cannot hold: functions, cycles
+ */
+export function writeDefinition(definition) {
+  if (typeof definition !== 'object') throw new TypeError('a definition is an object');
+  return JSON.stringify(definition, function (name, value) {
+    if (typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)))
+      return { [MARK]: Object.is(value, -0) ? '-0' : String(value) };
+    if (typeof value === 'function' || typeof value === 'symbol' || (value === undefined && Array.isArray(this)))
+      throw new TypeError(`${name} cannot be written down`);
+    return value;
+  });
+}
+
+/** @param {string} text of {@link writeDefinition} @returns {any} */
+export function readDefinition(text) {
+  return JSON.parse(text, (_, value) => (typeof value?.[MARK] === 'string' ? Number(value[MARK]) : value));
+}
+
+/** @typedef {{ name: string, message: string, stack: string | undefined, source?: string, index?: number, argument?: string }} PackedError */
+
+/** An error as plain data. @param {any} error @returns {PackedError} */
+export function packError(error) {
+  const { name = 'Error', message = String(error), stack, source, index, argument } = error ?? {};
+  return { name, message, stack, source, index, argument };
+}
+
+/**
+ * The error that was packed, of the same class.
+ * @param {PackedError} packed @param {typeof import('../expression/error.js').ExpressionError} ExpressionError
+ * @returns {Error}
+ */
+export function unpackError({ name, message, stack, source = '', index = 0, argument = '' }, ExpressionError) {
+  const Class = { TypeError, RangeError }[name] ?? Error;
+  const error = name === 'ExpressionError' ? new ExpressionError(source, index, '', argument) : new Class(message);
+  if (error.name !== name) error.name = name;
+  error.message = message;
+  if (stack) error.stack = stack;
+  return error;
+}

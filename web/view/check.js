@@ -1,0 +1,31 @@
+/** What the drawing modules ask of their arguments, and say when they do not get it. */
+
+import { describe } from '../path.js';
+
+/** @typedef {import('../surface.js').Surface} Surface */
+
+/** Refuses what has no place in space. @param {string} caller @param {unknown} surface */
+export function checkDrawable(caller, surface) {
+  const { kind } = /** @type {{ kind?: unknown }} */ (surface ?? {});
+  if (kind === 'metric')
+    throw new TypeError(`${caller}: a surface given by E, F and G has no positions in space; draw its paths in the parameter plane`);
+  if (kind !== 'parametric' && kind !== 'implicit') throw new TypeError(`${caller}: surface must be a Surface, not ${describe(surface)}`);
+}
+
+/**
+ * The points of a path, or of a flat list x y z …; null for a path that was not found.
+ * @param {string} caller @param {unknown} given
+ * @returns {ArrayLike<number> | null}
+ */
+export function readPoints(caller, given) {
+  if (given === null) return null;
+  const { points = given, length } = /** @type {any} */ (given ?? {});
+  if (typeof points !== 'object' || typeof points.length !== 'number')
+    throw new TypeError(`${caller}: path must be a Path, a flat array of x y z, or null, not ${describe(given)}`);
+  if (points !== given && points.length === 0) {
+    if (Number.isNaN(length)) return null;
+    throw new TypeError(`${caller}: the path has no points: a metric without positions has none; draw its parameters in the plane`);
+  }
+  if (points.length < 6 || points.length % 3) throw new RangeError(`${caller}: path must hold x y z of two points or more`);
+  return points;
+}

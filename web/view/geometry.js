@@ -1,0 +1,116 @@
+/** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
+
+import { BufferAttribute, BufferGeometry } from 'three';
+import { checkNames, describe } from '../path.js';
+import { checkDrawable } from './check.js';
+import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
+import { gaussianCurvature } from './curvature.js';
+
+/** @typedef {import('../surface.js').Surface} Surface */
+/** @typedef {import('../mesh.js').Mesh} Mesh */
+/** @typedef {import('./colouring.js').ColourScale} ColourScale */
+
+/**
+ * @typedef {object} GeometryOptions
+ * @property {number} [resolution] cells a direction, as for `surface.mesh`
+ * @property {'none' | 'curvature' | 'distance' | ((mesh: Mesh) => ArrayLike<number>)} [colour] 'curvature': Gaussian curvature, zero neutral; 'distance': geodesic
+ *   distance `from` a point; or a function that gives one number a vertex of the mesh; default 'none'
+ * @property {ArrayLike<number>} [from] 'distance': u v or x y z
+ * @property {boolean} [exact] 'distance': as for `surface.distanceField`; needed with a density or a metric
+ */
+
+/** Cells between parameter lines along the surface's longer side. */
+const CELLS = 22;
+const NAMES = ['resolution', 'colour', 'from', 'exact'];
+
+/** Triangles whose corners are all numbers: a formula may have no value on a part of its range. @param {Mesh} mesh @returns {Uint32Array} */
+function drawableTriangles({ positions, normals, indices }) {
+  const bad = (/** @type {number} */ i) => !Number.isFinite(positions[i]) || !Number.isFinite(normals[i]);
+  if (!positions.some((_, i) => bad(i))) return indices;
+  return indices.filter((_, i) => {
+    const first = i - (i % 3);
+    return [0, 1, 2].every((corner) => [0, 1, 2].every((k) => !bad(3 * indices[first + corner] + k)));
+  });
+}
+
+/** Numbers as the graphics card takes them. @param {Float64Array} numbers */
+const toFloat = (numbers) => Float32Array.from(numbers, (x) => (Number.isFinite(x) ? x : 0));
+
+/** How long the lines of a grid are on average, between vertices a step apart. @param {Float64Array} positions @param {number} side vertices a side @param {number} step @param {number} across */
+function gridLength(positions, side, step, across) {
+  let sum = 0;
+  for (let line = 0; line < side; line++)
+    for (let i = 1; i < side; i++) {
+      const [a, b] = [3 * (line * across + (i - 1) * step), 3 * (line * across + i * step)];
+      const length = Math.hypot(positions[b] - positions[a], positions[b + 1] - positions[a + 1], positions[b + 2] - positions[a + 2]);
+      if (Number.isFinite(length)) sum += length;
+    }
+  return sum / side;
+}
+
+/** How many cells between parameter lines in both directions make them about square. @param {Float64Array} positions of a square grid */
+function countCells(positions) {
+  const side = Math.round(Math.sqrt(positions.length / 3));
+  const lengths = [gridLength(positions, side, 1, side), gridLength(positions, side, side, 1)];
+  const longer = Math.max(...lengths) || 1;
+  return lengths.map((length) => Math.max(4, 2 * Math.round((CELLS * length) / longer / 2)));
+}
+
+/** The parameters as shares of their ranges. @param {Float64Array} parameters of a grid, its corners first and last */
+function textureCoordinates(parameters) {
+  const [low, high] = [parameters.subarray(0, 2), parameters.subarray(-2)];
+  return Float32Array.from(parameters, (x, i) => (x - low[i & 1]) / (high[i & 1] - low[i & 1]));
+}
+
+/** The numbers that colours are to show, and their scale. @param {Surface} surface @param {Mesh} mesh @param {Float64Array | undefined} distances @param {GeometryOptions['colour']} colour @param {number} size */
+function measure(surface, mesh, distances, colour, size) {
+  if (distances) return { values: distances, scale: bandScale('distance', distances) };
+  if (colour === 'curvature') {
+    const values = gaussianCurvature(surface, mesh.parameters ?? mesh.positions);
+    return { values, scale: curvatureScale(values, size) };
+  }
+  if (typeof colour !== 'function') return null;
+  const values = colour(mesh);
+  const count = mesh.positions.length / 3;
+  if (values?.length !== count) throw new RangeError(`surfaceGeometry: options.colour must give ${count} numbers, one a vertex`);
+  return { values, scale: bandScale('values', values) };
+}
+
+/**
+ * Makes the geometry of a surface: attributes `position`, `normal` (exact, not averaged), parametric `uv` (shares of the parameters' ranges) and, coloured,
+ * `color` and `contour` (contour lines run where it is whole). `userData.scale` tells what the colours mean, `userData.cells` how many parameter lines
+ * suit it; {@link surfaceMaterial} draws both. Costs an evaluation a vertex; 'distance' a graph search too. Dispose it as any geometry.
+ *
+ * Throws TypeError for a surface without positions (kind 'metric'), and what `surface.mesh` and `surface.distanceField` throw.
+ * @param {Surface} surface
+ * @param {GeometryOptions} [options]
+ * @returns {BufferGeometry}
+ */
+export function surfaceGeometry(surface, options = {}) {
+  const caller = 'surfaceGeometry';
+  checkDrawable(caller, surface);
+  checkNames(caller, options, NAMES);
+  const { resolution, colour = 'none', from, exact } = options;
+  if (typeof colour !== 'function' && !['none', 'curvature', 'distance'].includes(colour))
+    throw new RangeError(`${caller}: options.colour must be 'none', 'curvature', 'distance' or a function, not ${describe(colour)}`);
+  if (colour === 'distance' && from === undefined) throw new TypeError(`${caller}: options.colour 'distance' needs options.from, a point`);
+  const field = colour === 'distance' ? surface.distanceField(/** @type {ArrayLike<number>} */ (from), { resolution, exact }) : null;
+  const mesh = field ? field.mesh : surface.mesh({ resolution });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(toFloat(mesh.positions), 3));
+  geometry.setAttribute('normal', new BufferAttribute(toFloat(mesh.normals), 3));
+  geometry.setIndex(new BufferAttribute(drawableTriangles(mesh), 1));
+  geometry.computeBoundingSphere();
+  if (mesh.parameters) {
+    geometry.setAttribute('uv', new BufferAttribute(textureCoordinates(mesh.parameters), 2));
+    geometry.userData.cells = countCells(mesh.positions);
+  }
+  const size = geometry.boundingSphere?.radius || 1;
+  const measured = measure(surface, mesh, field?.distances, colour, size);
+  if (measured) {
+    geometry.setAttribute('color', new BufferAttribute(colourVertices(measured.values, measured.scale), 3));
+    geometry.setAttribute('contour', new BufferAttribute(contourLevels(measured.values, measured.scale), 1));
+    geometry.userData.scale = measured.scale;
+  }
+  return geometry;
+}

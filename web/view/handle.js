@@ -1,0 +1,220 @@
+/** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
+
+import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
+import { checkNames } from '../path.js';
+import { HandleButton } from './button.js';
+import { checkDrawable } from './check.js';
+import { Marker } from './marker.js';
+import { Picker } from './pick.js';
+import { stepAlong } from './step.js';
+
+/** @typedef {import('../surface.js').Surface} Surface */
+/** @typedef {import('three').ColorRepresentation} Colour */
+
+/**
+ * @typedef {object} DragHandleOptions
+ * @property {import('three').Camera} camera that the view is seen through
+ * @property {HTMLElement} domElement the canvas; the handle's button is added after it, so its parent should be what positions both
+ * @property {import('three').Mesh} [mesh] the surface as drawn, a child of the handle's parent: rays are cast at it; default: an own one, made when first needed
+ * @property {{ enabled: boolean }} [controls] of the camera; off while dragging
+ * @property {string} [label] what the button is called; default 'Point'
+ * @property {Colour} [colour] @property {Colour} [ring] the colour of the ring around it
+ * @property {number} [radius] of the ball, in CSS pixels; default 6. What can be pressed is 24 pixels wide at least, 44 for a finger
+ * @property {number} [step] of an arrow key, in CSS pixels; with Shift five times that; default 8
+ * @property {(point: number[], handle: DragHandle) => void} [onDrag] the point has moved: u v or x y z
+ * @property {(handle: DragHandle) => void} [onDragStart] @property {(handle: DragHandle) => void} [onDragEnd]
+ * @property {() => void} [onChange] it looks different: draw again
+ */
+
+const NAMES = ['camera', 'domElement', 'mesh', 'controls', 'label', 'colour', 'ring', 'radius', 'step'];
+const EVENTS = ['onDrag', 'onDragStart', 'onDragEnd', 'onChange'];
+const COLOUR = '#e8501f';
+const RING = '#ffffff';
+const RING_WIDTH = 2.5;
+const GROWTH = 1.3;
+/** Share of the distance from the eye by which the surface must be before the point to hide it. */
+const BEHIND = 0.02;
+
+const raycaster = new Raycaster();
+const pointer = new Vector2();
+const frame = new Matrix4();
+const projected = new Vector3();
+
+/** Add it beside the surface's mesh, in whose coordinates it is placed. */
+export class DragHandle extends Group {
+  /** @type {number[]} */ #point = [];
+  #surface;
+  /** @type {Picker | null} */ #picker = null;
+  #marker = new Marker();
+  #button;
+  #options;
+  /** Whether it is behind the surface: then it is dragged there. */
+  #isHidden = false;
+  #wereEnabled = true;
+
+  /**
+   * @param {Surface} surface parametric or implicit; TypeError if it has no positions
+   * @param {ArrayLike<number>} point u v in the rectangle, or x y z, which is projected
+   * @param {DragHandleOptions} options
+   */
+  constructor(surface, point, options) {
+    super();
+    checkDrawable('DragHandle', surface);
+    checkNames('DragHandle', options ?? {}, [...NAMES, ...EVENTS]);
+    if (!options?.camera || !options.domElement) throw new TypeError('DragHandle: options.camera and options.domElement are needed');
+    this.#options = { label: 'Point', radius: 6, step: 8, ...options };
+    this.#surface = surface;
+    this.add(this.#marker);
+    this.#marker.onDraw = (camera, viewport) => this.#follow(camera, viewport);
+    this.setColours(options);
+    this.#button = new HandleButton(options.domElement, this.#options.label, {
+      press: (x, y) => this.#begin(x, y),
+      move: (x, y) => this.#moveTo(x, y),
+      release: () => this.#end(),
+      nudge: (right, up) => this.#nudge(right, up),
+      highlight: (on) => this.#highlight(on),
+    });
+    this.setPoint(point);
+  }
+
+  /** Where it is: u v, or x y z; a copy. */
+  get point() {
+    return [...this.#point];
+  }
+
+  /** The button that is pressed and focused: for a tooltip, a description, or a class. */
+  get element() {
+    return this.#button.element;
+  }
+
+  /** Moves it, without calling `onDrag`. Throws what `project` throws. @param {ArrayLike<number>} point as for the constructor */
+  setPoint(point) {
+    const { kind } = this.#surface;
+    const given = Array.from(point);
+    const place = kind === 'implicit' ? this.#surface.project(given) : given;
+    const position = kind === 'implicit' ? place : this.#surface.evaluate(place);
+    if (place.length !== (kind === 'implicit' ? 3 : 2) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
+      throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
+    this.#point = place;
+    this.position.set(position[0], position[1], position[2]);
+    this.#options.onChange?.();
+  }
+
+  /**
+   * Puts it on another surface, or on the same one after `surface.set`.
+   * @param {Surface} surface @param {ArrayLike<number>} [point] default: where it is
+   * @param {import('three').Mesh} [mesh] default: an own one
+   */
+  setSurface(surface, point = this.#point, mesh = undefined) {
+    checkDrawable('DragHandle', surface);
+    this.#picker?.dispose();
+    this.#picker = null;
+    this.#surface = surface;
+    this.#options.mesh = mesh;
+    this.setPoint(point);
+  }
+
+  /** @param {{ colour?: Colour, ring?: Colour }} colours */
+  setColours({ colour = COLOUR, ring = RING }) {
+    this.#marker.setColours(colour, ring);
+    this.#highlight(false);
+  }
+
+  /** Frees what it holds, removes its button, and leaves its scene. */
+  dispose() {
+    this.#button.dispose();
+    this.#picker?.dispose();
+    this.#picker = null;
+    this.#marker.dispose();
+    this.removeFromParent();
+  }
+
+  /** @param {boolean} on */
+  #highlight(on) {
+    this.#marker.setRadius((on ? GROWTH : 1) * this.#options.radius, RING_WIDTH);
+    this.#options.onChange?.();
+  }
+
+  /** Keeps the button over the point. @param {import('three').Camera} camera @param {import('three').Vector4} viewport */
+  #follow(camera, { x, y, z: width, w: height }) {
+    if (camera !== this.#options.camera) return;
+    projected.setFromMatrixPosition(this.matrixWorld).project(camera);
+    const seen = Math.abs(projected.x) <= 1 && Math.abs(projected.y) <= 1 && Math.abs(projected.z) <= 1;
+    const { domElement } = this.#options;
+    const top = domElement.clientHeight - y - height;
+    this.#button.place(x + ((projected.x + 1) / 2) * width, top + ((1 - projected.y) / 2) * height, seen);
+  }
+
+  /** @returns {Matrix4} from the surface's coordinates to the scene's */
+  #frame() {
+    this.updateWorldMatrix(true, false);
+    return this.parent ? frame.copy(this.parent.matrixWorld) : frame.identity();
+  }
+
+  /** The crossings of the surface are asked for through a point of the canvas. @param {number} x in CSS pixels of the window @param {number} y */
+  #aim(x, y) {
+    const { left, top, width, height } = this.#options.domElement.getBoundingClientRect();
+    pointer.set((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height);
+    this.#options.camera.updateMatrixWorld();
+    raycaster.setFromCamera(pointer, this.#options.camera);
+  }
+
+  #pick() {
+    this.#picker ??= new Picker(this.#surface, this.#options.mesh);
+    return this.#picker.pick(raycaster, this.#frame(), this.#isHidden ? this.position : null);
+  }
+
+  /** @param {number} x @param {number} y @returns {[number, number]} from there to the middle of the point, in pixels */
+  #begin(x, y) {
+    const { controls, domElement, camera, onDragStart } = this.#options;
+    const { left, top, width, height } = domElement.getBoundingClientRect();
+    projected.copy(this.position).applyMatrix4(this.#frame()).project(camera);
+    const offset = /** @type {[number, number]} */ ([
+      left + ((projected.x + 1) / 2) * width - x,
+      top + ((1 - projected.y) / 2) * height - y,
+    ]);
+    this.#isHidden = false;
+    this.#aim(x + offset[0], y + offset[1]);
+    this.#isHidden = this.#isBehind();
+    if (controls) [this.#wereEnabled, controls.enabled] = [controls.enabled, false];
+    onDragStart?.(this);
+    return offset;
+  }
+
+  /** Whether the ray to the point meets the surface well before it. */
+  #isBehind() {
+    const first = this.#pick();
+    if (!first) return false;
+    const position = this.#surface.kind === 'implicit' ? first : this.#surface.evaluate(first);
+    const gap = Math.hypot(...this.position.toArray().map((x, k) => x - position[k]));
+    const distance = projected.setFromMatrixPosition(this.matrixWorld).distanceTo(raycaster.ray.origin);
+    return gap > BEHIND * distance;
+  }
+
+  /** @param {number} x @param {number} y */
+  #moveTo(x, y) {
+    this.#aim(x, y);
+    this.#accept(this.#pick());
+  }
+
+  /** @param {number} right steps @param {number} up */
+  #nudge(right, up) {
+    const { camera, domElement, step } = this.#options;
+    camera.updateMatrixWorld();
+    const pixels = /** @type {[number, number]} */ ([step * right, step * up]);
+    this.#accept(stepAlong(this.#surface, this.#point, this.position, this.#frame(), camera, pixels, domElement.clientHeight));
+  }
+
+  /** @param {number[] | null} point */
+  #accept(point) {
+    if (!point) return;
+    this.setPoint(point);
+    this.#options.onDrag?.(this.point, this);
+  }
+
+  #end() {
+    const { controls, onDragEnd } = this.#options;
+    if (controls) controls.enabled = this.#wereEnabled;
+    onDragEnd?.(this);
+  }
+}

@@ -1,0 +1,158 @@
+/** Plays how a path converges: the iterates that `record` kept, one melting into the next, from cool to warm. */
+
+import { Color } from 'three';
+import { checkNames } from '../path.js';
+import { readPoints } from './check.js';
+
+/** @typedef {import('../path.js').Path} Path */
+
+/**
+ * @typedef {object} PathPlayerOptions
+ * @property {number} [duration] in milliseconds, default 1200
+ * @property {import('three').ColorRepresentation} [cool] colour of the start, default a blue
+ * @property {import('three').ColorRepresentation} [warm] colour of the converged path, default an orange-red
+ * @property {boolean} [reducedMotion] show the final path at once; default: what the reader's system asks for
+ * @property {(moment: number, iteration: number) => void} [onFrame] after each change: draw again; moment in [0, 1]
+ */
+
+const NAMES = ['duration', 'cool', 'warm', 'reducedMotion', 'onFrame'];
+const [COOL, WARM] = ['#2f6fd6', '#e8501f'];
+
+/** Slow at both ends. @param {number} t in [0, 1] */
+const ease = (t) => (t < 0.5 ? 4 * t * t * t : 1 - (2 - 2 * t) ** 3 / 2);
+
+/**
+ * A polyline through the same places with another number of points, equally spaced by length.
+ * @param {ArrayLike<number>} points x y z … @param {number} count at least 2
+ */
+export function resample(points, count) {
+  const pieces = points.length / 3 - 1;
+  const reached = new Float64Array(pieces + 1);
+  for (let i = 0; i < pieces; i++) {
+    const [dx, dy, dz] = [0, 1, 2].map((k) => points[3 * i + 3 + k] - points[3 * i + k]);
+    reached[i + 1] = reached[i] + Math.hypot(dx, dy, dz);
+  }
+  const result = new Float64Array(3 * count);
+  for (let i = 0, piece = 0; i < count; i++) {
+    const target = (i / (count - 1)) * reached[pieces];
+    while (piece < pieces - 1 && reached[piece + 1] < target) piece++;
+    const share = Math.min((target - reached[piece]) / (reached[piece + 1] - reached[piece]) || 0, 1);
+    for (let k = 0; k < 3; k++) result[3 * i + k] = (1 - share) * points[3 * piece + k] + share * points[3 * piece + 3 + k];
+  }
+  return result;
+}
+
+export class PathPlayer {
+  #line;
+  #duration;
+  #colours;
+  #onFrame;
+  /** @type {boolean | undefined} */ #reducedMotion;
+  /** The iterates, all with as many points as the path; last the path itself. @type {Float64Array[]} */ #frames = [];
+  /** What is shown between two of them. */
+  #between = new Float64Array(0);
+  #request = 0;
+  /** @type {(() => void) | null} */ #finish = null;
+  #moment = 1;
+
+  /**
+   * @param {import('./line.js').GeodesicLine} line that shows it; stays the caller's
+   * @param {Path | null} path of `shortestPath(…, { record: true })`; without `record` there is nothing but the end to play
+   * @param {PathPlayerOptions} [options]
+   */
+  constructor(line, path, options = {}) {
+    checkNames('PathPlayer', options, NAMES);
+    const { duration = 1200, cool = COOL, warm = WARM, reducedMotion, onFrame = () => {} } = options;
+    this.#line = line;
+    this.#duration = duration;
+    this.#colours = { cool: new Color(cool), warm: new Color(warm), now: new Color() };
+    this.#reducedMotion = reducedMotion;
+    this.#onFrame = onFrame;
+    this.setPath(path);
+  }
+
+  /** How many iterates there are to show before the path itself. */
+  get iterations() {
+    return Math.max(this.#frames.length - 1, 0);
+  }
+
+  /** In [0, 1]: 1 is the path itself. */
+  get moment() {
+    return this.#moment;
+  }
+
+  /** Takes another path, and shows it. @param {Path | null} path */
+  setPath(path) {
+    this.stop();
+    const points = readPoints('PathPlayer', path);
+    const iterates = (path?.history ?? []).flatMap((iterate) => (iterate.points && iterate.points.length >= 6 ? [iterate.points] : []));
+    this.#frames = points ? [...iterates, points].map((frame) => resample(frame, points.length / 3)) : [];
+    // The path itself as it is: its points may be spaced otherwise.
+    if (points) this.#frames[this.#frames.length - 1] = Float64Array.from(points);
+    this.#between = new Float64Array(points?.length ?? 0);
+    this.scrub(1);
+  }
+
+  /**
+   * Shows a moment of the convergence.
+   * @param {number} moment in [0, 1], from the start to the path
+   */
+  scrub(moment) {
+    if (!(moment >= 0 && moment <= 1)) throw new RangeError(`PathPlayer: moment must lie between 0 and 1, not ${moment}`);
+    this.#moment = moment;
+    const last = this.#frames.length - 1;
+    const place = moment * last;
+    const first = Math.min(Math.floor(place), last - 1);
+    const { cool, warm, now } = this.#colours;
+    if (last > 0) this.#line.setPath(this.#blend(first, place - first));
+    else this.#line.setPath(this.#frames[0] ?? null);
+    this.#line.setColours({ colour: now.lerpColors(cool, warm, last > 0 ? moment : 1) });
+    this.#onFrame(moment, Math.round(place));
+  }
+
+  /** @param {number} first @param {number} share */
+  #blend(first, share) {
+    const [a, b] = [this.#frames[first], this.#frames[first + 1]];
+    for (let i = 0; i < a.length; i++) this.#between[i] = (1 - share) * a[i] + share * b[i];
+    return this.#between;
+  }
+
+  /**
+   * Plays from the start.
+   * @returns {Promise<void>} when it has ended, or was stopped
+   */
+  play() {
+    this.stop();
+    const isReduced = this.#reducedMotion ?? globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false;
+    if (isReduced || this.iterations === 0) {
+      this.scrub(1);
+      return Promise.resolve();
+    }
+    this.scrub(0);
+    return new Promise((resolve) => {
+      this.#finish = resolve;
+      /** @type {number | null} */ let begin = null;
+      const step = (/** @type {number} */ now) => {
+        begin ??= now;
+        const share = Math.min((now - begin) / this.#duration, 1);
+        this.scrub(ease(share));
+        if (share < 1) this.#request = requestAnimationFrame(step);
+        else this.stop();
+      };
+      this.#request = requestAnimationFrame(step);
+    });
+  }
+
+  /** Stops where it is. */
+  stop() {
+    if (this.#finish) cancelAnimationFrame(this.#request);
+    this.#finish?.();
+    this.#finish = null;
+  }
+
+  /** Stops and lets go of the frames; the line stays the caller's. */
+  dispose() {
+    this.stop();
+    this.#frames = [];
+  }
+}
