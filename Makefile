@@ -5,10 +5,10 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test check tidy bench bench-peers accuracy fuzz endurance golden golden-update demo format clean help tools
+.PHONY: all test browsers check tidy bench bench-peers accuracy fuzz endurance golden golden-update site thumbnails demo format clean help tools
 
 ENTRIES := index slim gallery pool
-VIEWS := three
+VIEWS := three element
 WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
@@ -40,10 +40,13 @@ endif
 ifneq ($(filter test check format,$(MAKECMDGOALS)),)
 TOOLS += clang-format:clang-format
 endif
+ifneq ($(filter browsers,$(MAKECMDGOALS)),)
+TOOLS += chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
+endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
-ifneq ($(filter test packages,$(MAKECMDGOALS)),)
+ifneq ($(filter test packages thumbnails,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 ifneq ($(filter coverage,$(MAKECMDGOALS)),)
@@ -62,8 +65,11 @@ SECONDS ?= 60
 
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
+test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
+
+browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
+	@node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/biome check --colors=off --error-on-warnings
@@ -106,7 +112,12 @@ golden: all ## the same bits in Node 20 and 22, three browsers, gcc and clang at
 golden-update: all ## store the present bits as the golden ones
 	@node tests/golden/golden.js update
 
-demo: all ## build, serve the page on a free loopback port and print its address
+site: build/site/main.js ## build the demonstration page as static files in build/site, for any server and any folder
+
+thumbnails: site ## render the gallery's pictures anew, with the page itself
+	@node demo/make-thumbnails.js
+
+demo: site ## build, serve the page on a free loopback port and print its address
 	@node demo/serve.js
 
 format: $(NPM) | tools ## format every source
@@ -166,16 +177,28 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BUNDLE)
 
-# Made to be used with the reader's own three.js.
+# Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three --log-level=warning --outfile=$@
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
 	@echo $(@D)
 	@rm -rf $(@D)
 	@$(BIN)/tsc -p .
 	@touch $@
+
+# The page: one bundle for the window and its worker, which share most of it; what is asked for later is a file of its own. Everything is named
+# relative to everything else.
+
+build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefile $(NPM)
+	@echo $(@D)
+	@rm -rf $(@D)
+	@mkdir -p $(@D)
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=200 --format=esm --target=es2022 \
+	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
+	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 
 # Native builds of the same C: with sanitizers for the tests; optimised, one object, for benchmarks and the symbol check.
 
@@ -205,9 +228,10 @@ build/native/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(NATIVE) -c $< -o $@
 
+# Which loops gcc sees through differs by processor, and with it what it takes for uninitialised: build/native judges that.
 build/march/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(NATIVE) -march=native -c $< -o $@
+	@$(NATIVE) -march=native -Wno-maybe-uninitialized -c $< -o $@
 
 build/native/core.o: $(WASM:%.c=build/native/%.o)
 	@ld -r $^ -o $@

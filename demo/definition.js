@@ -1,12 +1,11 @@
 /** Between the texts of the form and the definitions of surfaces: both translations, and whose fault an error is. */
 
-import { ExpressionError } from 'surfpath';
 import { KINDS } from './kinds.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {Record<string, string>} Texts what the fields hold, by name */
 /** @typedef {{ field: string | null, source: string, index: number, message: string }} Problem field null: no single field is at fault */
-/** What the page shows: everything that has positions. @typedef {Exclude<Parameters<import('surfpath').Surfpath['surface']>[0], { kind: 'metric' }>} Definition */
+/** @typedef {Parameters<import('surfpath').Surfpath['surface']>[0]} Definition */
 
 /** Coordinates of an end point. @param {Kind} kind */
 export const coordinates = (kind) => KINDS[kind].coordinates;
@@ -23,18 +22,17 @@ function placeInDefinition(field) {
   return [name, index === undefined ? null : Number(index)];
 }
 
-/** @param {Definition} definition @returns {Texts} */
+/** @param {{ kind: Kind, bounds?: any } & Record<string, any>} definition @returns {Texts} */
 export function textsOf(definition) {
   /** @type {Texts} */
   const texts = {};
   const { formulas, ranges } = KINDS[definition.kind];
-  const given = /** @type {Record<string, any>} */ (definition);
   for (const field of Object.keys(formulas)) {
     const [name, index] = placeInDefinition(field);
-    texts[field] = String(index === null ? given[name] : given[name][index]);
+    texts[field] = String(index === null ? definition[name] : definition[name][index]);
   }
   for (const [i, name] of ranges.entries()) {
-    const range = definition.kind === 'implicit' ? definition.bounds?.[i] : given[name];
+    const range = definition.kind === 'implicit' ? definition.bounds?.[i] : definition[name];
     [texts[`${name}-from`], texts[`${name}-to`]] = (range ?? [-1, 1]).map(String);
   }
   return texts;
@@ -82,8 +80,9 @@ export function sentence(message) {
 /** What an error says about the form. @param {unknown} error @param {Kind} kind @param {Texts} texts @returns {Problem} */
 export function problemOf(error, kind, texts) {
   const message = sentence(error instanceof Error ? error.message : String(error));
-  if (!(error instanceof ExpressionError)) return { field: null, source: '', index: 0, message };
-  const { argument, source, index } = error;
-  const field = fieldNames(kind).find((name) => name === argument) ?? fieldNames(kind).find((name) => texts[name] === source) ?? null;
+  const { argument, source, index } = /** @type {{ argument?: string, source?: string, index?: number }} */ (error);
+  if (source === undefined || index === undefined) return { field: null, source: '', index: 0, message };
+  const names = [...fieldNames(kind), 'density', 'metric.E', 'metric.F', 'metric.G'];
+  const field = names.find((name) => name === argument) ?? fieldNames(kind).find((name) => texts[name] === source) ?? null;
   return { field, source, index, message };
 }

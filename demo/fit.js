@@ -3,6 +3,8 @@
 import { Vector3 } from 'three';
 
 const ROUNDS = 4;
+/** Of many points, about so many are looked at. */
+const ENOUGH = 4000;
 
 /**
  * Moves a camera along a direction, and its target across it, until all points lie inside the view, centred.
@@ -17,17 +19,18 @@ export function fitView(points, center, towards, up, slopes) {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const axes = [right, new Vector3().crossVectors(towards, right)];
   const target = center.clone();
+  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
   const point = new Vector3();
   let distance = 0;
   for (let round = 0; round < ROUNDS; round++) {
     distance = 0;
-    for (let i = 0; i < points.count; i++) {
+    for (let i = 0; i < points.count; i += stride) {
       point.fromBufferAttribute(points, i).sub(target);
       const depth = point.dot(towards);
       for (const [k, axis] of axes.entries()) distance = Math.max(distance, depth + Math.abs(point.dot(axis)) / slopes[k]);
     }
     const ranges = axes.map(() => [Infinity, -Infinity]);
-    for (let i = 0; i < points.count; i++) {
+    for (let i = 0; i < points.count; i += stride) {
       point.fromBufferAttribute(points, i).sub(target);
       const scale = distance / (distance - point.dot(towards));
       for (const [k, axis] of axes.entries()) {

@@ -1,6 +1,6 @@
 /** The kinds of surfaces that the form knows: which fields each has, and what a formula of one's own starts from. Plain data. */
 
-/** @typedef {'parametric' | 'implicit' | 'graph' | 'revolution' | 'tube' | 'sweep'} Kind */
+/** @typedef {'parametric' | 'implicit' | 'graph' | 'revolution' | 'tube' | 'sweep' | 'metric'} Kind */
 /**
  * @typedef {object} Form of a kind of surface
  * @property {string} title
@@ -65,57 +65,11 @@ export const KINDS = {
     ranges: ['s', 't'],
     coordinates: ['s', 't'],
   },
+  metric: {
+    title: 'Metric',
+    hint: 'No surface in space: length is ds² = E du² + 2F du dv + G dv²; drawn in the plane of u and v',
+    formulas: { E: 'E(u, v)', F: 'F(u, v)', G: 'G(u, v)' },
+    ranges: ['u', 'v'],
+    coordinates: ['u', 'v'],
+  },
 };
-
-/** @type {Record<Kind, import('surfpath/gallery').GalleryEntry>} */
-export const OWN = {
-  parametric: own({
-    kind: 'parametric',
-    x: 'u',
-    y: 'v',
-    z: 'sin(u)*cos(v)',
-    u: ['-pi', 'pi'],
-    v: ['-pi', 'pi'],
-    from: [-2.2, -1.5],
-    to: [2.4, 1.2],
-  }),
-  implicit: own({
-    kind: 'implicit',
-    f: 'x^4+y^4+z^4-1',
-    bounds: [
-      [-1.2, 1.2],
-      [-1.2, 1.2],
-      [-1.2, 1.2],
-    ],
-    from: [0.2, -0.9, 0.6],
-    to: [0.9, 0.3, 0.6],
-  }),
-  graph: own({ kind: 'graph', z: '0.6*cos(2*x)*cos(y)', x: [-2.5, 2.5], y: [-2.5, 2.5], from: [-1.9, -1.2], to: [1.8, 1.4] }),
-  revolution: own({ kind: 'revolution', r: '1+0.3*sin(3*t)', z: 't', t: ['-pi/2', 'pi/2'], from: [5.6, -1.2], to: [3.6, 1.3] }),
-  tube: own({
-    kind: 'tube',
-    centreline: ['2*cos(t)', '2*sin(t)', '0.5*t'],
-    radius: '0.5',
-    t: [0, '3*pi'],
-    from: [1.2, 1],
-    to: [4.4, 8],
-  }),
-  sweep: own({
-    kind: 'sweep',
-    profile: ['s', '0.3*cos(3*s)'],
-    path: ['t', '0.5*sin(t)', '0'],
-    s: [-1, 1],
-    t: [0, 6],
-    from: [-0.7, 0.5],
-    to: [0.8, 5.4],
-    camera: [0.24, -0.6, 0.76],
-  }),
-};
-
-/**
- * @template {object} T
- * @param {T} definition
- */
-function own(definition) {
-  return { title: '', formula: '', source: '', ...definition };
-}

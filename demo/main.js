@@ -1,98 +1,124 @@
-/** Starts the page: the view, the solver, and what the reader's hands do to the state. */
+/** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { fieldNames } from './definition.js';
-import { find, say, themeColor } from './dom.js';
-import { fillGallery, fillKinds, readEnds, readFields } from './panel.js';
+import { change, history, openSketch, redo, undo } from './change.js';
+import { find, say } from './dom.js';
+import { startExports } from './exports.js';
+import { connect, recolour } from './flow.js';
+import { startFormula } from './formula.js';
+import { startGallery } from './gallery.js';
+import { fromHash } from './link.js';
+import { startMeasure } from './measure.js';
+import { startPathCard } from './path-card.js';
+import { startPlane } from './plane.js';
+import { Player } from './player.js';
+import { refreshPlot, startPlots } from './plots.js';
+import { startResult } from './result.js';
 import { View } from './scene.js';
-import {
-  changeEnds,
-  changeFormula,
-  changeOptions,
-  changeParameter,
-  choose,
-  chooseRandomEnds,
-  connect,
-  kind,
-  play,
-  scrub,
-} from './state.js';
+import { startShow } from './show.js';
+import { sketchOf } from './sketch.js';
+import { startSliders } from './sliders.js';
+import { FIRST, lastIterate, onRender, render, state } from './state.js';
 
-const FIRST = 'parametricTorus';
-const MOST_POINTS = 2000;
-/** Milliseconds without a keystroke before a formula is compiled. */
-const PATIENCE = 150;
-
-let timer = 0;
-
-/** A field of the form changed. @param {HTMLInputElement} input */
-function changed(input) {
-  const { name, value } = input;
-  if (['kind', 'entry'].includes(name) || name.startsWith('field-')) clearTimeout(timer);
-  if (name.startsWith('field-')) timer = window.setTimeout(() => changeFormula(readFields(fieldNames(kind()))), PATIENCE);
-  else if (name.startsWith('parameter-')) changeParameter(name.slice('parameter-'.length), input.valueAsNumber);
-  else if (name.startsWith('end-')) changeEnds(readEnds(kind()));
-  else if (name === 'points') changePoints(input);
-  else if (name === 'tolerance') changeOptions({ tolerance: Number(value) });
-  else if (name === 'algorithm' || name === 'start') changeOptions({ [name]: value });
-  else if (name === 'kind') choose(`own-${value}`);
-  else if (name === 'entry') choose(value);
-}
-
-/** @param {HTMLInputElement} input */
-function changePoints(input) {
-  const points = input.valueAsNumber;
-  const good = Number.isInteger(points) && points >= 1 && points <= MOST_POINTS;
-  if (good) input.removeAttribute('aria-invalid');
-  else input.setAttribute('aria-invalid', 'true');
-  say(find('points-problem'), good ? null : `Write a whole number from 1 to ${MOST_POINTS}.`);
-  if (good) changeOptions({ points });
-}
-
-function listen() {
-  find('panel').addEventListener('input', (event) => changed(/** @type {HTMLInputElement} */ (event.target)));
-  find('panel').addEventListener('submit', (event) => event.preventDefault());
-  find('fields').addEventListener('keydown', (event) => {
-    if (event.key === 'Enter') event.preventDefault();
-  });
-  find('play').addEventListener('click', play);
-  find('moment').addEventListener('input', (event) => scrub(/** @type {HTMLInputElement} */ (event.target).valueAsNumber));
-  find('random-ends').addEventListener('click', chooseRandomEnds);
-}
-
-/** @param {View} view */
-function applyTheme(view) {
-  const names = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'hidden', 'sky', 'ground']);
-  view.setTheme(/** @type {import('./scene.js').Theme} */ (Object.fromEntries(names.map((name) => [name, themeColor(name)]))));
-}
+const player = new Player((moment) => {
+  state.moment = moment;
+  render();
+});
 
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
   try {
-    const view = new View(find('view'), find('canvas'), [find('label-a'), find('label-b')]);
-    applyTheme(view);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => applyTheme(view));
+    const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
+    Object.assign(window, { surfpathView: view });
+    view.onFirst = () => document.getElementById('poster')?.remove();
+    startShow(view);
     return view;
   } catch {
-    for (const label of ['label-a', 'label-b']) find(label).hidden = true;
+    find('poster').remove();
     say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below are computed all the same.');
     return null;
   }
 }
 
+/** @param {View | null} view */
+function listen(view) {
+  find('form').addEventListener('submit', (event) => event.preventDefault());
+  find('colour').addEventListener('change', ({ target }) =>
+    change({ colour: /** @type {any} */ (/** @type {HTMLSelectElement} */ (target).value) }),
+  );
+  find('play').addEventListener('click', () => player.play(1));
+  find('moment').addEventListener('input', ({ target }) => {
+    player.stop();
+    state.moment = /** @type {HTMLInputElement} */ (target).valueAsNumber / lastIterate();
+    render();
+  });
+  find('undo').addEventListener('click', undo);
+  find('redo').addEventListener('click', redo);
+  find('reframe').addEventListener('click', () => view?.frame(null));
+  find('toggle-panel').addEventListener('click', togglePanel);
+  find('tabs').addEventListener('click', ({ target }) => showTab(/** @type {HTMLElement} */ (target).dataset.tab));
+  addEventListener('keydown', pressed);
+  addEventListener('hashchange', () => openAddress());
+  onRender(() => {
+    /** @type {HTMLButtonElement} */ (find('undo')).disabled = !history.canUndo;
+    /** @type {HTMLButtonElement} */ (find('redo')).disabled = !history.canRedo;
+  });
+}
+
+function togglePanel() {
+  const open = document.documentElement.toggleAttribute('data-panel');
+  find('toggle-panel').setAttribute('aria-expanded', String(open));
+}
+
+/** On a phone, the panel's cards are behind tabs. @param {string | undefined} name */
+function showTab(name) {
+  if (!name) return;
+  document.documentElement.dataset.tab = name;
+  for (const button of find('tabs').children) button.setAttribute('aria-pressed', String(button.getAttribute('data-tab') === name));
+  find('panel').scrollTo(0, 0);
+  for (const id of ['plane-card', 'plots-card']) if (id === `${name}-card`) /** @type {HTMLDetailsElement} */ (find(id)).open = true;
+}
+
+/** @param {KeyboardEvent} event */
+function pressed(event) {
+  const typing = /** @type {HTMLElement} */ (event.target).matches?.('textarea, input:not([type=range], [type=radio])');
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || typing) return;
+  event.preventDefault();
+  if (event.shiftKey) redo();
+  else undo();
+}
+
+/** Opens what the address holds; without, or where that is not ours, the first scene. */
+function openAddress() {
+  const sketch = fromHash(location.hash);
+  if (location.hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
+  // The picture that stands in for the scene until it is drawn is that of the first one.
+  if (sketch && sketch.entry !== FIRST) document.getElementById('poster')?.remove();
+  return openSketch(sketch ?? sketchOf(FIRST));
+}
+
+/** @param {boolean} animated */
+function solved(animated) {
+  if (animated) player.play(1);
+  else player.stop();
+  if (state.sketch.colour !== 'plain') recolour();
+  refreshPlot();
+}
+
 async function start() {
-  fillGallery(find('entry'));
-  fillKinds(find('kinds'));
+  for (const begin of [startResult, startFormula, startSliders, startPathCard, startMeasure, startGallery, startPlane, startPlots]) begin();
   const view = makeView();
+  startExports(view);
   try {
-    connect(await load(), view);
+    connect(await load(), view, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
+    find('poster').remove();
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
-  listen();
-  choose(FIRST);
+  listen(view);
+  openAddress();
 }
 
 start();

@@ -1,15 +1,19 @@
-/** The strip of results and the player: numbers and words of a solved path. */
+/** The strip of results, the player and the legend: numbers and words of what is seen. */
 
-import { lengthOf } from './curves.js';
 import { find, say } from './dom.js';
+import { chosenPath, lastIterate, onRender } from './state.js';
 import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
 
-/** @typedef {import('surfpath').Path} Path */
+export function startResult() {
+  onRender(renderResult);
+  onRender(renderMoment);
+}
 
-/** @param {HTMLElement} element @param {string} text */
-const write = (element, text) => {
+/** @param {string} id @param {string} text */
+function write(id, text) {
+  const element = find(id);
   if (element.textContent !== text) element.textContent = text;
-};
+}
 
 /** @param {number} length @param {number} start */
 function describeStart(length, start) {
@@ -18,32 +22,42 @@ function describeStart(length, start) {
   return `${formatNumber(start, 4)}${longer}`;
 }
 
-/**
- * @param {{ path: Path | null, milliseconds: number, straight: Float64Array | null, start: 'global' | 'straight',
- *   problem: import('./definition.js').Problem | null }} shown
- */
-export function showResult({ path, milliseconds, straight, start, problem }) {
+/** @param {import('./state.js').State} state */
+function renderResult({ sketch, solved, problem, busy, moving, surface, gauge }) {
+  const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
-  write(find('length'), exists ? formatTo(path.length, path.lengthError) : '–');
-  write(find('length-error'), exists ? formatEstimate(path.lengthError) : '');
-  write(find('start-length'), straight ? describeStart(path?.length ?? NaN, lengthOf(straight)) : '–');
-  write(find('iterations'), path ? String(path.iterations) : '–');
-  write(find('time'), Number.isFinite(milliseconds) ? formatTime(milliseconds) : '–');
-  const [words, advice] = path ? describeStatus(path.status, start) : ['No path', 'See the message at the end points.'];
-  write(find('status'), words);
-  write(find('advice'), problem ? `${advice} (The last good surface is shown.)` : advice);
-  find('status').dataset.status = path?.status ?? 'none';
+  document.documentElement.toggleAttribute('data-busy', busy || moving);
+  find('result').setAttribute('aria-busy', String(busy));
+  // All digits, for those who read the page by program.
+  find('length').dataset.exact = exists ? String(path.length) : '';
+  write('length', exists ? formatTo(path.length, path.lengthError) : '–');
+  write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
+  if (!moving) {
+    write(
+      'start-length',
+      Number.isFinite(solved.straightLength) && !gauge && !sketch.density ? describeStart(path?.length ?? NaN, solved.straightLength) : '–',
+    );
+    write('iterations', path ? String(path.iterations) : '–');
+    write('time', Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
+  }
+  if (!surface || (!path && busy)) return;
+  const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', 'See the message at the ends.'];
+  write('status', words);
+  write('advice', problem ? `${advice} (The last good surface is shown.)` : advice);
+  if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
 
-/** @param {number} moment @param {number} last number of the last iterate */
-export function showMoment(moment, last) {
+/** @param {import('./state.js').State} state */
+function renderMoment({ moment, sketch: { start } }) {
+  const last = lastIterate();
   const slider = /** @type {HTMLInputElement} */ (find('moment'));
   const some = last > 0;
   slider.max = String(Math.max(last, 1));
-  slider.valueAsNumber = some ? moment : 1;
+  slider.valueAsNumber = some ? moment * last : 1;
   slider.disabled = !some;
   /** @type {HTMLButtonElement} */ (find('play')).disabled = !some;
-  const words = some ? `Iteration ${Math.round(moment)} of ${last}` : 'Path alone';
+  const many = start === 'several' ? 'each ' : '';
+  const words = some ? `Iteration ${many}${Math.round(moment * last)} of ${last}` : 'Path alone';
   slider.setAttribute('aria-valuetext', words);
   say(find('moment-words'), words);
 }

@@ -1,42 +1,41 @@
-/** The 3D view: camera, light, surface, lines and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
+/** The 3D view: camera, light, surface, curves and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
 
-import { Box3, Color, Group, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
+import { Color, Group, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { GeodesicLine } from 'surfpath/three';
 import { fitView } from './fit.js';
-import { Handle } from './handles.js';
 import { addLights } from './light.js';
-import { CurveLine } from './line.js';
-import { surfaceMaterial, surfaceObject } from './surface-mesh.js';
+import { Strokes } from './strokes.js';
+import { SurfaceObject } from './surface-object.js';
 
-/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'hidden' | 'sky' | 'ground', string>} Theme colours */
+/** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
+/** @typedef {{ element: HTMLElement, point: ArrayLike<number> }} Anchor an element that stands over a point */
+/** @typedef {{ starts: Float64Array[], paths: Float64Array[], others: Float64Array[], warmth: number }} Curves */
 
-/**
- * The lines are drawn this much nearer to the eye, scaled about it: on the screen they stay where they are, in depth a line some pixels wide clears a
- * surface that slopes up to 75 degrees. (A polygon offset in proportion to the slope would let the far side shine through at every silhouette.)
- */
-const LIFT = 0.99;
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
 const MOST_PIXELS = 2;
 /** CSS pixels at the lower edge that the player covers. */
 const COVERED = 64;
 /** Share of the view that stays free around the surface, both sides together. */
-const MARGIN = 0.11;
+const MARGIN = 0.1;
 /** In CSS pixels, at least: the legend stands there on small screens. */
-const LEAST_MARGIN = 60;
+const LEAST_MARGIN = 56;
+/** Drawn after one another; the markers of handles come after all. */
+const ORDER = { others: 1, starts: 4, paths: 7 };
+const WIDTH = { others: 2.5, starts: 2, paths: 4 };
 
 export class View {
   #renderer;
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   #controls;
-  #lifted = new Group();
-  #material = surfaceMaterial();
-  /** @type {import('three').Mesh | null} */ #surface = null;
+  #curves = new Group();
+  #surface = new SurfaceObject();
   #sky = new HemisphereLight();
-  #start = new CurveLine(2, 10);
-  #path = new CurveLine(4, 20);
-  #handles;
+  /** @type {Record<'starts' | 'paths' | 'others', GeodesicLine[]>} */ #lines = { starts: [], paths: [], others: [] };
+  #strokes = new Strokes();
+  /** @type {Anchor[]} */ #anchors = [];
   #bounds = new Sphere(new Vector3(), 1);
   #size = { width: 1, height: 1 };
   #pending = false;
@@ -44,16 +43,17 @@ export class View {
   #touched = false;
   /** @type {Theme | null} */ #theme = null;
   #warmth = 1;
+  /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
+  /** Called before each frame. @type {() => void} */ onDraw = () => {};
 
-  /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas @param {[HTMLElement, HTMLElement]} labels */
-  constructor(element, canvas, labels) {
+  /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
+  constructor(element, canvas) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'low-power' });
     this.#renderer.toneMapping = NeutralToneMapping;
-    this.#handles = labels.map((label, i) => new Handle(label, 30 + 10 * i));
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, this.#sky);
-    this.#lifted.add(this.#start, this.#path, ...this.#handles);
-    this.#scene.add(this.#camera, this.#lifted);
+    this.#curves.add(this.#strokes);
+    this.#scene.add(this.#camera, this.#surface, this.#curves);
     this.#controls = new OrbitControls(this.#camera, canvas);
     Object.assign(this.#controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
     this.#controls.addEventListener('change', () => this.invalidate());
@@ -64,59 +64,111 @@ export class View {
     new ResizeObserver(() => this.#resize(element)).observe(element);
   }
 
+  get canvas() {
+    return this.#renderer.domElement;
+  }
+
+  /** The surface's mesh, for exports and rays. */
+  get surface() {
+    return this.#surface;
+  }
+
+  get camera() {
+    return this.#camera;
+  }
+
+  get controls() {
+    return this.#controls;
+  }
+
+  /** The theme's colours. */
+  get theme() {
+    return this.#theme;
+  }
+
+  /** Adds what is placed in the surface's coordinates. @param {import('three').Object3D} object */
+  add(object) {
+    this.#scene.add(object);
+  }
+
+  /** Numbers of geometries, textures and programs that the graphics card holds for this view. */
+  get memory() {
+    const { memory, programs } = this.#renderer.info;
+    return { ...memory, programs: programs?.length ?? 0 };
+  }
+
   /** @param {Theme} theme */
   setTheme(theme) {
     this.#theme = theme;
-    this.#material.color.set(theme.surface);
+    this.#surface.setColour(theme.surface);
     this.#sky.color.set(theme.sky);
     this.#sky.groundColor.set(theme.ground);
-    this.#start.setColors(theme.start, theme.halo, new Color(theme.start).lerp(new Color(theme.hidden), 0.55));
-    for (const handle of this.#handles) handle.setColors(theme.path, theme.halo, new Color(theme.path).lerp(new Color(theme.hidden), 0.55));
-    this.setWarmth(this.#warmth);
+    this.#paint();
   }
 
-  /** Colours the path by how far it has converged. @param {number} warmth 0: as the start … 1: converged */
-  setWarmth(warmth) {
-    this.#warmth = warmth;
-    if (!this.#theme) return;
-    const color = new Color(this.#theme.start).lerp(new Color(this.#theme.path), warmth);
-    this.#path.setColors(color, this.#theme.halo, color.clone().lerp(new Color(this.#theme.hidden), 0.45));
-    this.invalidate();
-  }
-
-  /** @param {import('./surface-mesh.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  /** @param {import('./drawable.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
   setSurface(mesh) {
     const last = this.#bounds.clone();
-    if (this.#surface) {
-      this.#scene.remove(this.#surface);
-      this.#surface.geometry.dispose();
-    }
-    this.#surface = surfaceObject(mesh, this.#material);
-    this.#scene.add(this.#surface);
-    const box = new Box3().setFromObject(this.#surface);
-    box.getBoundingSphere(this.#bounds);
-    this.#bounds.radius = Math.max(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere).radius, 1e-6);
-    for (const line of [this.#start, this.#path]) line.setDash(this.#bounds.radius / 45);
+    this.#surface.setMesh(mesh);
+    this.#bounds.copy(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere));
+    this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
     this.invalidate();
     const growth = this.#bounds.radius / last.radius;
     return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
   }
 
-  /** @param {Float64Array | null} points */
-  setStart(points) {
-    this.#start.setPoints(points);
+  /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
+  setValues(quantity, values) {
+    this.invalidate();
+    return this.#surface.setValues(quantity, values);
+  }
+
+  /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */
+  setStrokes(ends) {
+    this.#strokes.setEnds(ends);
     this.invalidate();
   }
 
-  /** @param {Float64Array | null} points */
-  setPath(points) {
-    this.#path.setPoints(points);
+  /** @param {Curves} curves */
+  setCurves(curves) {
+    this.#warmth = curves.warmth;
+    for (const role of /** @type {const} */ (['starts', 'paths', 'others'])) this.#fill(role, curves[role]);
+    this.#paint();
+  }
+
+  /** @param {'starts' | 'paths' | 'others'} role @param {Float64Array[]} curves */
+  #fill(role, curves) {
+    const lines = this.#lines[role];
+    while (lines.length > curves.length) {
+      const line = /** @type {GeodesicLine} */ (lines.pop());
+      line.dispose();
+    }
+    for (const [i, points] of curves.entries()) {
+      if (!lines[i]) {
+        lines[i] = new GeodesicLine(null, { width: WIDTH[role] });
+        lines[i].setOrder(ORDER[role]);
+        this.#curves.add(lines[i]);
+      }
+      lines[i].setPath(points);
+    }
+  }
+
+  /** @param {Anchor[]} anchors */
+  setAnchors(anchors) {
+    this.#anchors = anchors;
     this.invalidate();
   }
 
-  /** @param {(ArrayLike<number> | null)[]} points of A and B */
-  setEnds(points) {
-    for (const [i, handle] of this.#handles.entries()) handle.setPoint(points[i]);
+  #paint() {
+    const theme = this.#theme;
+    if (!theme) return;
+    const colours = (/** @type {Color} */ colour) => ({ colour, halo: theme.halo });
+    const [start, other] = [new Color(theme.start), new Color(theme.other)];
+    this.#strokes.material.color.set(theme.via);
+    const path = start.clone().lerp(new Color(theme.path), this.#warmth);
+    for (const line of this.#lines.starts) line.setColours(colours(start));
+    for (const line of this.#lines.others) line.setColours(colours(other));
+    for (const line of this.#lines.paths) line.setColours(colours(path));
     this.invalidate();
   }
 
@@ -127,6 +179,8 @@ export class View {
     if (towards.length() < 0.08 * radius) towards.set(0.6, -1, 0);
     towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION));
     if (direction) towards.fromArray(direction).normalize();
+    // Straight from above there is no "up": a hair from the front.
+    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
     this.#controls.minDistance = 0.15 * radius;
     this.#controls.maxDistance = 20 * radius;
     this.#touched = false;
@@ -135,13 +189,13 @@ export class View {
 
   /** @param {Vector3} towards the camera, unit length */
   #fit(towards) {
-    if (!this.#surface) return;
+    const points = this.#surface.geometry.getAttribute('position');
+    if (!points) return;
     const { width, height } = this.#size;
     const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
     const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
     const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
-    const { center } = this.#bounds;
-    const { target, distance } = fitView(this.#surface.geometry.getAttribute('position'), center, towards, this.#camera.up, slopes);
+    const { target, distance } = fitView(points, this.#bounds.center, towards, this.#camera.up, slopes);
     this.#controls.target.copy(target);
     this.#camera.position.copy(target).addScaledVector(towards, distance);
     this.#controls.update();
@@ -152,10 +206,11 @@ export class View {
   invalidate() {
     if (this.#pending) return;
     this.#pending = true;
-    requestAnimationFrame(() => this.#draw());
+    requestAnimationFrame(() => this.draw());
   }
 
-  #draw() {
+  /** Draws now. */
+  draw() {
     this.#pending = false;
     this.#controls.update();
     const { center, radius } = this.#bounds;
@@ -163,12 +218,27 @@ export class View {
     this.#camera.near = Math.max(distance - 1.6 * radius, 0.01 * radius);
     this.#camera.far = distance + 1.6 * radius;
     this.#camera.updateProjectionMatrix();
-    this.#lifted.scale.setScalar(LIFT);
-    this.#lifted.position.copy(this.#camera.position).multiplyScalar(1 - LIFT);
     this.#scene.updateMatrixWorld();
-    const places = this.#handles.map((handle) => handle.follow(this.#camera, this.#size));
-    for (const [i, handle] of this.#handles.entries()) handle.placeLabel(places[i], places[1 - i]);
+    this.#placeAnchors();
+    this.onDraw();
     this.#renderer.render(this.#scene, this.#camera);
+    if (this.onFirst && this.#surface.geometry.index) {
+      this.onFirst();
+      this.onFirst = null;
+    }
+  }
+
+  /** Where a point of space is on the screen, in CSS pixels of the view. @param {ArrayLike<number>} point @returns {[number, number]} */
+  toScreen(point) {
+    const place = new Vector3(point[0], point[1], point[2]).project(this.#camera);
+    return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
+  }
+
+  #placeAnchors() {
+    for (const { element, point } of this.#anchors) {
+      const [x, y] = this.toScreen(point);
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    }
   }
 
   /** @param {HTMLElement} element */
@@ -176,13 +246,12 @@ export class View {
     const { width, height } = element.getBoundingClientRect();
     if (width < 1 || height < 1) return;
     this.#size = { width, height };
-    const ratio = Math.min(window.devicePixelRatio, MOST_PIXELS);
-    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     this.#camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
     if (!this.#touched) this.#fit(this.#camera.position.clone().sub(this.#controls.target).normalize());
     // A resized canvas is empty until it is drawn: draw before the browser paints.
-    this.#draw();
+    this.draw();
   }
 }

@@ -17,17 +17,23 @@ const OUTCOMES = {
   'singular-metric': ['No path', 'The surface has a crease or a tip on the way: narrow its ranges or move the ends.'],
   'sheet-jump': [
     'No path',
-    'The straight start jumps to another part of the surface: start from “Globally shortest”, or move the ends nearer to each other.',
+    'The straight start jumps to another part of the surface: start from a global search, or move the ends nearer to each other.',
   ],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': ['No path', 'The formula has no value somewhere on the way: narrow its ranges or move the ends.'],
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
-/** @param {string} status of a Path @param {'global' | 'straight'} start @returns {[string, string]} what happened, what to do */
-export function describeStatus(status, start) {
+/**
+ * @param {string} status of a Path
+ * @param {{ start: string, task: string }} asked
+ * @returns {[string, string]} what happened, what to do
+ */
+export function describeStatus(status, { start, task }) {
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
-  return [words, status === 'converged' && start === 'global' ? 'No shorter path was found.' : advice];
+  if (status !== 'converged') return [words, advice];
+  if (task === 'trace') return [words, 'Straight ahead from A for the whole length.'];
+  return [words, start === 'global' && task === 'path' ? 'No shorter path was found.' : advice];
 }
 
 /** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */

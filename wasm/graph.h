@@ -38,7 +38,7 @@ struct sp_graph {
     int32_t kind, vertex_count, edge_count;
     int32_t unique;   /* 1: no curvature at a sample of a rectangle without wraps, collapsed edges or cusps, by which neighbouring geodesics
                          could meet again in the rectangle: they are unique */
-    int32_t singular; /* 1: the normal vanishes along a curve; no edge crosses it */
+    int32_t singular; /* 1: the normal vanishes along a curve, which edges cross */
     int32_t collapsed[4]; /* the edges u = min, u = max, v = min, v = max of the rectangle that are points: poles, apexes */
     int32_t count[2], wraps[2];
     int32_t width;

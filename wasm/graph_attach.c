@@ -74,7 +74,7 @@ static void attach_parametric(const struct sp_surface *surface, const struct sp_
         const double *vertex = graph->samples + (size_t)graph->width * (size_t)patch[k].number;
         double by[2] = {patch[k].place[0] - place[0], patch[k].place[1] - place[1]};
         double length = sp_graph_segment(surface, samples[0], samples[1 + k], vertex, by);
-        if (!sp_is_finite(length) || (graph->singular && sp_graph_crosses(surface, place, patch[k].place))) continue;
+        if (!sp_is_finite(length)) continue;
         attached->vertex[attached->count] = patch[k].number, attached->length[attached->count++] = length;
     }
 }
@@ -149,7 +149,6 @@ double sp_graph_near_length(const struct sp_surface *surface, const struct sp_gr
         near[0].place[j] = from[j] + away, near[1].place[j] = from[j] + 2 * away;
         by[j] = away;
     }
-    if (graph->singular && sp_graph_crosses(surface, from, near[0].place)) return __builtin_inf();
     sample_middles(surface, from, near, 2, samples);
     return sp_graph_segment(surface, samples[0], samples[1], samples[2], by);
 }

@@ -81,9 +81,6 @@ static inline int sp_is_finite(double x) { return x - x == 0; }
 double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,
                              const double normal_b[3]);
 
-/* Parametric: does S_u x S_v vanish, and turn over, between two places whose normals look away from each other? */
-int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]);
-
 /* Parametric: how far it is around in a direction that wraps; 0 where it does not. */
 static inline double sp_graph_period(const struct sp_graph *graph, int direction) {
     const double *lines = graph->lines[direction];

@@ -22,7 +22,6 @@ struct grid {
     double *lines[2];           /* places of its lines, 2 cells + 1 */
     double *samples;            /* v fastest */
     double *normals;            /* 3 a vertex: S_u x S_v */
-    int8_t *sheet;              /* a vertex: -1 on the other side of a curve where the normal turns over */
     double size;                /* how long the surface is both ways */
 };
 
@@ -92,7 +91,8 @@ static void normal_at(const struct sp_surface *surface, const double place[2], d
     normal[0] = both.x[0], normal[1] = both.y[0], normal[2] = both.z[0];
 }
 
-int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const double b[2]) {
+/* Whether the normal turns round between two places by vanishing. */
+static int crosses_singular(const struct sp_surface *surface, const double a[2], const double b[2]) {
     double start[3], end[3], middle[3], low = 0, high = 1;
     normal_at(surface, a, start);
     normal_at(surface, b, end);
@@ -109,37 +109,30 @@ int sp_graph_crosses(const struct sp_surface *surface, const double a[2], const 
     return sp_dot3(middle, middle) < VANISHING * VANISHING * larger;
 }
 
-/* The side of a vertex from that of the one before it in a direction. A vertex at which the normal vanishes tells nothing: it is passed
- * over. */
-static int8_t side_after(const struct grid *grid, int direction, int32_t i, int32_t j) {
+/* Whether the normal vanishes between a vertex and the one before it in a direction. A vertex at which it vanishes tells nothing: it is
+ * passed over. */
+static int vanishes_before(const struct grid *grid, int direction, int32_t i, int32_t j) {
     int32_t at[2] = {i, j}, before[2] = {i, j};
     before[direction]--;
     const double *here = grid->normals + 3 * vertex_at(grid, i, j), *there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
-    int8_t side = grid->sheet[vertex_at(grid, before[0], before[1])];
     while (before[direction] > 0 && sp_dot3(there, there) <= NOTHING * sp_dot3(here, here)) {
         before[direction]--;
         there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
     }
-    if (!(sp_dot3(here, there) < 0)) return side;
+    if (!(sp_dot3(here, there) < 0)) return 0;
     double places[2][2];
     for (int d = 0; d < 2; d++)
         places[0][d] = place_of(grid, d, 2 * before[d]), places[1][d] = place_of(grid, d, 2 * at[d]);
-    return sp_graph_crosses(grid->builder->surface, places[0], places[1]) ? (int8_t)-side : side;
+    return crosses_singular(grid->builder->surface, places[0], places[1]);
 }
 
-/* Curves on which the normal vanishes divide the rectangle; crossing one changes the side. */
-static int divide_sheets(const struct grid *grid) {
+/* Whether there is a curve on which the normal vanishes. */
+static int is_singular(const struct grid *grid) {
     const int32_t *count = grid->builder->graph->count;
-    int divided = 0;
-    grid->sheet[0] = 1;
     for (int32_t i = 0; i < count[0]; i++)
-        for (int32_t j = 0; j < count[1]; j++) {
-            if (i + j == 0) continue;
-            int8_t side = side_after(grid, j > 0, i, j);
-            grid->sheet[vertex_at(grid, i, j)] = side;
-            divided |= side < 0;
-        }
-    return divided;
+        for (int32_t j = 0; j < count[1]; j++)
+            if ((i > 0 && vanishes_before(grid, 0, i, j)) || (j > 0 && vanishes_before(grid, 1, i, j))) return 1;
+    return 0;
 }
 
 /* Which edges of the rectangle are points. Without positions none is known to be. */
@@ -180,8 +173,7 @@ static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32
     struct sp_graph *graph = grid->builder->graph;
     int32_t to_i, to_j;
     if (!step_to(graph, 0, i, du, &to_i) || !step_to(graph, 1, j, dv, &to_j)) return 1;
-    size_t here = vertex_at(grid, i, j), there = vertex_at(grid, to_i, to_j);
-    if (grid->sheet[here] != grid->sheet[there]) return 1;
+    size_t there = vertex_at(grid, to_i, to_j);
     const double *middle = sample_at(grid, (2 * i + du + grid->count[0]) % grid->count[0], (2 * j + dv + grid->count[1]) % grid->count[1]);
     double by[2] = {place_of(grid, 0, 2 * (i + du)) - place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * (j + dv)) - place_of(grid, 1, 2 * j)};
     double length =
@@ -226,8 +218,7 @@ static int take_grid(struct grid *grid) {
     size_t samples = (size_t)grid->count[0] * (size_t)grid->count[1], vertices = (size_t)builder->graph->vertex_count;
     grid->samples = sp_graph_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
     grid->normals = sp_graph_take(builder->arena, vertices, 3 * sizeof(double));
-    grid->sheet = sp_graph_take(builder->arena, vertices, 1);
-    return grid->samples && grid->normals && grid->sheet && sp_builder_take(builder);
+    return grid->samples && grid->normals && sp_builder_take(builder);
 }
 
 /* How long the surface is, step by step in a direction: sums over lines across the rectangle. Returns the length of all. */
@@ -300,7 +291,7 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     take_samples(&grid);
     double flat = FLAT / (grid.size * grid.size), curvature = inspect(&grid, 0);
     int collapsed = find_collapsed(&grid);
-    graph->singular = divide_sheets(&grid);
+    graph->singular = is_singular(&grid);
     graph->unique =
         curvature <= flat && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1] && inspect(&grid, 1) <= flat;
     write_vertices(&grid);

@@ -48,6 +48,8 @@ const MARGIN = 1e-3;
 const MOST_FINE = 4;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
+/** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
+const MOST_CROSSING = 2;
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
 /** Places at which two paths are compared. */
@@ -75,11 +77,12 @@ export function findPaths(problem, options, most) {
   }
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
+  const crossing = tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
-    const [over] = overPoles(problem, options, []);
-    if (over) return [over.path];
+    const [best] = distinct([...acrossCusps(problem, options, crossing), ...overPoles(problem, options, [])]);
+    if (best) return [best.path];
     return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
   }
   /* In space the error is known by its sign, in a metric by its size only. */
@@ -96,6 +99,7 @@ export function findPaths(problem, options, most) {
     if (holds(fine)) usable = distinct([...usable, { to, path: fine }]);
     else failed ??= fine;
   }
+  usable.push(...acrossCusps(problem, options, crossing));
   usable.push(...overPoles(problem, options, usable));
   if (usable.length === 0 && failed) return [failed];
   const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
@@ -122,7 +126,6 @@ function findStarts(problem) {
   let status = STATUS.offSurface;
   for (let level = 0, graph = problem.graph(0); graph; graph = problem.graph(++level)) {
     status = search(graph);
-    if (status === STATUS.disconnected && graph.singular) status = STATUS.singular;
     if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
   }
   if (status !== STATUS.offSurface) return { starts, status };
@@ -173,6 +176,18 @@ function besidePole({ domain, solve }, tried, options, best) {
   const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
   if (!path || !(Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length)) return null;
   return path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
+}
+
+/**
+ * Paths across a cuspidal edge, which polylines cannot cross: ways of the graph that do are solved as they are.
+ * @param {Problem} problem @param {SolveOptions} options @param {Start[]} crossing
+ */
+function acrossCusps({ solve }, options, crossing) {
+  if (options.algorithm !== ELEMENTS) return [];
+  return crossing
+    .slice(0, MOST_CROSSING)
+    .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
+    .filter(({ path }) => holds(path));
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */

@@ -15,6 +15,7 @@ const names = /** @type {const} */ (['saddle', 'dini', 'threeTori']);
 const surfpath = await load();
 const surfaces = Object.fromEntries(names.map((name) => [name, { entry: gallery[name], surface: surfpath.surface(gallery[name]) }]));
 const native = buildNative('surface', surfaces);
+const march = buildNative('surface', surfaces, 'march');
 const solver = instantiate();
 
 /**
@@ -57,18 +58,20 @@ function measure(name) {
   for (let i = 0; i < 10; i++) evaluate();
   const repetitions = Math.max(1, Math.round(NANOSECONDS_A_SAMPLE / (1e5 * (performance.now() - before))));
   let same = true;
-  const { wasm, gcc } = compete(
+  const sampleNative = (/** @type {typeof native} */ build) => () => {
+    const sample = build.evaluate(name, points, repetitions);
+    same &&= sample.sum === sumPairs(sum());
+    return sample.nanoseconds;
+  };
+  const { wasm, gcc, tuned } = compete(
     {
       wasm: () => {
         const start = performance.now();
         for (let i = 0; i < repetitions; i++) evaluate();
         return (1e6 * (performance.now() - start)) / (repetitions * POINTS);
       },
-      gcc: () => {
-        const sample = native.evaluate(name, points, repetitions);
-        same &&= sample.sum === sumPairs(sum());
-        return sample.nanoseconds;
-      },
+      gcc: sampleNative(native),
+      tuned: sampleNative(march),
     },
     ROUNDS,
   );
@@ -79,6 +82,7 @@ function measure(name) {
     'ns minimum': wasm.minimum,
     'native ns median': gcc.median,
     'native ns minimum': gcc.minimum,
+    'march=native ns minimum': tuned.minimum,
     ratio: wasm.median / gcc.median,
     'same bits': same,
   };

@@ -323,6 +323,46 @@ for (const [title, name] of Object.entries(RELEASES))
         assert.ok(Math.hypot(end.screen.x - start.screen.x + 60, end.screen.y - start.screen.y - 8) < 1);
       });
 
+      test('follows the mouse through a turned, scaled group and an orthographic camera', async () => {
+        await begin(null);
+        const start = await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          const { THREE, draw, surface, scene, renderer, mesh } = view;
+          const camera = new THREE.OrthographicCamera(-6, 6, 4.5, -4.5, 1, 60);
+          camera.up.set(0, 0, 1);
+          camera.position.set(8, -12, 8);
+          camera.lookAt(0, 0, 0);
+          const group = new THREE.Group();
+          group.rotation.set(0.3, 0.2, 0.1);
+          group.scale.setScalar(0.8);
+          group.position.set(0.4, 0.2, 0.1);
+          const handle = new draw.DragHandle(surface, [5, 0.9], { camera, domElement: renderer.domElement, mesh });
+          const line = new draw.GeodesicLine(surface.trace([5, 0.9], [1, 0.3], 9), { colour: '#ff0000' });
+          group.add(mesh, handle, line);
+          scene.add(group);
+          view.group = { camera, handle, place: () => handle.getWorldPosition(new THREE.Vector3()).project(camera) };
+          view.things.push(handle, line, { dispose: () => scene.remove(group) });
+          renderer.render(scene, camera);
+          const box = handle.element.getBoundingClientRect();
+          return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+        });
+        await page.mouse.move(start.x, start.y);
+        await page.mouse.down();
+        await page.mouse.move(start.x + 50, start.y + 20, { steps: 4 });
+        await page.mouse.up();
+        const end = await page.evaluate(() => {
+          const { group, renderer, scene } = /** @type {any} */ (window).view;
+          renderer.render(scene, group.camera);
+          const box = renderer.domElement.getBoundingClientRect();
+          const { x, y } = group.place();
+          return { x: box.x + 320 * (x + 1), y: box.y + 240 * (1 - y), position: group.handle.position.toArray() };
+        });
+        assert.ok(Math.hypot(end.x - start.x - 50, end.y - start.y - 20) < 1, `${end.x - start.x}, ${end.y - start.y}`);
+        assert.ok(fromTorus(end.position) < 1e-12);
+        const { warm } = await measurePicture(page, await page.locator('#frame').screenshot());
+        assert.ok(warm > 300, `only ${warm} pixels of the line are seen`);
+      });
+
       test('scrolls the view through its button, and hides it outside', async () => {
         await begin([5, 0.9]);
         const start = await where();

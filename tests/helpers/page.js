@@ -23,16 +23,18 @@ const OF_THE_SCREENSHOT = /GL Driver Message .*GPU stall due to ReadPixels/;
 /**
  * Opens a browser and the server of the page.
  * @param {string[]} [more] arguments for the browser
+ * @param {import('playwright-core').BrowserContextOptions} [options]
  */
-export async function openBrowser(more = []) {
+export async function openBrowser(more = [], options = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'surfpath-browser-'));
   const server = await serve();
   const context = await chromium.launchPersistentContext(folder, {
     executablePath: '/usr/bin/chromium',
     headless: true,
-    viewport: { width: 900, height: 600 },
+    viewport: { width: 1040, height: 640 },
     reducedMotion: 'reduce',
     args: [...ARGUMENTS, ...more],
+    ...options,
   });
   const close = async () => {
     await context.close();
@@ -48,6 +50,7 @@ export async function openBrowser(more = []) {
  */
 export async function openPage(context, address) {
   const page = await context.newPage();
+  page.setDefaultTimeout(15000);
   /** @type {string[]} errors and warnings, since the page was opened */
   const complaints = [];
   page.on('console', (message) => {
@@ -62,6 +65,36 @@ export async function openPage(context, address) {
   });
   await page.goto(address);
   return { page, complaints };
+}
+
+/** Waits until everything is computed that was asked for. @param {import('playwright-core').Page} page @param {number} [timeout] milliseconds */
+export async function settled(page, timeout = 30000) {
+  await page.waitForFunction(
+    () => document.getElementById('status')?.dataset.status && !document.documentElement.hasAttribute('data-busy'),
+    null,
+    { timeout },
+  );
+}
+
+/** Opens an entry of the gallery, and waits until it is solved. @param {import('playwright-core').Page} page @param {string} name */
+export async function openEntry(page, name) {
+  const sketch = Buffer.from(JSON.stringify({ entry: name })).toString('base64url');
+  // The same address again would change nothing.
+  await page.evaluate(() => history.replaceState(null, '', '#'));
+  await page.evaluate((hash) => {
+    delete document.getElementById('status')?.dataset.status;
+    location.hash = hash;
+  }, `1.${sketch}`);
+  await settled(page);
+}
+
+/** The middle of the view, without legend and player. @param {import('playwright-core').Page} page */
+export async function pictureOfView(page) {
+  await nextFrame(page);
+  const box = await page.locator('#canvas').boundingBox();
+  if (!box) throw new Error('the page has no view');
+  const left = Math.min(0.2 * box.width, 180);
+  return page.screenshot({ clip: { x: box.x + left, y: box.y + 60, width: box.width - 2 * left, height: box.height - 130 } });
 }
 
 /** Waits until what was changed is drawn: two frames. @param {import('playwright-core').Page} page */

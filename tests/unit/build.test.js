@@ -77,3 +77,13 @@ test('there are no run-time dependencies', () => {
   const required = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
   assert.deepEqual(required, []);
 });
+
+test('surfpath/three is at most 12 KB gzipped, the element 8 KB on top of it', () => {
+  for (const [name, kilobytes] of /** @type {const} */ ([
+    ['three', 12],
+    ['element', 8],
+  ])) {
+    const bytes = gzipSync(readFileSync(`${root}/dist/${name}.js`), { level: 9 }).length;
+    assert.ok(bytes <= kilobytes * 1024, `${name}.js: ${bytes} bytes`);
+  }
+});

@@ -97,6 +97,28 @@ test('geodesics: distinct, sorted, the shortest path first', () => {
   surface.dispose();
 });
 
+test('geodesics: mirror images are different paths, and do not displace the others', () => {
+  const surface = make(torus);
+  const found = surface.geodesics([0, 0], [Math.PI, 0], POLYLINE);
+  const lengths = found.map(({ length }) => length);
+  assert.ok(new Set(lengths.map((length) => length.toFixed(3))).size >= 3, `lengths ${lengths}`);
+  assert.deepEqual(
+    lengths,
+    [...lengths].sort((a, b) => a - b),
+  );
+  for (const [i, { points }] of found.entries())
+    for (const other of found.slice(0, i))
+      assert.ok(
+        points.some((x, k) => Math.abs(x - other.points[k]) > 0.01),
+        `path ${i} twice`,
+      );
+  assert.deepEqual(
+    surface.geodesics([0, 0], [Math.PI, 0], { ...POLYLINE, max: 5 }).map(({ length }) => length),
+    lengths.slice(0, 5),
+  );
+  surface.dispose();
+});
+
 test('geodesics: both paths of an exact tie', () => {
   for (const { id, definition, from, to, expected } of cases.filter(
     ({ expected }) => !expected.unique && expected.surface === 'bumpy_tie',
@@ -318,4 +340,25 @@ test('misuse of geodesics', () => {
     assert.throws(() => surface.geodesics([0, 0], [1, 1], options), pattern);
   surface.dispose();
   assert.throws(() => surface.geodesics([0, 0], [1, 1]), /disposed/);
+});
+
+test('two ends beyond a cusp: the shortest path crosses it twice', () => {
+  const dini = surfpath.parametric({
+    x: '2*cos(u)*sin(v)',
+    y: '2*sin(u)*sin(v)',
+    z: '2*(cos(v) + log(tan(v/2)) + 0.4*u)',
+    u: ['-2*pi', '2*pi'],
+    v: [0.1, 2],
+  });
+  const [from, to] = [
+    [4.795361300721137, 1.8774924020261037],
+    [-2.4873834935722763, 1.8146692353626248],
+  ];
+  const [path, round] = dini.geodesics(from, to);
+  assert.ok(path.converged && path.crossesSingularity && !path.touchesBoundary);
+  // Along the wall v = 2 it is half as long again. In between is a way that starts from a given crossing of v < pi/2.
+  assert.ok(round.touchesBoundary && round.length > 1.45 * path.length);
+  const start = [...from, 1, 1, ...to];
+  assert.ok(Math.abs(dini.shortestPath(from, to, { start }).length - path.length) < 1e-9 * path.length);
+  dini.dispose();
 });

@@ -80,9 +80,9 @@ export class Crew {
   async #hire() {
     try {
       const { module, most } = await this.#plan.prepare();
-      this.#most = most;
+      this.#most = Math.min(this.#most, most);
       const starting = [...this.#hands].filter(({ ready }) => !ready).length;
-      const count = Math.min(most - this.#hands.size, this.#waiting - starting);
+      const count = Math.min(this.#most - this.#hands.size, this.#waiting - starting);
       for (let i = 0; i < count; i++) this.#begin(module);
     } catch (error) {
       this.#fail(error);
@@ -142,6 +142,9 @@ export class Crew {
       load?.job.bury(load.chunk);
       if (load?.job.settled) this.drop(load.job);
       for (const { job, chunk } of others) job.giveBack(chunk);
+    } else if (error && this.#hands.size > 0) {
+      /* Those that can be started have to do. */
+      this.#most = this.#hands.size;
     } else if (error || ++this.#stillborn > MOST_STILLBORN) {
       const why = error?.message ?? 'it ends before it is ready';
       return this.#fail(new Error(`surfpath: no worker can be started: ${why}`, { cause: error }));

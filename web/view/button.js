@@ -36,8 +36,8 @@ export class HandleButton {
     this.element.setAttribute('aria-description', 'Drag it, or use the arrow keys');
     Object.assign(this.element.style, {
       ...{ position: 'absolute', left: '0', top: '0', margin: '0', padding: '0', border: '0', borderRadius: '50%' },
-      // The browser would take a finger's drag for scrolling. An outline would be drawn twice: the ball grows when it is focused.
-      ...{ background: 'none', cursor: 'grab', touchAction: 'none', outline: 'none', visibility: 'hidden' },
+      // The browser would take a finger's drag for scrolling.
+      ...{ background: 'none', cursor: 'grab', touchAction: 'none', visibility: 'hidden' },
     });
     this.#resize(matchMedia('(pointer: coarse)').matches ? COARSE : FINE);
     canvas.after(this.element);

@@ -28,8 +28,6 @@ import { stepAlong } from './step.js';
 
 const NAMES = ['camera', 'domElement', 'mesh', 'controls', 'label', 'colour', 'ring', 'radius', 'step'];
 const EVENTS = ['onDrag', 'onDragStart', 'onDragEnd', 'onChange'];
-const COLOUR = '#e8501f';
-const RING = '#ffffff';
 const RING_WIDTH = 2.5;
 const GROWTH = 1.3;
 /** Share of the distance from the eye by which the surface must be before the point to hide it. */
@@ -67,6 +65,7 @@ export class DragHandle extends Group {
     this.add(this.#marker);
     this.#marker.onDraw = (camera, viewport) => this.#follow(camera, viewport);
     this.setColours(options);
+    this.#highlight(false);
     this.#button = new HandleButton(options.domElement, this.#options.label, {
       press: (x, y) => this.#begin(x, y),
       move: (x, y) => this.#moveTo(x, y),
@@ -114,10 +113,10 @@ export class DragHandle extends Group {
     this.setPoint(point);
   }
 
-  /** @param {{ colour?: Colour, ring?: Colour }} colours */
-  setColours({ colour = COLOUR, ring = RING }) {
-    this.#marker.setColours(colour, ring);
-    this.#highlight(false);
+  /** What is not named stays. @param {{ colour?: Colour, ring?: Colour }} colours */
+  setColours({ colour, ring }) {
+    this.#marker.setColours({ colour, ring });
+    this.#options.onChange?.();
   }
 
   /** Frees what it holds, removes its button, and leaves its scene. */
@@ -188,7 +187,7 @@ export class DragHandle extends Group {
     const position = this.#surface.kind === 'implicit' ? first : this.#surface.evaluate(first);
     const gap = Math.hypot(...this.position.toArray().map((x, k) => x - position[k]));
     const distance = projected.setFromMatrixPosition(this.matrixWorld).distanceTo(raycaster.ray.origin);
-    return gap > BEHIND * distance;
+    return gap * this.#frame().getMaxScaleOnAxis() > BEHIND * distance;
   }
 
   /** @param {number} x @param {number} y */

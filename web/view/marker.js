@@ -41,12 +41,14 @@ const PASSES = [
   { depth: { depthFunc: GreaterDepth }, opacity: 0.5, hasRing: false },
 ];
 const ORDER = 10;
+const [COLOUR, RING] = ['#e8501f', '#ffffff'];
 const viewport = new Vector4();
 
+/** Add it beside the surface's mesh, its `position` that of the point. */
 export class Marker extends Group {
   #shape = new PlaneGeometry(2, 2);
   #resolution = new Vector2(1, 1);
-  #colours = { fill: new Color(), ring: new Color() };
+  #colours = { fill: new Color(COLOUR), ring: new Color(RING) };
   #materials;
   /** Called each time it is drawn, with the camera and the viewport. @type {(camera: import('three').Camera, viewport: Vector4) => void} */ onDraw =
     () => {};
@@ -94,12 +96,13 @@ export class Marker extends Group {
     }
   }
 
-  /** @param {import('three').ColorRepresentation} fill @param {import('three').ColorRepresentation} ring */
-  setColours(fill, ring) {
-    this.#colours.fill.set(fill);
-    this.#colours.ring.set(ring);
+  /** What is not named stays. @param {{ colour?: import('three').ColorRepresentation, ring?: import('three').ColorRepresentation }} colours */
+  setColours({ colour, ring }) {
+    if (colour !== undefined) this.#colours.fill.set(colour);
+    if (ring !== undefined) this.#colours.ring.set(ring);
   }
 
+  /** Frees what it holds on the graphics card, and leaves its scene. */
   dispose() {
     this.removeFromParent();
     this.#shape.dispose();

@@ -46,7 +46,7 @@ export class PathPlayer {
   #line;
   #duration;
   #colours;
-  #onFrame;
+  /** @type {NonNullable<PathPlayerOptions['onFrame']>} */ #onFrame = () => {};
   /** @type {boolean | undefined} */ #reducedMotion;
   /** The iterates, all with as many points as the path; last the path itself. @type {Float64Array[]} */ #frames = [];
   /** What is shown between two of them. */
@@ -67,8 +67,9 @@ export class PathPlayer {
     this.#duration = duration;
     this.#colours = { cool: new Color(cool), warm: new Color(warm), now: new Color() };
     this.#reducedMotion = reducedMotion;
-    this.#onFrame = onFrame;
     this.setPath(path);
+    // From now on: who makes the player is not ready to draw yet.
+    this.#onFrame = onFrame;
   }
 
   /** How many iterates there are to show before the path itself. */
@@ -117,6 +118,13 @@ export class PathPlayer {
     return this.#between;
   }
 
+  /** What is not named stays. @param {{ cool?: import('three').ColorRepresentation, warm?: import('three').ColorRepresentation }} colours */
+  setColours({ cool, warm }) {
+    if (cool !== undefined) this.#colours.cool.set(cool);
+    if (warm !== undefined) this.#colours.warm.set(warm);
+    this.scrub(this.#moment);
+  }
+
   /**
    * Plays from the start.
    * @returns {Promise<void>} when it has ended, or was stopped
@@ -148,6 +156,12 @@ export class PathPlayer {
     if (this.#finish) cancelAnimationFrame(this.#request);
     this.#finish?.();
     this.#finish = null;
+  }
+
+  /** Stops, and shows the end. */
+  finish() {
+    this.stop();
+    this.scrub(1);
   }
 
   /** Stops and lets go of the frames; the line stays the caller's. */

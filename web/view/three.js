@@ -1,8 +1,10 @@
 /** surfpath/three: surfaces and paths as three.js objects. Needs the optional peer dependency `three`; importing it has no effects. */
 
+export { fitCamera } from './fit.js';
 export { surfaceGeometry } from './geometry.js';
 export { DragHandle } from './handle.js';
 export { GeodesicLine } from './line.js';
+export { Marker } from './marker.js';
 export { surfaceMaterial } from './material.js';
 export { PathPlayer } from './player.js';
 

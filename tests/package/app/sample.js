@@ -2,6 +2,7 @@
 
 import * as inlined from 'surfpath';
 import { gallery } from 'surfpath/gallery';
+import { createPool } from 'surfpath/pool';
 import * as slim from 'surfpath/slim';
 import { GeodesicLine, surfaceGeometry } from 'surfpath/three';
 
@@ -10,7 +11,7 @@ export async function sample() {
   const said = await solve(inlined);
   const again = await solve(slim);
   if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
-  return `${said}\n${await draw()}`;
+  return `${said}\n${await draw()}\n${await share()}`;
 }
 
 /** @param {typeof inlined | typeof slim} entry */
@@ -27,6 +28,16 @@ async function solve({ load, ExpressionError }) {
   }
   surfpath.dispose();
   return lines.join('\n');
+}
+
+/** Lengths by two workers, and what they say of a formula. */
+async function share() {
+  const pool = createPool({ workers: 2 });
+  const { torus } = gallery;
+  const lengths = await pool.lengths(torus, [...torus.from, ...torus.to, ...torus.to, ...torus.from], { points: 9 });
+  const error = await pool.lengths({ kind: 'implicit', f: 'x +' }, []).catch((problem) => problem);
+  await pool.dispose();
+  return `two workers: ${lengths.join(' ')}; ${error instanceof inlined.ExpressionError ? error : 'another class'}`;
 }
 
 /** The objects for three.js, as far as they go without a canvas. */

@@ -10,8 +10,8 @@ export async function* check({ folder, expected, visitFolder }) {
   await bundle.write({ dir: output, format: 'es' });
   await bundle.close();
   cpSync(join(folder, 'index.html'), join(output, 'index.html'));
-  // Rollup leaves new URL(…, import.meta.url) as it is: the file goes beside the bundle.
-  cpSync(join(folder, 'node_modules/surfpath/dist/surfpath.wasm'), join(output, 'surfpath.wasm'));
+  // Rollup leaves new URL(…, import.meta.url) as it is: the files go beside the bundle.
+  for (const file of ['surfpath.wasm', 'worker.js']) cpSync(join(folder, 'node_modules/surfpath/dist', file), join(output, file));
   assert.equal(await visitFolder(output), expected);
-  yield 'build ok, under a strict policy; /slim with surfpath.wasm copied beside the bundle';
+  yield 'build ok, under a strict policy; /slim and the pool with surfpath.wasm and worker.js copied beside the bundle';
 }

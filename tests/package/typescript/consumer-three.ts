@@ -1,5 +1,6 @@
 // A stranger's TypeScript with three.js. Checked by package.test.js where the package, three and its types are installed.
 import { load } from 'surfpath';
+import { SurfacePathElement } from 'surfpath/element';
 import { type ColourScale, DragHandle, GeodesicLine, PathPlayer, surfaceGeometry, surfaceMaterial } from 'surfpath/three';
 import { Mesh, PerspectiveCamera, Scene } from 'three';
 
@@ -19,6 +20,9 @@ const handle = new DragHandle(torus, [4, 0, 0], {
 const player = new PathPlayer(line, path, { onFrame: (moment, iteration) => console.log(moment + iteration) });
 new Scene().add(mesh, line, handle);
 await player.play();
+
+const element = document.querySelector('surface-path');
+if (element instanceof SurfacePathElement) console.log(element.path?.length, element.from);
 
 // @ts-expect-error: there is no such colouring
 surfaceGeometry(torus, { colour: 'red' });

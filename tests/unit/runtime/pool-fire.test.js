@@ -1,6 +1,7 @@
 // The pool under fire: workers killed at random times, calls aborted at every stage, pairs that kill. No pair is lost, none is double, the pool goes on.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import threads from 'node:worker_threads';
 import { gallery } from '../../../web/gallery.js';
 import { load } from '../../../web/index.js';
 import { createPool } from '../../../web/pool.js';
@@ -193,4 +194,25 @@ test('without its script a pool says so, every time', async () => {
   const lost = createPool({ workers: 2, worker: new URL('./nowhere.js', import.meta.url) });
   for (let i = 0; i < 2; i++) await assert.rejects(lost.lengths(definition, pairs), /no worker can be started: .*nowhere\.js/s);
   await lost.dispose();
+});
+
+test('workers that cannot be started leave the work to the others', async () => {
+  const Usual = threads.Worker;
+  let count = 0;
+  threads.Worker = class extends Usual {
+    /** @param {string | URL} script @param {import('node:worker_threads').WorkerOptions} [options] */
+    constructor(script, options) {
+      super(count++ === 1 ? script : new URL('./nowhere.js', import.meta.url), options);
+    }
+  };
+  const pool = createPool({ workers: 3 });
+  try {
+    assert.deepEqual(await pool.lengths(definition, pairs, OPTIONS), expected);
+    assert.equal(count, 3);
+    await works(pool);
+    assert.equal(count, 3);
+  } finally {
+    threads.Worker = Usual;
+    await pool.dispose();
+  }
 });

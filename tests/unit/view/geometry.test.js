@@ -132,4 +132,27 @@ for (const [title, { draw, THREE }] of await loadReleases())
       const implicit = draw.surfaceMaterial(draw.surfaceGeometry(sphere, { resolution: 8 }));
       assert.ok(implicit.defines && !('PARAMETER_LINES' in implicit.defines));
     });
+
+    test('fitCamera fills the view and centres what is seen', () => {
+      for (const [aspect, towards] of /** @type {const} */ ([
+        [2, [1, -2, 1]],
+        [0.5, [-3, 0.5, 0.2]],
+      ])) {
+        const camera = new THREE.PerspectiveCamera(32, aspect);
+        camera.up.set(0, 0, 1);
+        const geometry = draw.surfaceGeometry(torus, { resolution: 32 });
+        const target = draw.fitCamera(camera, geometry, towards, 0.2);
+        camera.updateMatrixWorld();
+        const back = camera.position.clone().sub(target).normalize();
+        assert.ok(back.distanceTo(new THREE.Vector3(...towards).normalize()) < 1e-12);
+        const seen = new THREE.Box3();
+        const point = new THREE.Vector3();
+        const { position } = geometry.attributes;
+        for (let i = 0; i < position.count; i++) seen.expandByPoint(point.fromBufferAttribute(position, i).project(camera));
+        const reach = Math.max(seen.max.x, seen.max.y, -seen.min.x, -seen.min.y);
+        assert.ok(reach > 0.77 && reach < 0.815, `${reach} of the view, not 0.8`);
+        for (const k of /** @type {const} */ (['x', 'y'])) assert.ok(Math.abs(seen.max[k] + seen.min[k]) < 0.02, 'centred');
+        assert.ok(seen.min.z > -1 && seen.max.z < 1, 'between near and far');
+      }
+    });
   });

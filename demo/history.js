@@ -1,0 +1,48 @@
+/** What was there before, to go back to: a list of sketches. Changes of the same thing in quick succession, as a slider makes them, are one. */
+
+const MOST = 100;
+const PAUSE = 900;
+
+/** @template T plain data, not changed in place */
+export class History {
+  /** @type {T[]} */ #past = [];
+  /** @type {T[]} */ #future = [];
+  #key = '';
+  #time = -Infinity;
+
+  /** @param {T} before what is about to change @param {string} key what changes */
+  keep(before, key) {
+    const now = performance.now();
+    const goesOn = key === this.#key && now - this.#time < PAUSE;
+    [this.#key, this.#time, this.#future] = [key, now, []];
+    if (goesOn) return;
+    this.#past.push(before);
+    if (this.#past.length > MOST) this.#past.shift();
+  }
+
+  /** @param {T} now @returns {T | undefined} */
+  undo(now) {
+    return this.#move(this.#past, this.#future, now);
+  }
+
+  /** @param {T} now @returns {T | undefined} */
+  redo(now) {
+    return this.#move(this.#future, this.#past, now);
+  }
+
+  get canUndo() {
+    return this.#past.length > 0;
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /** @param {T[]} from @param {T[]} to @param {T} now */
+  #move(from, to, now) {
+    const found = from.pop();
+    if (found !== undefined) to.push(now);
+    this.#key = '';
+    return found;
+  }
+}

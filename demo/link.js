@@ -1,0 +1,32 @@
+/** A sketch as the text after # in an address, and back: versioned, and without trust in what stands there. */
+
+import { readSketch, sketchOf } from './sketch.js';
+
+/** @typedef {import('./sketch.js').Sketch} Sketch */
+
+const VERSION = '1';
+const LONGEST = 20_000;
+
+/** @param {unknown} a @param {unknown} b */
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+/** Only what differs from the entry, in URL-safe base64 after the version. @param {Sketch} sketch */
+export function toHash(sketch) {
+  const given = sketchOf(sketch.entry);
+  const entries = Object.entries(sketch).filter(([name, value]) => name === 'entry' || !same(value, /** @type {any} */ (given)[name]));
+  const bytes = new TextEncoder().encode(JSON.stringify(Object.fromEntries(entries)));
+  const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  return `#${VERSION}.${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+}
+
+/** @param {string} hash @returns {Sketch | null} null: no sketch of ours */
+export function fromHash(hash) {
+  const [version, text] = hash.replace(/^#/, '').split('.');
+  if (version !== VERSION || !text || text.length > LONGEST) return null;
+  try {
+    const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+    return readSketch(JSON.parse(new TextDecoder().decode(Uint8Array.from(binary, (character) => character.charCodeAt(0)))));
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,73 @@
+/** Renders the pictures of the gallery and of the manual with the page itself, in headless Chromium: `make thumbnails`. The ground is left transparent, for both themes. */
+
+import { writeFile } from 'node:fs/promises';
+import { fileURLToPath } from 'node:url';
+import { nextFrame, openBrowser, openPage, settled } from '../tests/helpers/page.js';
+import { ENTRIES } from './entries.js';
+
+const FOLDER = fileURLToPath(new URL('thumbnails/', import.meta.url));
+const [WIDTH, HEIGHT] = [320, 240];
+const QUALITY = 0.8;
+/** What is left of the page: the canvas, half as wide again as the picture, with the strip below that the player covers. */
+const BARE = `.panel, .result, .view > :not(canvas) { display: none !important }
+body { grid-template: 1fr / 1fr !important } .stage { display: block !important } .view { position: fixed !important; inset: 0 }
+html, body, .view { background: none !important }`;
+
+const { context, address, close } = await openBrowser([], {
+  bypassCSP: true,
+  deviceScaleFactor: 2,
+  viewport: { width: 1.5 * WIDTH, height: 1.5 * HEIGHT + 64 },
+});
+try {
+  const { page } = await openPage(context, address);
+  await settled(page);
+  await page.addStyleTag({ content: BARE });
+  const wanted = process.argv.slice(2);
+  for (const name of wanted.length > 0 ? wanted : Object.keys(ENTRIES)) {
+    const sketch = Buffer.from(JSON.stringify({ entry: name })).toString('base64url');
+    await page.evaluate((hash) => location.replace(hash), `#1.${sketch}`);
+    await page.waitForTimeout(100);
+    await settled(page);
+    await page.waitForTimeout(name === 'hindered' || name === 'grained' ? 500 : 150);
+    await nextFrame(page);
+    const picture = await page.screenshot({ omitBackground: true, clip: { x: 0, y: 0, width: 1.5 * WIDTH, height: 1.5 * HEIGHT } });
+    const webp = await shrink(page, picture);
+    await writeFile(`${FOLDER}${name}.webp`, webp);
+  }
+} finally {
+  await close();
+}
+
+await takePicture();
+
+/** The picture of the manual: the page as it is, with the distances from A. */
+async function takePicture() {
+  const browser = await openBrowser([], { viewport: { width: 1280, height: 800 } });
+  try {
+    const sketch = Buffer.from(JSON.stringify({ entry: 'parametricTorus', colour: 'distance' })).toString('base64url');
+    const { page } = await openPage(browser.context, `${browser.address}#1.${sketch}`);
+    await settled(page);
+    await page.waitForSelector('#scale:not([hidden])');
+    await nextFrame(page);
+    await page.screenshot({ path: fileURLToPath(new URL('picture.png', import.meta.url)) });
+  } finally {
+    await browser.close();
+  }
+}
+
+/** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @returns {Promise<Buffer>} WebP */
+async function shrink(page, picture) {
+  const text = await page.evaluate(
+    async ({ png, width, height, quality }) => {
+      const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
+      const options = /** @type {const} */ ({ resizeWidth: width, resizeHeight: height, resizeQuality: 'high' });
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), options);
+      const canvas = new OffscreenCanvas(width, height);
+      canvas.getContext('2d')?.drawImage(image, 0, 0);
+      const blob = await canvas.convertToBlob({ type: 'image/webp', quality });
+      return btoa(Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
+    },
+    { png: picture.toString('base64'), width: WIDTH, height: HEIGHT, quality: QUALITY },
+  );
+  return Buffer.from(text, 'base64');
+}

@@ -1,0 +1,101 @@
+/** A formula as MathML: the parser's postfix program put together again, with fractions, roots, powers and only the brackets that are needed. */
+
+import { LIMITS, parse } from '../web/expression/parse.js';
+
+/** @typedef {import('../web/expression/postfix.js').Instruction} Instruction */
+/** A piece of MathML and how tightly it binds. @typedef {{ element: Element, precedence: number, isNumber?: boolean }} Piece */
+
+const NAMESPACE = 'http://www.w3.org/1998/Math/MathML';
+const SUM = 1;
+const PRODUCT = 2;
+const SIGN = 3;
+const POWER = 4;
+const ATOM = 5;
+/** Longer formulas are not worth reading. */
+const MOST_STEPS = 400;
+/** @type {Record<string, string>} */
+const GREEK = {
+  alpha: 'α',
+  beta: 'β',
+  gamma: 'γ',
+  delta: 'δ',
+  theta: 'θ',
+  lambda: 'λ',
+  mu: 'μ',
+  omega: 'ω',
+  phi: 'φ',
+  pi: 'π',
+  rho: 'ρ',
+  sigma: 'σ',
+  tau: 'τ',
+};
+
+/** @param {string} tag @param {(Element | string)[]} children */
+export function math(tag, ...children) {
+  const element = document.createElementNS(NAMESPACE, tag);
+  element.append(...children);
+  return element;
+}
+
+const operator = (/** @type {string} */ text) => math('mo', text);
+
+/** @param {Piece} piece @param {number} least */
+function bracketed({ element, precedence }, least) {
+  return precedence >= least ? element : math('mrow', operator('('), element, operator(')'));
+}
+
+/** @param {Element} element @param {number} [precedence] @param {boolean} [isNumber] @returns {Piece} */
+const piece = (element, precedence = ATOM, isNumber = false) => ({ element, precedence, isNumber });
+
+/** Between factors: none after a number, as in 2π. @param {Piece} before */
+const gap = ({ isNumber }) => (isNumber ? math('mo', '\u2062') : math('mtext', '\u2009'));
+
+/** @type {Record<string, (...operands: Piece[]) => Piece>} */
+const BUILD = {
+  add: (a, b) => piece(math('mrow', bracketed(a, SUM), operator('+'), bracketed(b, SUM)), SUM),
+  subtract: (a, b) => piece(math('mrow', bracketed(a, SUM), operator('−'), bracketed(b, PRODUCT)), SUM),
+  multiply: (a, b) =>
+    piece(
+      math('mrow', bracketed(a, PRODUCT), b.isNumber ? operator('·') : gap(a), bracketed(b, b.precedence === SIGN ? POWER : PRODUCT)),
+      PRODUCT,
+    ),
+  divide: (a, b) => piece(math('mfrac', a.element, b.element), PRODUCT),
+  negate: (a) => piece(math('mrow', operator('−'), bracketed(a, PRODUCT)), SIGN),
+  pow: (a, b) => piece(math('msup', bracketed(a, ATOM), b.element), POWER),
+  sqrt: (a) => piece(math('msqrt', a.element)),
+  cbrt: (a) => piece(math('mroot', a.element, math('mn', '3'))),
+  abs: (a) => piece(math('mrow', operator('|'), a.element, operator('|'))),
+};
+
+/** @param {string} name @param {Piece[]} operands */
+function call(name, operands) {
+  if (Object.hasOwn(BUILD, name)) return BUILD[name](...operands);
+  const list = operands.flatMap(({ element }, i) => (i > 0 ? [operator(','), element] : [element]));
+  return piece(math('mrow', math('mi', name), operator('\u2061'), operator('('), ...list, operator(')')));
+}
+
+/** @param {Instruction} instruction */
+function leaf({ kind, name, value }) {
+  if (kind === 'number' && !/^[\p{L}_]/u.test(name)) return piece(math('mn', String(value)), ATOM, true);
+  return piece(math('mi', GREEK[name] ?? name));
+}
+
+/**
+ * @param {string} source
+ * @param {readonly string[]} names that it may use besides functions and constants
+ * @returns {Element | null} null: it has a mistake, or is too long
+ */
+export function typeset(source, names) {
+  if (source.length > LIMITS.characters) return null;
+  try {
+    const scope = new Map([...['pi', 'e', 'tau'], ...names].map((name) => [name, { kind: /** @type {const} */ ('parameter'), value: 0 }]));
+    const program = parse(source, scope);
+    if (program.length > MOST_STEPS) return null;
+    /** @type {Piece[]} */
+    const stack = [];
+    for (const step of program) stack.push(step.kind === 'call' ? call(step.name, stack.splice(-step.value)) : leaf(step));
+    return stack[0].element;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,95 @@
+/** Shows the state in the 3D view: the surface's colours, the curves at the moment that is played, the handles, the legend and the scale. */
+
+import { startAnchors } from './anchors.js';
+import { blend, smooth } from './curves.js';
+import { create, find, say, themeColor } from './dom.js';
+import { placesOf } from './drawn.js';
+import { strokes } from './grain.js';
+import { chosenPath, lastIterate, onRender, render, state } from './state.js';
+import { formatNumber } from './words.js';
+
+/** @typedef {import('./scene.js').View} View */
+/** @typedef {import('./state.js').State} State */
+
+const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'sky', 'ground', 'via']);
+/** @type {unknown} */ let shadeShown = null;
+/** @type {unknown} */ let meshShown = null;
+
+/** @param {View} view */
+export function startShow(view) {
+  applyTheme(view);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    applyTheme(view);
+    render();
+  });
+  onRender(() => renderShade(view));
+  onRender(() => renderCurves(view));
+  startAnchors(view);
+}
+
+/** @param {View} view */
+function applyTheme(view) {
+  view.setTheme(/** @type {import('./scene.js').Theme} */ (Object.fromEntries(THEME.map((name) => [name, themeColor(name)]))));
+}
+
+/** What lies between two iterates, t from 0, the first, to 1, the last. @param {Float64Array[]} film @param {number} t */
+function frameAt(film, t) {
+  const last = film.length - 1;
+  const before = Math.min(Math.floor(t * last), Math.max(last - 1, 0));
+  return last === 0 ? film[0] : blend(film[before], film[before + 1], t * last - before);
+}
+
+/** @param {View} view */
+function renderCurves(view) {
+  const { solved, moment, chosen, sketch } = state;
+  const path = chosenPath();
+  const several = sketch.start === 'several' && solved.films.length > 1;
+  const playing = lastIterate() > 0 && moment < 1;
+  const final = path && placesOf(path).length > 0 ? [placesOf(path)] : [];
+  const films = several || playing ? solved.films.map((film) => frameAt(film, moment)) : [];
+  const curves = {
+    starts: several ? solved.films.map((film) => film[0]) : solved.straight ? [solved.straight] : [],
+    paths: playing && (several || chosen === 0) ? films : final,
+    others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
+    warmth: playing ? moment : 1,
+  };
+  const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
+  view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
+  renderLegend(curves.starts.length > 0, curves.others.length > 0);
+}
+
+/** @type {string} */ let legendShown = '';
+
+/** @param {boolean} hasStart @param {boolean} hasOthers */
+function renderLegend(hasStart, hasOthers) {
+  const { task, start } = state.sketch;
+  const rows = [
+    ['legend-path', task === 'trace' ? 'Geodesic' : 'Shortest path'],
+    ...(hasStart ? [['legend-start', start === 'several' ? 'Starts' : 'Straight start']] : []),
+    ...(hasOthers ? [['legend-other', 'Other geodesics']] : []),
+    ['legend-hidden', 'Hidden part'],
+  ];
+  if (legendShown === rows.join()) return;
+  legendShown = rows.join();
+  find('legend').replaceChildren(...rows.map(([className, text]) => create('li', { className }, text)));
+}
+
+const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
+
+/** @param {View} view */
+function renderShade(view) {
+  const { shade, mesh, sketch, shadeProblem, gauge, drawn } = state;
+  say(find('colour-problem'), shadeProblem);
+  /** @type {HTMLSelectElement} */ (find('colour')).value = sketch.colour;
+  if (mesh !== meshShown) view.setStrokes(gauge && drawn ? strokes(gauge, drawn) : null);
+  if (shade === shadeShown && mesh === meshShown) return;
+  [shadeShown, meshShown] = [shade, mesh];
+  const colours = view.setValues(sketch.colour, shade);
+  const scale = find('scale');
+  scale.hidden = !colours;
+  if (!colours) return;
+  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < 1e-9 ? '0' : formatNumber(x, 3)));
+  const bar = create('i', {});
+  bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
+  scale.replaceChildren(create('span', {}, SCALES[sketch.colour]), bar, create('b', {}, low), create('b', {}, high));
+}

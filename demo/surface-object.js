@@ -1,0 +1,80 @@
+/** The surface of the view: one object, whose mesh and colours change. Both are computed elsewhere; here they become what the graphics card draws. */
+
+import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
+import { bandScale, colourVertices, contourLevels, curvatureScale } from '../web/view/colouring.js';
+import { surfaceGeometry, surfaceMaterial } from 'surfpath/three';
+
+/** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
+/** @typedef {import('surfpath/three').ColourScale} ColourScale */
+
+/** Keeps large parts of one value, such as a density of 1, from lying on a contour line. */
+const OFF = 1e-3;
+/** Colours are a little brighter than paint: the light takes some away. */
+const PALE = '#ffffff';
+
+export class SurfaceObject extends Mesh {
+  #colour = '#c3d0dc';
+  /** @type {BufferGeometry} */ geometry;
+  /** @type {MeshStandardMaterial} */ material;
+
+  constructor() {
+    const [geometry, material] = [new BufferGeometry(), new MeshStandardMaterial()];
+    super(geometry, material);
+    [this.geometry, this.material] = [geometry, material];
+    this.frustumCulled = false;
+    this.visible = false;
+  }
+
+  /** @param {string} colour of the bare surface */
+  setColour(colour) {
+    this.#colour = colour;
+    if (!this.geometry.hasAttribute('color')) this.material.color.set(colour);
+  }
+
+  /** @param {SurfaceMesh} mesh */
+  setMesh(mesh) {
+    const drawn = /** @type {import('surfpath').Surface} */ (/** @type {unknown} */ ({ kind: 'parametric', mesh: () => mesh }));
+    const last = this.geometry;
+    this.geometry = surfaceGeometry(drawn);
+    last.dispose();
+    this.visible = true;
+    this.#dress();
+  }
+
+  /**
+   * Colours the surface by a number a vertex.
+   * @param {string} quantity @param {Float64Array | null} values null, or of another number: it is bare
+   * @returns {ColourScale | null}
+   */
+  setValues(quantity, values) {
+    const { geometry } = this;
+    const fits = values !== null && values.length === geometry.getAttribute('position')?.count;
+    if (!fits && !geometry.hasAttribute('color')) return null;
+    for (const name of ['color', 'contour']) geometry.deleteAttribute(name);
+    delete geometry.userData.scale;
+    if (fits) {
+      const size = geometry.boundingSphere?.radius || 1;
+      const scale =
+        quantity === 'curvature' ? curvatureScale(values, size) : bandScale(quantity === 'distance' ? 'distance' : 'values', values);
+      geometry.setAttribute('color', new BufferAttribute(colourVertices(values, scale), 3));
+      geometry.setAttribute(
+        'contour',
+        new BufferAttribute(
+          contourLevels(values, scale).map((x) => x + OFF),
+          1,
+        ),
+      );
+      geometry.userData.scale = scale;
+    }
+    this.#dress();
+    return geometry.userData.scale ?? null;
+  }
+
+  /** The material that the geometry's attributes need. */
+  #dress() {
+    const last = this.material;
+    const coloured = this.geometry.hasAttribute('color');
+    this.material = surfaceMaterial(this.geometry, { color: coloured ? PALE : this.#colour });
+    last.dispose();
+  }
+}

@@ -1,0 +1,343 @@
+// <surface-path> in headless Chromium, on pages with a strict policy: events, attributes, handles, many on a page, off screen, removed, without WebGL.
+import assert from 'node:assert/strict';
+import { mkdir, readFile } from 'node:fs/promises';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { load } from '../../web/index.js';
+import { measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
+import { RELEASES } from '../helpers/scene.js';
+import { serveSite } from '../helpers/site.js';
+
+const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
+const TORUS = '<surface-path id="torus" surface="parametricTorus" from="0.5,0.6" to="2.6,1.2" controls></surface-path>';
+const HILL =
+  '<surface-path id="hill" x="u" y="v" z="h exp(-4(u^2 + v^2))" u="-1,1" v="-1,1" parameters="h=0.5" from="-0.9,-0.2" to="0.8,0.1"></surface-path>';
+
+/** @param {string} body @param {string} [three] */
+const pageOf = (body, three = 'three') => `<!doctype html><html lang="en"><meta charset="utf-8"><title>Elements</title>
+<script type="importmap">{ "imports": { "three": "/node_modules/${three}/build/three.module.js", "three/addons/": "/node_modules/${three}/examples/jsm/" } }</script>
+<script type="module" src="/dist/element.js"></script>
+<main>${body}</main>`;
+
+/** Counts contexts and pictures, and keeps events, from before the first script. */
+function watch() {
+  const seen = { contexts: /** @type {any[]} */ ([]), pictures: 0, events: /** @type {any[]} */ ([]) };
+  Object.assign(window, { seen });
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
+    function (/** @type {string} */ kind, /** @type {any} */ options) {
+      // @ts-expect-error `this` is the canvas
+      const context = getContext.call(this, kind, options);
+      if (/webgl/.test(kind) && context && !seen.contexts.includes(context)) seen.contexts.push(context);
+      return context;
+    }
+  );
+  const { drawImage } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.drawImage = /** @type {any} */ (
+    function (/** @type {any[]} */ ...given) {
+      seen.pictures++;
+      // @ts-expect-error `this` is the context
+      return drawImage.apply(this, given);
+    }
+  );
+  for (const type of ['path', 'error'])
+    window.addEventListener(
+      type,
+      (event) => {
+        const { detail, target } = /** @type {any} */ (event);
+        if (target?.localName === 'surface-path')
+          seen.events.push([target.id, type, type === 'path' ? detail.length : `${detail.name}: ${detail.message}`]);
+      },
+      true,
+    );
+}
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {Awaited<ReturnType<typeof serveSite>>} */ let site;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  await mkdir(SCREENSHOTS, { recursive: true });
+  const spacer = '<div id="spacer"></div>';
+  const far = '<surface-path id="far" surface="sphere" colour="curvature"></surface-path>';
+  site = await serveSite({ page: pageOf(TORUS + HILL + spacer + far), empty: pageOf('') });
+  browser = await openBrowser();
+  await browser.context.addInitScript(watch);
+  ({ page, complaints } = await openPage(browser.context, `${site.address}/page`));
+  await page.evaluate(() => {
+    for (const element of document.querySelectorAll('surface-path'))
+      Object.assign(/** @type {any} */ (element).style, { width: '400px', height: '300px' });
+    Object.assign(/** @type {any} */ (document.getElementById('spacer')).style, { height: '3000px' });
+  });
+  await page.waitForFunction(() => /** @type {any} */ (window).seen.events.length >= 3);
+});
+after(async () => {
+  await browser?.close();
+  await site?.close();
+});
+
+const words = (/** @type {string} */ id) => page.$eval(`#${id}`, (element) => element.shadowRoot?.querySelector('p')?.textContent);
+const pictures = () => page.evaluate(() => /** @type {any} */ (window).seen.pictures);
+const lastEvent = () => page.evaluate(() => /** @type {any} */ (window).seen.events.at(-1));
+/** Changes an attribute and waits for what comes of it. @param {string} id @param {string} name @param {string | null} value */
+const change = async (id, name, value) => {
+  const before = await page.evaluate(() => /** @type {any} */ (window).seen.events.length);
+  await page.$eval(
+    `#${id}`,
+    (element, [key, text]) => (text === null ? element.removeAttribute(String(key)) : element.setAttribute(String(key), text)),
+    [name, value],
+  );
+  await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count, before);
+  await nextFrame(page);
+  return lastEvent();
+};
+/** Whether the page shows a path there. @param {string} id */
+const warmth = async (id) => (await measurePicture(page, await page.locator(`#${id}`).screenshot())).warm;
+
+test('each says its path, to the digits of the library', async () => {
+  const events = await page.evaluate(() => /** @type {any} */ (window).seen.events);
+  const torus = (await load()).parametric({
+    x: '(4+1.5cos(v))cos(u)',
+    y: '(4+1.5cos(v))sin(u)',
+    z: '1.5sin(v)',
+    u: [0, '2pi'],
+    v: [0, '2pi'],
+  });
+  const { length } = torus.shortestPath([0.5, 0.6], [2.6, 1.2]);
+  const own = Object.fromEntries(events.map((/** @type {any[]} */ [id, type, detail]) => [id, [type, detail]]));
+  assert.ok(Math.abs(own.torus[1] / length - 1) < 1e-12, `${own.torus}`);
+  assert.equal(own.hill[1].toFixed(8), '1.94018519');
+  assert.deepEqual([await words('torus'), await words('hill')], ['Length 8.8198', 'Length 1.9402']);
+  const label = await page.$eval('#torus', (element) => element.shadowRoot?.querySelector('canvas')?.getAttribute('aria-label'));
+  assert.equal(label, 'Torus, parametric. Length 8.8198');
+  assert.equal(await page.$eval('#torus', (element) => /** @type {any} */ (element).path.length), own.torus[1]);
+});
+
+test('all are drawn with one WebGL context', async () => {
+  await nextFrame(page);
+  assert.ok((await warmth('torus')) > 60 && (await warmth('hill')) > 60);
+  assert.equal(await page.evaluate(() => /** @type {any} */ (window).seen.contexts.length), 1);
+});
+
+test('nothing is drawn while nothing changes, nor what is off screen', async () => {
+  await nextFrame(page);
+  const before = await pictures();
+  await page.waitForTimeout(300);
+  await change('far', 'parameters', 'r=0.9');
+  await page.$eval('#far', (element) => element.setAttribute('colour', 'none'));
+  await nextFrame(page);
+  assert.equal(await pictures(), before);
+  await page.$eval('#far', (element) => element.scrollIntoView());
+  await page.waitForFunction((count) => /** @type {any} */ (window).seen.pictures > count, before);
+  assert.ok((await warmth('far')) > 60);
+  await page.evaluate(() => scrollTo(0, 0));
+  await nextFrame(page);
+});
+
+describe('attributes', () => {
+  test('move an end', async () => {
+    const [, type, length] = await change('torus', 'to', '2.6,2');
+    assert.equal(type, 'path');
+    assert.notEqual(length.toFixed(4), '8.8198');
+    assert.deepEqual(await page.$eval('#torus', (element) => /** @type {any} */ (element).to), [2.6, 2]);
+  });
+
+  test('change parameters, tolerance and algorithm', async () => {
+    const [, , higher] = await change('hill', 'parameters', 'h=1');
+    assert.equal(higher.toFixed(5), '2.11182');
+    const [, , chords] = await change('hill', 'algorithm', 'polyline');
+    assert.ok(chords < higher && chords > 0.99 * higher);
+    await change('hill', 'algorithm', null);
+    const [, type, message] = await change('hill', 'tolerance', '7');
+    assert.deepEqual([type, message], ['error', 'RangeError: shortestPath: options.tolerance must lie between 1e-15 and 0.1, not 7']);
+    await change('hill', 'tolerance', null);
+  });
+
+  test('that are wrong are said in the element and as an event; right ones mend it', async () => {
+    const [, type, message] = await change('hill', 'z', 'h exp(-4(u^2 + w^2))');
+    assert.deepEqual([type, /^ExpressionError: .*w/.test(message)], ['error', true]);
+    assert.match((await words('hill')) ?? '', /w/);
+    assert.equal(await page.$eval('#hill', (element) => /** @type {any} */ (element).path), null);
+    // Another attribute than the wrong one: the old surface is not asked for a path.
+    assert.equal((await change('hill', 'to', '0.8,0.2'))[1], 'error');
+    assert.equal((await change('hill', 'z', 'h exp(-4(u^2 + v^2))'))[1], 'path');
+    await change('hill', 'to', '0.8,0.1');
+    await change('hill', 'parameters', 'h=0.5');
+    assert.equal(await words('hill'), 'Length 1.9402');
+  });
+
+  test('give way to a definition, and come back', async () => {
+    const before = await page.evaluate(() => /** @type {any} */ (window).seen.events.length);
+    await page.$eval('#hill', (element) => {
+      /** @type {any} */ (element).definition = { kind: 'graph', z: 0, x: [-1, 1], y: [-1, 1] };
+    });
+    await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count, before);
+    assert.equal((await lastEvent())[2].toFixed(9), Math.hypot(1.7, 0.3).toFixed(9));
+    await page.$eval('#hill', (element) => {
+      /** @type {any} */ (element).definition = null;
+    });
+    await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count + 1, before);
+    assert.equal(await words('hill'), 'Length 1.9402');
+  });
+});
+
+describe('with controls', () => {
+  const handle = () => page.locator('#torus').getByRole('button', { name: 'End of the path' });
+
+  test('an end is dragged, and each path is told', async () => {
+    await nextFrame(page);
+    const box = await handle().boundingBox();
+    assert.ok(box);
+    const before = await page.evaluate(() => /** @type {any} */ (window).seen.events.length);
+    const to = await page.$eval('#torus', (element) => /** @type {any} */ (element).to);
+    await page.mouse.move(box.x + 12, box.y + 12);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 42, box.y + 22, { steps: 5 });
+    await page.mouse.up();
+    await nextFrame(page);
+    const events = await page.evaluate((count) => /** @type {any} */ (window).seen.events.slice(count), before);
+    assert.ok(events.length >= 5 && events.every((/** @type {any[]} */ [id, type]) => id === 'torus' && type === 'path'));
+    assert.notDeepEqual(await page.$eval('#torus', (element) => /** @type {any} */ (element).to), to);
+    const moved = await handle().boundingBox();
+    assert.ok(moved && Math.abs(moved.x - box.x - 30) < 1.5 && Math.abs(moved.y - box.y - 10) < 1.5);
+  });
+
+  test('and moved by keys; the other element has no handles', async () => {
+    await handle().focus();
+    const length = (await lastEvent())[2];
+    await page.keyboard.press('ArrowLeft');
+    assert.notEqual((await lastEvent())[2], length);
+    assert.equal(await page.locator('#hill').getByRole('button').count(), 0);
+  });
+});
+
+test('the path is seen to converge, once, unless less motion is asked for', async () => {
+  const before = await pictures();
+  await page.$eval('#hill', (element) => element.setAttribute('animate', ''));
+  await page.waitForTimeout(200);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  const still = await pictures();
+  assert.ok(still - before <= 2, `${still - before} pictures`);
+  await change('hill', 'to', '0.8,0.15');
+  await page.waitForTimeout(2000);
+  const played = (await pictures()) - still;
+  assert.ok(played > 5, `${played} pictures`);
+  const end = await pictures();
+  await page.waitForTimeout(300);
+  assert.equal(await pictures(), end);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+});
+
+test('it follows the theme of the reader and the colours of the page', async () => {
+  for (const colorScheme of /** @type {const} */ (['dark', 'light'])) {
+    await page.emulateMedia({ colorScheme });
+    await nextFrame(page);
+    await page.screenshot({ path: `${SCREENSHOTS}element-${colorScheme}.png` });
+    assert.ok((await warmth('torus')) > 60);
+  }
+  await page.evaluate(() => document.documentElement.style.setProperty('--surfpath-line', '#0000ff'));
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await nextFrame(page);
+  assert.equal(await warmth('torus'), 0);
+  await page.emulateMedia({ colorScheme: 'light' });
+});
+
+test('removed elements leave nothing behind: no context, no element', async () => {
+  const own = await openBrowser();
+  await own.context.addInitScript(watch);
+  const { page: other } = await openPage(own.context, `${site.address}/empty`);
+  await other.waitForFunction(() => customElements.get('surface-path'));
+  const drawn = await other.evaluate(async () => {
+    const { seen } = /** @type {any} */ (window);
+    const main = /** @type {HTMLElement} */ (document.querySelector('main'));
+    seen.elements = [];
+    for (let turn = 0; turn < 4; turn++) {
+      const before = seen.pictures;
+      for (const name of ['saddle', 'sphere', 'bumpy']) {
+        const element = document.createElement('surface-path');
+        element.setAttribute('surface', name);
+        element.toggleAttribute('controls', name === 'saddle');
+        Object.assign(element.style, { width: '200px' });
+        main.append(element);
+        seen.elements.push(new WeakRef(element));
+      }
+      while (seen.pictures < before + 3) await new Promise(requestAnimationFrame);
+      main.replaceChildren();
+    }
+    return seen.contexts.length;
+  });
+  assert.equal(drawn, 4, 'a context each time that elements come back');
+  const session = await other.context().newCDPSession(other);
+  await session.send('HeapProfiler.collectGarbage');
+  const left = await other.evaluate(() => {
+    const { contexts, elements } = /** @type {any} */ (window).seen;
+    return [
+      contexts.filter((/** @type {any} */ context) => !context.isContextLost()).length,
+      elements.filter((/** @type {WeakRef<Element>} */ element) => element.deref()).length,
+    ];
+  });
+  await own.close();
+  assert.deepEqual(left, [0, 0]);
+});
+
+test('moved in the page it goes on', async () => {
+  const before = await page.evaluate(() => /** @type {any} */ (window).seen.events.length);
+  await page.$eval('#hill', (element) => element.parentElement?.prepend(element));
+  await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count, before);
+  await nextFrame(page);
+  assert.equal((await lastEvent())[1], 'path');
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});
+
+test('without WebGL it says the length, and that there is no picture', async () => {
+  const other = await openBrowser(['--disable-3d-apis']);
+  try {
+    const { page: plain } = await openPage(other.context, `${site.address}/page`);
+    await plain.waitForFunction(() => /picture/.test(document.querySelector('#torus')?.shadowRoot?.textContent ?? ''));
+    assert.match(
+      (await plain.$eval('#torus', (element) => element.shadowRoot?.textContent)) ?? '',
+      /^Length 8\.8198\. No picture: .*WebGL/,
+    );
+  } finally {
+    await other.close();
+  }
+});
+
+test('without WebAssembly it says so', async () => {
+  const plain = await browser.context.newPage();
+  await plain.addInitScript(() => {
+    // @ts-expect-error a browser without it
+    delete window.WebAssembly;
+  });
+  await plain.goto(`${site.address}/page`);
+  await plain.waitForFunction(() => /WebAssembly/.test(document.querySelector('#torus')?.shadowRoot?.textContent ?? ''));
+  await plain.close();
+});
+
+for (const [title, name] of Object.entries(RELEASES))
+  test(`the page of README.md shows both of its elements, ${title} of three.js`, async () => {
+    const readme = await readFile(new URL('../../README.md', import.meta.url), 'utf8');
+    const html = [...readme.matchAll(/^```html\n(.*?)^```$/gms)].map(([, text]) => text).find((text) => text.includes('<surface-path'));
+    assert.ok(html);
+    const served = await serveSite({ 'page.html': html.replaceAll('node_modules/three/', `node_modules/${name}/`) });
+    const other = await openBrowser();
+    try {
+      const { page: opened, complaints: said } = await openPage(other.context, `${served.address}/page.html`);
+      const texts = () => opened.$$eval('surface-path', (elements) => elements.map((element) => element.shadowRoot?.textContent));
+      await opened.waitForFunction(() =>
+        [...document.querySelectorAll('surface-path')].every((element) => element.shadowRoot?.textContent),
+      );
+      assert.deepEqual(await texts(), ['Length 8.8198', 'Length 1.9402']);
+      await nextFrame(opened);
+      const { warm } = await measurePicture(opened, await opened.locator('surface-path').first().screenshot());
+      assert.ok(warm > 60, `only ${warm} pixels of the path are seen`);
+      assert.deepEqual(said, []);
+    } finally {
+      await other.close();
+      await served.close();
+    }
+  });

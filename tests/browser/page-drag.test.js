@@ -1,0 +1,142 @@
+// The ends of the path in the page are moved by mouse, finger and keys, in the view and in the plane, and the path follows at once.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  browser = await openBrowser([], { hasTouch: true });
+  ({ page, complaints } = await openPage(browser.context, browser.address));
+  await settled(page);
+});
+after(() => browser?.close());
+
+const length = async () => Number.parseFloat((await page.textContent('#length')) ?? '');
+const ends = async () => Promise.all(['0-0', '0-1', '1-0', '1-1'].map(async (name) => Number(await page.inputValue(`#end-${name}`))));
+
+/** The middle of an element. @param {string} selector */
+async function middleOf(selector) {
+  const box = await page.locator(selector).boundingBox();
+  assert.ok(box, selector);
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/** Counts the lengths that were shown since. */
+const countLengths = () =>
+  page.evaluate(() => {
+    const seen = /** @type {any} */ (window);
+    seen.lengths = new Set();
+    new MutationObserver(() => seen.lengths.add(document.getElementById('length')?.textContent)).observe(
+      /** @type {Node} */ (document.getElementById('length')),
+      { childList: true, characterData: true, subtree: true },
+    );
+  });
+
+test('by mouse: the path follows during the drag, the camera stays', async () => {
+  await openEntry(page, 'saddle');
+  await countLengths();
+  const [before, start] = [await length(), await ends()];
+  const other = await middleOf('#handle-A');
+  const [x, y] = await middleOf('#handle-B');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  // Towards A: there is surface all the way.
+  const [dx, dy] = [0.03 * (other[0] - x), 0.03 * (other[1] - y)];
+  for (let i = 1; i <= 10; i++) await page.mouse.move(x + i * dx, y + i * dy);
+  const during = await page.evaluate(() => /** @type {any} */ (window).lengths.size);
+  await page.mouse.up();
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.ok(during >= 5, `${during} lengths were shown during the drag`);
+  assert.notEqual(await length(), before);
+  const end = await ends();
+  assert.deepEqual(end.slice(0, 2), start.slice(0, 2), 'A stays');
+  assert.notDeepEqual(end.slice(2), start.slice(2), 'B has moved');
+  await nextFrame(page);
+  const [bx, by] = await middleOf('#handle-B');
+  assert.ok(Math.hypot(bx - (x + 10 * dx), by - (y + 10 * dy)) < 4, 'B is under the pointer');
+  assert.deepEqual(await middleOf('#handle-A'), other, 'the camera stays');
+  assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
+});
+
+test('by finger, on an implicit surface', async () => {
+  await openEntry(page, 'ellipsoid');
+  const before = await length();
+  const [x, y] = await middleOf('#handle-A');
+  const session = await browser.context.newCDPSession(page);
+  const touch = (/** @type {string} */ type, /** @type {number} */ step) =>
+    session.send('Input.dispatchTouchEvent', {
+      type: /** @type {any} */ (type),
+      touchPoints: type === 'touchEnd' ? [] : [{ x: x + 7 * step, y: y + 2 * step }],
+    });
+  await touch('touchStart', 0);
+  for (let step = 1; step <= 6; step++) await touch('touchMove', step);
+  await touch('touchEnd', 6);
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.notEqual(await length(), before);
+  assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
+  assert.equal(await page.evaluate(() => document.scrollingElement?.scrollTop), 0, 'the page does not scroll');
+});
+
+test('by keys, and back by undo', async () => {
+  await openEntry(page, 'parametricTorus');
+  const before = await length();
+  await page.focus('#handle-B');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowUp');
+  await page.waitForTimeout(250);
+  await settled(page);
+  const after_ = await length();
+  assert.ok(Math.abs(after_ - before) > 1e-3 && Math.abs(after_ - before) < 1, 'two steps of some pixels');
+  await page.keyboard.press('Control+z');
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.equal(await length(), before, 'quick steps of one handle are undone together');
+  await page.keyboard.press('Control+Shift+z');
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.equal(await length(), after_);
+});
+
+test('in the plane of the parameters', async () => {
+  await openEntry(page, 'saddle');
+  const start = await ends();
+  await page.locator('#plane').scrollIntoViewIfNeeded();
+  const [x, y] = await middleOf('[data-end="0"] .target');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y + 20, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForTimeout(250);
+  await settled(page);
+  const end = await ends();
+  assert.ok(end[0] > start[0] && end[1] < start[1], 'A went to the right and down');
+  assert.deepEqual(end.slice(2), start.slice(2));
+});
+
+test('a point on the way is added, moved by keys, and removed', async () => {
+  await openEntry(page, 'saddle');
+  const shortest = await length();
+  await page.click('#add-via');
+  await settled(page);
+  await page.waitForSelector('#handle-1');
+  await page.focus('#handle-1');
+  for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowUp');
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.ok((await length()) > shortest + 1e-3, 'a detour is longer');
+  await page.focus('#handle-1');
+  await page.keyboard.press('Delete');
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.equal(await page.locator('.surfpath-handle').count(), 2);
+  assert.ok(Math.abs((await length()) - shortest) < 1e-8);
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});

@@ -1,0 +1,134 @@
+// The page fits every size and every reader: no sideways scroll, nothing that axe-core finds, no long pause, a first path within a second, few bytes.
+import assert from 'node:assert/strict';
+import { mkdir, readdir, readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+
+const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
+const SITE = fileURLToPath(new URL('../../build/site/', import.meta.url));
+const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const SIZES = /** @type {const} */ ([
+  [1440, 900],
+  [820, 1180],
+  [390, 844],
+]);
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  await mkdir(SCREENSHOTS, { recursive: true });
+  browser = await openBrowser();
+  ({ page, complaints } = await openPage(browser.context, browser.address));
+  await settled(page);
+});
+after(() => browser?.close());
+
+/** What axe-core finds. @param {import('playwright-core').Page} page */
+async function violations(page) {
+  await page.evaluate(await readFile(AXE, 'utf8'));
+  return page.evaluate(async () => {
+    const { violations: found } = await /** @type {any} */ (window).axe.run(document, { resultTypes: ['violations'] });
+    return found.map(
+      (/** @type {any} */ { id, nodes }) => `${id}: ${nodes.map((/** @type {any} */ node) => node.target.join(' ')).join(', ')}`,
+    );
+  });
+}
+
+describe('sizes and themes', () => {
+  for (const [width, height] of SIZES)
+    for (const colorScheme of /** @type {const} */ (['light', 'dark']))
+      test(`${width} × ${height}, ${colorScheme}`, async () => {
+        await page.setViewportSize({ width, height });
+        await page.emulateMedia({ colorScheme });
+        await openEntry(page, 'parametricTorus');
+        await nextFrame(page);
+        const sizes = await page.evaluate(() => ({
+          content: document.documentElement.scrollWidth,
+          window: innerWidth,
+          canvas: /** @type {HTMLCanvasElement} */ (document.getElementById('canvas')).width,
+          shown: document.getElementById('canvas')?.clientWidth,
+          low: document.documentElement.scrollHeight,
+        }));
+        assert.ok(sizes.content <= sizes.window, 'the page scrolls sideways');
+        assert.ok(sizes.low <= height, 'the page scrolls');
+        assert.equal(sizes.canvas, sizes.shown);
+        await page.screenshot({ path: `${SCREENSHOTS}page-${width}x${height}-${colorScheme}.png` });
+        // Structure is that of the size, colours are those of the theme: every one of both is looked at once.
+        if (colorScheme === 'light' || width === 1440) assert.deepEqual(await violations(page), []);
+      });
+
+  test('on a phone every card is behind a tab, and none scrolls sideways', async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    for (const name of ['path', 'plane', 'plots', 'share', 'surface']) {
+      await page.click(`#tabs [data-tab=${name}]`);
+      assert.ok(await page.locator(`.panel [data-in=${name}]`).last().isVisible(), name);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
+      const panel = await page.evaluate(() => {
+        const { scrollWidth = 0, clientWidth = 0 } = document.getElementById('panel') ?? {};
+        return scrollWidth - clientWidth;
+      });
+      assert.ok(panel <= 0, `${name} scrolls sideways by ${panel}`);
+    }
+  });
+
+  test('on a tablet the panel opens over the view', async () => {
+    await page.setViewportSize({ width: 820, height: 1180 });
+    assert.equal(await page.isVisible('#panel'), false);
+    await page.click('#toggle-panel');
+    await page.waitForTimeout(300);
+    assert.equal(await page.isVisible('#colour'), true);
+    await page.screenshot({ path: `${SCREENSHOTS}page-820x1180-panel.png` });
+    assert.deepEqual(await violations(page), []);
+    await page.click('#toggle-panel');
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+});
+
+test('the gallery opens with a picture of each surface, and is accessible', async () => {
+  await page.click('#open-gallery');
+  const pictures = page.locator('#gallery img');
+  await pictures.last().scrollIntoViewIfNeeded();
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('#gallery img')].every((image) => /** @type {HTMLImageElement} */ (image).naturalWidth === 320),
+  );
+  assert.ok((await pictures.count()) >= 24);
+  await page.screenshot({ path: `${SCREENSHOTS}gallery.png` });
+  assert.deepEqual(await violations(page), []);
+  await page.click('[data-entry=vase]');
+  await settled(page);
+  assert.equal(await page.textContent('#entry-title'), 'Vase');
+});
+
+test('all that is loaded is 300 KB gzipped at most', async () => {
+  let sum = 0;
+  for (const name of await readdir(SITE)) {
+    if (!/\.(?:js|css|html|wasm|svg)$/.test(name) || name.startsWith('gltf')) continue;
+    sum += gzipSync(await readFile(SITE + name), { level: 9 }).length;
+  }
+  sum += (await readFile(`${SITE}thumbnails/parametricTorus.webp`)).length;
+  assert.ok(sum < 300_000, `${sum} bytes`);
+});
+
+test('nothing but the page itself is asked for, and no picture of the gallery before it opens', async () => {
+  const other = await browser.context.newPage();
+  /** @type {string[]} */
+  const asked = [];
+  other.on('request', (request) => asked.push(request.url()));
+  await other.goto(browser.address);
+  await settled(other);
+  assert.ok(asked.every((url) => url.startsWith(browser.address)));
+  assert.deepEqual(
+    asked.filter((url) => url.endsWith('.webp') && !url.endsWith('parametricTorus.webp')),
+    [],
+  );
+  await other.close();
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});

@@ -1,0 +1,152 @@
+// What is taken away from the page opens elsewhere and holds what is shown: links, pictures, tables, models.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, describe, test } from 'node:test';
+import { fromHash, toHash } from '../../demo/link.js';
+import { sketchOf } from '../../demo/sketch.js';
+import { openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  browser = await openBrowser();
+  ({ page, complaints } = await openPage(browser.context, browser.address));
+  await settled(page);
+});
+after(() => browser?.close());
+
+const text = async (/** @type {string} */ selector) => (await page.textContent(selector)) ?? '';
+
+/** @param {string} name of the button @returns {Promise<Buffer>} the file that it saves */
+async function take(name) {
+  const saved = page.waitForEvent('download');
+  await page.click(`[data-export=${name}]`);
+  return readFile(await (await saved).path());
+}
+
+test('a link holds the whole state: another page that opens it shows the same', async () => {
+  await openEntry(page, 'parametricTorus');
+  await page.fill('#value-a', '1.2');
+  await page.fill('#end-0-0', '1.25');
+  await page.selectOption('#algorithm', 'polyline');
+  await page.fill('#points', '33');
+  await page.fill('#field-z', 'a*sin(v)+0.2*cos(3*u)');
+  await page.waitForTimeout(600);
+  await settled(page);
+  await page.click('[data-export=link]');
+  const link = page.url();
+  const { page: other } = await openPage(browser.context, link);
+  await settled(other);
+  for (const id of ['#length', '#iterations', '#entry-title']) assert.equal(await other.textContent(id), await text(id), id);
+  for (const id of ['#value-a', '#end-0-0', '#points', '#algorithm', '#field-z'])
+    assert.equal(await other.inputValue(id), await page.inputValue(id), id);
+  await other.close();
+});
+
+test('every sketch comes back from its link', () => {
+  const sketch = {
+    ...sketchOf('own-implicit'),
+    density: '1+x^2',
+    colour: /** @type {const} */ ('density'),
+    via: [[0, 1, 0.2]],
+    points: 12,
+  };
+  assert.deepEqual(fromHash(toHash(sketch)), sketch);
+});
+
+test('a link of another version, or junk, is refused or repaired, never believed', () => {
+  const write = (/** @type {unknown} */ value) => `#1.${Buffer.from(JSON.stringify(value)).toString('base64url')}`;
+  for (const junk of ['', '#', '#1', '#1.', '#2.e30', '#1.%%%', '#1.bm9uc2Vuc2U', write(null), write([]), write({ entry: '__proto__' })])
+    assert.equal(fromHash(junk), null, junk);
+  const repaired = fromHash(
+    write({
+      entry: 'saddle',
+      texts: { z: 7, nothing: 'x' },
+      parameters: { __proto__: 1, 'a b': 2, k: 'x' },
+      ends: [
+        ['a', 0],
+        [0.1, 0.2, 0.3],
+      ],
+      algorithm: 'magic',
+      points: 1e9,
+      tolerance: -1,
+      via: [[NaN, 1]],
+      tensor: ['1'],
+    }),
+  );
+  assert.deepEqual(repaired, sketchOf('saddle'));
+});
+
+test('a page with a link of junk opens the first scene and says so', async () => {
+  const { page: other } = await openPage(browser.context, `${browser.address}#1.junk`);
+  await settled(other);
+  assert.equal(await other.textContent('#entry-title'), 'Torus, parametric');
+  assert.match((await other.textContent('#export-words')) ?? '', /could not be read/);
+  await other.close();
+});
+
+describe('exports', () => {
+  before(() => openEntry(page, 'parametricTorus'));
+
+  test('PNG: the picture that is seen', async () => {
+    const png = await take('png');
+    assert.equal(png.subarray(1, 4).toString(), 'PNG');
+    const canvas = await page.evaluate(() => {
+      const { width, height } = /** @type {HTMLCanvasElement} */ (document.getElementById('canvas'));
+      return [width, height];
+    });
+    assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], canvas);
+    assert.ok(png.length > 10_000, 'not an empty picture');
+  });
+
+  test('CSV: a line a point, as long as the path', async () => {
+    const [head, ...lines] = (await take('csv')).toString().trim().split('\n');
+    assert.equal(head, 's,x,y,z,u,v');
+    assert.equal(lines.length, 66);
+    const numbers = lines.map((line) => line.split(',').map(Number));
+    assert.ok(numbers.flat().every(Number.isFinite));
+    const shown = Number.parseFloat(await text('#length'));
+    const sum = /** @type {number[]} */ (numbers.at(-1))[0];
+    assert.ok(Math.abs(sum / shown - 1) < 1e-3 && sum < shown, 'chords are a little shorter');
+  });
+
+  test('JSON: formulas, ends, options and the path', async () => {
+    const document = JSON.parse((await take('json')).toString());
+    assert.equal(document.surface.x, '(R+a*cos(v))*cos(u)');
+    assert.deepEqual(document.surface.parameters, { R: 4, a: 1.5 });
+    assert.deepEqual(document.from, [1.77, 1.76]);
+    assert.ok(Math.abs(document.path.length - Number.parseFloat(await text('#length'))) < 1e-7);
+    assert.equal(document.path.points.length, 3 * 66);
+  });
+
+  test('SVG: the plane with the path', async () => {
+    const svg = (await take('svg')).toString().replace(/<style>.*<\/style>/s, '');
+    const points = await page.evaluate((source) => {
+      const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
+      return parsed.querySelector('parsererror') ? '' : (parsed.querySelector('polyline.path')?.getAttribute('points') ?? '');
+    }, svg);
+    assert.equal(points.split(' ').length, 66);
+  });
+
+  test('GLTF: surface and path', async () => {
+    const { meshes, nodes, accessors, buffers, asset } = JSON.parse((await take('gltf')).toString());
+    assert.equal(asset.version, '2.0');
+    assert.equal(meshes.length, 2);
+    assert.deepEqual(nodes.flatMap((/** @type {any} */ { name }) => name ?? []).sort(), ['path', 'surface']);
+    assert.match(buffers[0].uri, /^data:application\/octet-stream;base64,/);
+    assert.ok(
+      accessors.some((/** @type {any} */ { count }) => count === 66),
+      'the points of the path',
+    );
+    assert.ok(
+      accessors.some((/** @type {any} */ { count }) => count === 97 * 97),
+      'the vertices of the surface',
+    );
+  });
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});

@@ -1,0 +1,275 @@
+/**
+ * surfpath/element: <surface-path>, a surface and the shortest path between two of its points as an element of HTML. Importing it defines the element
+ * where there are custom elements, and does nothing elsewhere, in Node for example.
+ */
+
+import { load } from '../index.js';
+import {
+  LOOK_ATTRIBUTES,
+  PATH_ATTRIBUTES,
+  readDefinition,
+  readLook,
+  readNumbers,
+  readOptions,
+  SURFACE_ATTRIBUTES,
+} from './element/attributes.js';
+import { filmOf } from './element/film.js';
+import { Stage } from './element/stage.js';
+import { adoptStyle, readTheme } from './element/style.js';
+import { describePath, describeProblem } from './element/words.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('../surface.js').Surface} Surface */
+/** @typedef {import('../instance.js').Surfpath} Surfpath */
+/** @typedef {import('../instance.js').AnyDefinition} AnyDefinition */
+
+/** One solver for all elements of a page. @type {Promise<Surfpath> | null} */
+let solver = null;
+
+function getSolver() {
+  solver ??= load();
+  solver.catch(() => {
+    solver = null;
+  });
+  return solver;
+}
+
+/** What must be done again, from the least to the most. */
+const [LOOK, PATH, SURFACE] = [1, 2, 3];
+
+const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
+
+/**
+ * `<surface-path surface="parametricTorus" from="0,0" to="2,1" controls></surface-path>`. The attributes stand in the manual. Events: `path`, its detail the Path,
+ * each time one was computed; `error`, its detail the Error, where a formula, a point or the browser does not allow it. Neither bubbles.
+ */
+export class SurfacePathElement extends Base {
+  static observedAttributes = [...SURFACE_ATTRIBUTES, ...PATH_ATTRIBUTES, ...LOOK_ATTRIBUTES];
+  #canvas = document.createElement('canvas');
+  #words = document.createElement('p');
+  /** @type {Stage | null} */ #stage = null;
+  /** @type {AnyDefinition | null} */ #given = null;
+  /** @type {Surface | null} */ #surface = null;
+  /** @type {Path | null} */ #path = null;
+  /** @type {number[][]} */ #ends = [];
+  #title = 'Surface';
+  /** The definition that is looked at, but for its parameters: where only these change, the view stays. */
+  #framed = '';
+  /** What is to be done again; 0: nothing. */
+  #stale = 0;
+  #isQueued = false;
+  #isVisible = false;
+  /** Whether the look of the surface is to be made again as soon as it is on screen. */
+  #isUndrawn = true;
+  #isUnplayed = true;
+  /** @type {AbortController | null} */ #connection = null;
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: 'open' });
+    adoptStyle(root);
+    this.#canvas.setAttribute('role', 'img');
+    this.#canvas.setAttribute('part', 'canvas');
+    this.#words.setAttribute('part', 'length');
+    this.#words.setAttribute('role', 'status');
+    root.append(this.#canvas, this.#words);
+  }
+
+  /** The path that was computed last; null before, and after an error. */
+  get path() {
+    return this.#path;
+  }
+
+  /** The definition of the surface: what was set, else what the attributes say. Throws as that may. @returns {AnyDefinition} */
+  get definition() {
+    return this.#given ?? readDefinition((name) => this.getAttribute(name));
+  }
+
+  /** Takes the place of all attributes of the surface; null gives it back to them. */
+  set definition(definition) {
+    this.#given = definition;
+    this.#renew(SURFACE);
+  }
+
+  /** Where the path begins: u v, or x y z. Follows the handle. @returns {number[]} */
+  get from() {
+    return [...(this.#ends[0] ?? [])];
+  }
+
+  /** @param {ArrayLike<number> | string} point as the attribute, or numbers */
+  set from(point) {
+    this.setAttribute('from', typeof point === 'string' ? point : Array.from(point).join(','));
+  }
+
+  /** Where it ends. @returns {number[]} */
+  get to() {
+    return [...(this.#ends[1] ?? [])];
+  }
+
+  /** @param {ArrayLike<number> | string} point */
+  set to(point) {
+    this.setAttribute('to', typeof point === 'string' ? point : Array.from(point).join(','));
+  }
+
+  connectedCallback() {
+    this.#connection = new AbortController();
+    const { signal } = this.#connection;
+    const seen = new IntersectionObserver((entries) => this.#see(entries.at(-1)?.isIntersecting ?? false));
+    const sized = new ResizeObserver(() => this.#stage?.resize(this.clientWidth, this.clientHeight));
+    for (const observer of [seen, sized]) {
+      observer.observe(this);
+      signal.addEventListener('abort', () => observer.disconnect());
+    }
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#stage?.setTheme(readTheme(this)), { signal });
+    this.#renew(SURFACE);
+  }
+
+  disconnectedCallback() {
+    this.#connection?.abort();
+    this.#connection = null;
+    this.#stage?.dispose();
+    this.#stage = null;
+    this.#surface?.dispose();
+    this.#surface = null;
+    this.#isVisible = false;
+    this.#isUndrawn = true;
+    this.#framed = '';
+  }
+
+  /** @param {string} name @param {string | null} before @param {string | null} now */
+  attributeChangedCallback(name, before, now) {
+    if (before === now) return;
+    this.#renew(SURFACE_ATTRIBUTES.includes(name) ? SURFACE : PATH_ATTRIBUTES.includes(name) ? PATH : LOOK);
+  }
+
+  /** Several attributes that change together are read together. @param {number} what */
+  #renew(what) {
+    this.#stale = Math.max(this.#stale, what);
+    if (this.#isQueued || !this.#connection) return;
+    this.#isQueued = true;
+    queueMicrotask(() => this.#update());
+  }
+
+  async #update() {
+    let what = this.#stale;
+    try {
+      const surfpath = await getSolver();
+      this.#isQueued = false;
+      if (!this.#connection) return;
+      what = this.#stale;
+      this.#stale = 0;
+      if (what === SURFACE) this.#build(surfpath);
+      if (what >= PATH) this.#readEnds();
+      if (what >= PATH) this.#solve();
+      this.#isUndrawn = true;
+      this.#isUnplayed = what >= PATH;
+      this.#show();
+    } catch (error) {
+      this.#isQueued = false;
+      this.#stale = Math.max(this.#stale, what);
+      this.#path = null;
+      if (this.#connection) this.#complain(error);
+    }
+  }
+
+  /** @param {Surfpath} surfpath */
+  #build(surfpath) {
+    const definition = /** @type {AnyDefinition & { title?: string }} */ (this.definition);
+    const surface = surfpath.surface(definition);
+    this.#surface?.dispose();
+    this.#surface = surface;
+    this.#title = definition.title ?? 'Surface';
+  }
+
+  /** The attributes, else the pair that the gallery suggests; none: the surface alone. */
+  #readEnds() {
+    const suggested = /** @type {Record<string, any>} */ (this.definition);
+    this.#ends = ['from', 'to'].flatMap((name) => {
+      const text = this.getAttribute(name);
+      const point = text === null ? suggested[name] : readNumbers(name, text);
+      return point ? [Array.from(point)] : [];
+    });
+  }
+
+  /** @param {Path | null} [start] an earlier path, while an end is dragged */
+  #solve(start = null) {
+    if (!this.#surface) return;
+    this.#path = null;
+    if (this.#ends.length === 2) {
+      const options = readOptions((name) => this.getAttribute(name));
+      const [from, to] = this.#ends;
+      this.#path = this.#surface.shortestPath(from, to, start && !options.via ? { ...options, start } : options);
+    }
+    this.#say(this.#path ? describePath(this.#path) : '');
+    if (this.#path) this.dispatchEvent(new CustomEvent('path', { detail: this.#path }));
+  }
+
+  /** @param {boolean} isVisible on screen */
+  #see(isVisible) {
+    this.#isVisible = isVisible;
+    this.#stage?.setVisible(isVisible);
+    this.#show();
+  }
+
+  /** Draws what has changed, once it is on screen: meshes and contexts cost more than paths. */
+  #show() {
+    if (!this.#isVisible || !this.#isUndrawn || !this.#surface) return;
+    this.#isUndrawn = false;
+    try {
+      this.#draw(this.#surface);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** @param {Surface} surface */
+  #draw(surface) {
+    const stage = this.#stage ?? this.#openStage();
+    const definition = this.definition;
+    const { camera, ...look } = readLook((name) => this.getAttribute(name), definition, this.#ends[0]);
+    stage.setSurface(surface, look);
+    const framed = JSON.stringify([{ ...definition, parameters: null }, camera]);
+    if (framed !== this.#framed) stage.frame(camera, this.#path);
+    this.#framed = framed;
+    stage.setEnds(surface, this.#ends, this.hasAttribute('controls') ? (end, point) => this.#drag(end, point) : null);
+    const animates = this.hasAttribute('animate') && this.#isUnplayed && this.#path !== null;
+    stage.setPath(animates ? filmOf(surface, this.#ends, /** @type {Path} */ (this.#path)) : this.#path);
+    this.#isUnplayed = false;
+    if (animates) stage.play();
+  }
+
+  #openStage() {
+    const stage = new Stage(this.#canvas);
+    stage.setTheme(readTheme(this));
+    stage.resize(this.clientWidth, this.clientHeight);
+    stage.setVisible(this.#isVisible);
+    this.#stage = stage;
+    return stage;
+  }
+
+  /** @param {number} end @param {number[]} point */
+  #drag(end, point) {
+    this.#ends[end] = point;
+    try {
+      this.#solve(this.#path?.converged ? this.#path : null);
+      this.#stage?.setPath(this.#path);
+    } catch (error) {
+      this.#complain(error);
+    }
+  }
+
+  /** @param {string} words */
+  #say(words) {
+    this.#words.textContent = words;
+    this.#canvas.setAttribute('aria-label', words ? `${this.#title}. ${words}` : this.#title);
+  }
+
+  /** @param {unknown} error */
+  #complain(error) {
+    const detail = error instanceof Error ? error : new Error(String(error));
+    this.#say(describeProblem(detail, this.#path));
+    this.dispatchEvent(new CustomEvent('error', { detail }));
+  }
+}
+
+if (globalThis.customElements && !customElements.get('surface-path')) customElements.define('surface-path', SurfacePathElement);

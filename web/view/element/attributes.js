@@ -1,0 +1,156 @@
+/** What the attributes of <surface-path> say, as the library takes it. Pure: reads strings, knows no document. */
+
+import { gallery } from '../../gallery.js';
+import { describe } from '../../path.js';
+
+/** @typedef {(name: string) => string | null} Attributes the value of an attribute, null where it is absent */
+/** @typedef {import('../../instance.js').AnyDefinition} AnyDefinition */
+
+/** Of each kind: attributes that are a formula, several of them, ranges. @type {Record<string, { formulas: string[], lists: string[], ranges: string[] }>} */
+const KINDS = {
+  parametric: { formulas: ['x', 'y', 'z'], lists: [], ranges: ['u', 'v'] },
+  implicit: { formulas: ['f'], lists: [], ranges: [] },
+  graph: { formulas: ['z'], lists: [], ranges: ['x', 'y'] },
+  revolution: { formulas: ['r', 'z'], lists: [], ranges: ['t'] },
+  tube: { formulas: ['radius'], lists: ['centreline'], ranges: ['t'] },
+  sweep: { formulas: [], lists: ['profile', 'path'], ranges: ['s', 't'] },
+};
+/** An attribute that only one kind has, or that decides between those left. */
+const SIGNS = /** @type {const} */ ([
+  ['f', 'implicit'],
+  ['centreline', 'tube'],
+  ['profile', 'sweep'],
+  ['r', 'revolution'],
+  ['u', 'parametric'],
+  ['z', 'graph'],
+]);
+const METRIC = { implicit: ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'], other: ['E', 'F', 'G'] };
+
+const named = [...new Set(Object.values(KINDS).flatMap(({ formulas, lists, ranges }) => [...formulas, ...lists, ...ranges]))];
+/** What makes another surface, … */
+export const SURFACE_ATTRIBUTES = ['surface', 'kind', 'bounds', 'parameters', 'periodic', 'density', 'metric', ...named];
+/** … another path on it, … */
+export const PATH_ATTRIBUTES = ['from', 'to', 'via', 'tolerance', 'points', 'algorithm', 'start'];
+/** … or the same, drawn otherwise. */
+export const LOOK_ATTRIBUTES = ['colour', 'controls', 'animate', 'camera', 'resolution'];
+
+/** Parts between semicolons, or, where there is none, between commas. @param {string} text */
+const split = (text) => text.split(text.includes(';') ? ';' : ',').map((part) => part.trim());
+
+/** Numbers between commas or spaces. @param {string} name @param {string} text @returns {number[]} */
+export function readNumbers(name, text) {
+  const numbers = text
+    .trim()
+    .split(/\s*,\s*|\s+/)
+    .map((part) => (part === '' ? Number.NaN : Number(part)));
+  if (numbers.every(Number.isFinite)) return numbers;
+  throw new TypeError(`surface-path: ${name} must be numbers between commas, not ${describe(text)}`);
+}
+
+/** @param {string} text 'R = 3, r = 1' @returns {Record<string, number>} */
+function readParameters(text) {
+  /** @type {[string, number][]} */
+  const entries = split(text)
+    .filter(Boolean)
+    .map((part) => {
+      const [name, value, ...rest] = part.split('=').map((side) => side.trim());
+      if (!name || !value || rest.length > 0 || !Number.isFinite(Number(value)))
+        throw new TypeError(`surface-path: parameters must be name=number between commas, not ${describe(part)}`);
+      return [name, Number(value)];
+    });
+  return Object.fromEntries(entries);
+}
+
+/** @param {string} text 'none', or names of directions @returns {'auto' | { u: boolean, v: boolean }} */
+function readPeriodic(text) {
+  const names = text.trim().split(/[\s,]+/);
+  if (text.trim() === 'auto') return 'auto';
+  if (!names.every((name) => ['u', 'v', 'none'].includes(name)))
+    throw new TypeError(`surface-path: periodic must be 'auto', 'none', 'u', 'v' or 'u v', not ${describe(text)}`);
+  return { u: names.includes('u'), v: names.includes('v') };
+}
+
+/** The formulas that the attributes hold. @param {Attributes} attribute @returns {Record<string, any> & { kind: string }} */
+function readFormulas(attribute) {
+  const kind = attribute('kind') ?? SIGNS.find(([name]) => attribute(name) !== null)?.[1];
+  if (kind === undefined)
+    throw new TypeError('surface-path: name a surface of the gallery (surface="torus"), or give formulas (x, y, z, u, v or f, bounds)');
+  const fields = Object.hasOwn(KINDS, kind) ? KINDS[kind] : null;
+  if (!fields) throw new RangeError(`surface-path: kind must be one of ${Object.keys(KINDS).join(', ')}, not ${describe(kind)}`);
+  /** @type {Record<string, any> & { kind: string }} */
+  const definition = { kind };
+  for (const name of fields.formulas) definition[name] = attribute(name) ?? undefined;
+  for (const name of [...fields.lists, ...fields.ranges]) {
+    const text = attribute(name);
+    if (text !== null) definition[name] = split(text);
+  }
+  return definition;
+}
+
+/** @param {string} text 'x, x; y, y; z, z' or one range for all three @returns {number[][]} */
+function readBounds(text) {
+  const ranges = text.split(';').map((range) => readNumbers('bounds', range));
+  return ranges.length === 1 ? [ranges[0], ranges[0], ranges[0]] : ranges;
+}
+
+/** @param {string} name */
+function findEntry(name) {
+  if (Object.hasOwn(gallery, name)) return /** @type {Record<string, any>} */ (gallery)[name];
+  throw new RangeError(`surface-path: there is no surface ${describe(name)} in the gallery; it has ${Object.keys(gallery).join(', ')}`);
+}
+
+/**
+ * The definition of the surface: an entry of the gallery or formulas, with what the other attributes change of it.
+ * @param {Attributes} attribute
+ * @returns {AnyDefinition & { title?: string, from?: readonly number[], to?: readonly number[], camera?: readonly number[] }}
+ */
+export function readDefinition(attribute) {
+  const name = attribute('surface');
+  const definition = name === null ? readFormulas(attribute) : { ...findEntry(name.trim()) };
+  const [bounds, parameters, periodic] = ['bounds', 'parameters', 'periodic'].map(attribute);
+  const [density, metric] = ['density', 'metric'].map(attribute);
+  if (bounds !== null) definition.bounds = readBounds(bounds);
+  if (parameters !== null) definition.parameters = { ...definition.parameters, ...readParameters(parameters) };
+  if (periodic !== null) definition.periodic = readPeriodic(periodic);
+  if (density !== null) definition.density = density;
+  if (metric !== null) {
+    const names = definition.kind === 'implicit' ? METRIC.implicit : METRIC.other;
+    const formulas = split(metric);
+    if (formulas.length !== names.length)
+      throw new TypeError(`surface-path: metric must be ${names.length} formulas, ${names.join('; ')}, not ${formulas.length}`);
+    definition.metric = Object.fromEntries(names.map((key, i) => [key, formulas[i]]));
+  }
+  return /** @type {any} */ (definition);
+}
+
+/** Options for `shortestPath`; only those that are given. @param {Attributes} attribute @returns {import('../../path.js').PathOptions} */
+export function readOptions(attribute) {
+  /** @type {Record<string, any>} */
+  const options = {};
+  for (const name of ['tolerance', 'points']) {
+    const text = attribute(name);
+    if (text !== null) [options[name]] = readNumbers(name, text);
+  }
+  for (const name of ['algorithm', 'start']) {
+    const text = attribute(name);
+    if (text !== null) options[name] = text;
+  }
+  const via = attribute('via');
+  if (via !== null) options.via = via.split(';').map((point) => readNumbers('via', point));
+  return options;
+}
+
+/**
+ * How the surface is drawn.
+ * @param {Attributes} attribute @param {Record<string, any>} definition @param {number[] | undefined} from the first end
+ * @returns {import('../geometry.js').GeometryOptions & { camera?: readonly number[] }} camera: the direction to look from; absent: none is asked for
+ */
+export function readLook(attribute, definition, from) {
+  const [colour, resolution, camera] = ['colour', 'resolution', 'camera'].map(attribute);
+  return {
+    colour: /** @type {any} */ (colour ?? 'none'),
+    ...(colour === 'distance' ? { from } : {}),
+    ...(resolution === null ? {} : { resolution: readNumbers('resolution', resolution)[0] }),
+    camera: camera === null ? definition.camera : readNumbers('camera', camera),
+  };
+}

@@ -1,0 +1,217 @@
+/** What <surface-path> shows: surface, path, ends, light and camera. Draws when something has changed and it is on screen. Knows no attributes and no solver. */
+
+import { DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
+import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
+
+/** @typedef {import('../../surface.js').Surface} Surface */
+/** @typedef {import('../../path.js').Path} Path */
+/** @typedef {import('./style.js').Theme} Theme */
+
+const FIELD_OF_VIEW = 32;
+const TOWARDS = [0.43, -0.75, 0.5];
+const MOST_PIXELS = 2;
+const ELEVATION = Math.PI / 6;
+/** Share of the view that stays free around the surface; and, at its lower edge, the pixels that the words cover. */
+const [MARGIN, COVERED] = [0.08, 30];
+
+export class Stage {
+  #canvas;
+  #scene = new Scene();
+  #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
+  /** @type {OrbitControls | null} */ #controls = null;
+  #mesh = new Mesh();
+  #line = new GeodesicLine();
+  #player = new PathPlayer(this.#line, null, { onFrame: () => this.invalidate() });
+  /** @type {(DragHandle | Marker)[]} */ #ends = [];
+  #size = { width: 0, height: 0, ratio: 1 };
+  /** @type {ArrayLike<number>} */ #towards = TOWARDS;
+  #isVisible = false;
+  #isFitted = false;
+  /** Whether the reader has turned the view: then it is not ours to change. */
+  #isTurned = false;
+  #request = 0;
+  /** @type {Theme} */ #theme = { surface: '#d3d9de', line: '#e8501f', start: '#2f6fd6', halo: '#ffffff' };
+
+  /** Throws where there is no WebGL. @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    acquireRenderer();
+    this.#canvas = canvas;
+    this.#camera.up.set(0, 0, 1);
+    const sky = new HemisphereLight('#ffffff', '#b9b2a6', 1.45);
+    sky.position.set(0, 0, 1);
+    const key = new DirectionalLight('#fffaf2', 2.1);
+    key.position.set(-0.7, 1, 0.75);
+    const fill = new DirectionalLight('#dfe9ff', 0.5);
+    fill.position.set(1, -0.2, 0.5);
+    this.#camera.add(key, key.target, fill, fill.target);
+    this.#scene.add(this.#camera, sky, this.#line);
+  }
+
+  /** Whether there is a surface to look at. */
+  get hasSurface() {
+    return this.#mesh.parent !== null;
+  }
+
+  /**
+   * @param {Surface} surface @param {import('../geometry.js').GeometryOptions} look
+   */
+  setSurface(surface, look) {
+    const geometry = surfaceGeometry(surface, look);
+    this.#clearSurface();
+    const coloured = geometry.hasAttribute('color');
+    this.#mesh = new Mesh(geometry, surfaceMaterial(geometry, coloured ? {} : { color: this.#theme.surface }));
+    this.#scene.add(this.#mesh);
+    this.invalidate();
+  }
+
+  /** Looks at the surface anew. @param {ArrayLike<number> | undefined} towards the camera from there; else from 30 degrees above, from the side of the path @param {Path | null} path */
+  frame(towards, path) {
+    this.#towards = towards ?? this.#sideOf(path);
+    [this.#isFitted, this.#isTurned] = [false, false];
+    this.invalidate();
+  }
+
+  /** @param {Path | null} path */
+  #sideOf(path) {
+    const { center, radius } = /** @type {import('three').Sphere} */ (this.#mesh.geometry.boundingSphere);
+    const points = path?.points ?? [];
+    const middle = 3 * Math.floor(points.length / 6);
+    const towards = new Vector3(points[middle], points[middle + 1], points[middle + 2]).sub(center).setZ(0);
+    if (!(towards.length() > 0.1 * radius)) return TOWARDS;
+    return towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION)).toArray();
+  }
+
+  /** @param {Path | null} path */
+  setPath(path) {
+    this.#player.setPath(path);
+  }
+
+  /** Shows how the path came about. */
+  play() {
+    return this.#player.play();
+  }
+
+  /**
+   * Puts the ends as points to look at, or to drag.
+   * @param {Surface} surface @param {number[][]} points @param {((end: number, point: number[], handle: DragHandle) => void) | null} onDrag null: to look at
+   */
+  setEnds(surface, points, onDrag) {
+    for (const end of this.#ends) end.dispose();
+    this.#switchControls(onDrag !== null);
+    this.#ends = points.map((point, i) => (onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point)));
+    this.#scene.add(...this.#ends);
+    this.#paint();
+  }
+
+  /** @param {Surface} surface @param {number[]} point @param {number} i @param {(end: number, point: number[], handle: DragHandle) => void} onDrag */
+  #makeHandle(surface, point, i, onDrag) {
+    return new DragHandle(surface, point, {
+      camera: this.#camera,
+      domElement: this.#canvas,
+      mesh: this.#mesh,
+      ...(this.#controls ? { controls: this.#controls } : {}),
+      label: i === 0 ? 'Start of the path' : 'End of the path',
+      onDrag: (place, handle) => onDrag(i, place, handle),
+      onChange: () => this.invalidate(),
+    });
+  }
+
+  /** @param {Surface} surface @param {number[]} point */
+  #makeMarker(surface, point) {
+    const marker = new Marker();
+    const [x, y, z] = surface.kind === 'implicit' ? surface.project(point) : surface.evaluate(point);
+    marker.position.set(x, y, z);
+    return marker;
+  }
+
+  /** @param {boolean} on */
+  #switchControls(on) {
+    if (on === (this.#controls !== null)) return;
+    this.#controls?.dispose();
+    this.#controls = on ? new OrbitControls(this.#camera, this.#canvas) : null;
+    this.#controls?.addEventListener('change', () => this.invalidate());
+    this.#controls?.addEventListener('start', () => {
+      this.#isTurned = true;
+    });
+    this.#isFitted = false;
+  }
+
+  /** @param {Theme} theme */
+  setTheme(theme) {
+    this.#theme = theme;
+    this.#player.setColours({ cool: theme.start, warm: theme.line });
+    this.#paint();
+  }
+
+  /** Puts the theme's colours on what there is. */
+  #paint() {
+    const { surface, line, halo } = this.#theme;
+    const material = /** @type {import('three').MeshStandardMaterial} */ (this.#mesh.material);
+    if (this.hasSurface && !material.vertexColors) material.color.set(surface);
+    this.#line.setColours({ halo });
+    for (const end of this.#ends) end.setColours({ colour: line, ring: halo });
+    this.invalidate();
+  }
+
+  /** @param {number} width in CSS pixels @param {number} height */
+  resize(width, height) {
+    if (width < 1 || height < 1) return;
+    this.#size = { width: Math.round(width), height: Math.round(height), ratio: Math.min(devicePixelRatio, MOST_PIXELS) };
+    this.#camera.aspect = width / height;
+    this.#camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
+    if (!this.#isTurned) this.#isFitted = false;
+    // A canvas that was resized is empty until it is drawn: draw before the browser paints.
+    if (this.#isVisible) this.#draw();
+  }
+
+  /** @param {boolean} visible on screen */
+  setVisible(visible) {
+    this.#isVisible = visible;
+    if (visible) this.invalidate();
+    else this.#player.finish();
+  }
+
+  /** Draws in the next frame, if it is on screen then. */
+  invalidate() {
+    if (this.#isVisible && !this.#request) this.#request = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw() {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+    if (!this.#isVisible || this.#size.width === 0 || !this.hasSurface) return;
+    if (!this.#isFitted) this.#fit();
+    drawInto(this.#canvas, this.#scene, this.#camera, this.#size);
+  }
+
+  #fit() {
+    this.#isFitted = true;
+    const margin = Math.min(MARGIN + COVERED / this.#size.height, 0.5);
+    const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin);
+    if (!this.#controls) return;
+    const distance = this.#camera.position.distanceTo(target);
+    Object.assign(this.#controls, { minDistance: distance / 4, maxDistance: 2 * distance });
+    this.#controls.target.copy(target);
+    this.#controls.update();
+  }
+
+  #clearSurface() {
+    this.#mesh.removeFromParent();
+    this.#mesh.geometry.dispose();
+    /** @type {import('three').Material} */ (this.#mesh.material).dispose();
+  }
+
+  /** Frees all that it holds; the last one gives the WebGL context back. */
+  dispose() {
+    cancelAnimationFrame(this.#request);
+    this.#isVisible = false;
+    this.#player.dispose();
+    for (const end of this.#ends) end.dispose();
+    this.#controls?.dispose();
+    this.#line.dispose();
+    this.#clearSurface();
+    releaseRenderer();
+  }
+}
