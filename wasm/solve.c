@@ -136,7 +136,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
     int is_parametric = line->surface->kind == SP_PARAMETRIC, may_cross = is_parametric && line->kind->components == 0;
-    if (pole > 0 && is_parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (pole >= 1 && pole <= 4 && is_parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     result->crosses_singularity = may_cross && sp_cusp_divides(newton);
@@ -168,6 +168,20 @@ static enum sp_status start_path(struct sp_newton *newton, const struct sp_reque
     return status;
 }
 
+static int are_finite(const double *numbers, int32_t count) {
+    double sum = 0;
+    for (int32_t i = 0; numbers && i < count; i++)
+        sum += numbers[i] - numbers[i];
+    return sum == 0;
+}
+
+/* What is handed out is a path, however a surface that is not smooth, or NaN in places, has led the stages astray. */
+static int is_sound(const struct sp_result *result, int32_t point_count) {
+    int32_t count = point_count + 2;
+    return are_finite(&result->length, 1) && result->length_error >= 0 && are_finite(result->points, 3 * count) &&
+           are_finite(result->parameters, 2 * count);
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -193,7 +207,9 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status < 0) return status;
     fill(&refined, &newton, options, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
-    return status > 0 ? status : (enum sp_status)refined.outcome.status;
+    if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
+    if (status > 0) return status;
+    return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
 
 int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,

@@ -77,7 +77,7 @@ function sample(binary, parameters, numbers) {
 }
 
 /** @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces */
-function writeTable(surfaces) {
+export function writeTable(surfaces) {
   const names = Object.keys(surfaces);
   const declarations = names.map(
     (name) => `void ${name}_jet(int32_t, const sp_pair *, sp_pair *);\nvoid ${name}_value(int32_t, const sp_pair *, sp_pair *);`,

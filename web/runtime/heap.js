@@ -48,7 +48,7 @@ export const LAYOUT = {
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
 
-const OUT_OF_MEMORY = -6;
+export const OUT_OF_MEMORY = -6;
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
 const MOST_TRACE_STEPS = 200_000;
@@ -148,13 +148,13 @@ export class Heap {
    * @param {(pairs: number, input: number, output: number) => void} evaluate
    * @param {ArrayLike<number>} points `inputs` numbers a point
    * @param {number} inputs @param {number} outputs
-   * @returns {Float64Array} `outputs` numbers a point
+   * @returns {Float64Array | null} `outputs` numbers a point; null: memory is exhausted
    */
   evaluate(evaluate, points, inputs, outputs) {
     const count = points.length / inputs;
     const pairs = (count + 1) >> 1;
     const bytes = pairs * 16 * (inputs + outputs);
-    if (!this.#reserve(bytes)) throw new RangeError(`surfpath: no memory to evaluate ${count} points; pass fewer at a time`);
+    if (!this.#reserve(bytes)) return null;
     const input = this.#doubles(this.#arenaBase, 2 * pairs * inputs);
     for (let i = 0; i < 2 * pairs; i++) {
       const point = Math.min(i, count - 1) * inputs;
