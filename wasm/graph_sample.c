@@ -85,10 +85,11 @@ double sp_graph_chord(const struct sp_surface *surface, const double *from, cons
 
 double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,
                              const double normal_b[3]) {
-    double cosine = sp_dot3(normal_a, normal_b), chord[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    double rise_a = sp_dot3(chord, normal_a), rise_b = sp_dot3(chord, normal_b), limit = LARGEST_SINE * sp_root(sp_dot3(chord, chord));
+    double cosine = sp_dot3(normal_a, normal_b), chord[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, size = sp_root(sp_dot3(chord, chord));
+    double rise_a = sp_dot3(chord, normal_a), rise_b = sp_dot3(chord, normal_b), limit = LARGEST_SINE * size;
     int one_sheet = cosine > LEAST_COSINE && rise_a <= limit && rise_a >= -limit && rise_b <= limit && rise_b >= -limit;
-    return one_sheet ? sp_graph_chord(surface, a, b, NULL) * (1 + (1 - cosine) / 12) : __builtin_inf();
+    if (!one_sheet) return __builtin_inf();
+    return (surface->metric == SP_INDUCED ? size : sp_graph_chord(surface, a, b, NULL)) * (1 + (1 - cosine) / 12);
 }
 
 double sp_dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

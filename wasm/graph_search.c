@@ -123,5 +123,7 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     if (status == SP_CONVERGED) status = measure(&search);
     if (status != SP_CONVERGED) return status;
     answer->distance = search.best;
-    return find_ways(&search, arena, answer);
+    status = find_ways(&search, arena, answer);
+    /* On a surface that is not finite everywhere there may be none that can be written down. */
+    return status == SP_CONVERGED && answer->candidate_count == 0 ? SP_DISCONNECTED : status;
 }

@@ -8,7 +8,7 @@ struct rung {
     int32_t degree, count;
 };
 
-static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
+static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {24, 32}, {24, 64}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };

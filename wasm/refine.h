@@ -5,7 +5,7 @@
 #include "newton.h"
 
 /* Most inner nodes of any rung. */
-enum { SP_REFINE_INNER = 32 * 16 - 1, SP_REFINE_FIRST = 31 };
+enum { SP_REFINE_INNER = 24 * 64 - 1, SP_REFINE_FIRST = 31 };
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */
 struct sp_refined {

@@ -96,6 +96,24 @@ function closes({ jets, metrics }, range, size, direction) {
   return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
 }
 
+/**
+ * Refuses to close a direction whose edges are the same curve run through in opposite directions: a lift would have to turn the other coordinate round.
+ * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction
+ */
+function checkTurn(jets, range, size, direction) {
+  const low = jets(edgePlaces(range, direction, 0, TEST_FRACTIONS));
+  const largest = (/** @type {number[]} */ fractions) => {
+    const high = jets(edgePlaces(range, direction, 1, fractions));
+    return Math.max(...fractions.map((_, i) => gap(vector(low, i, 0), vector(high, i, 0))));
+  };
+  if (!(largest(TEST_FRACTIONS.map((fraction) => 1 - fraction)) <= POSITION_GAP * size) || largest(TEST_FRACTIONS) <= POSITION_GAP * size)
+    return;
+  const name = 'uv'[direction];
+  throw new RangeError(
+    `periodic.${name}: the surface meets itself turned over at the ends of ${name} (as a Möbius strip does), and such a seam cannot be closed; leave ${name} open, or double its range: the surface is then covered twice and closes`,
+  );
+}
+
 /** Whether the second half of the lists repeats the first. @param {ArrayLike<number>[]} lists */
 function agree(lists) {
   const half = lists.length / 2;
@@ -116,6 +134,8 @@ function agree(lists) {
 export function findDomain(asked, surface, { lower, upper }) {
   const range = { lower, upper };
   const size = diagonal(surface.jets, range);
+  if (asked !== 'auto' && !surface.tensors)
+    for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkTurn(surface.jets, range, size, direction);
   const periodic =
     asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, size, direction)) : [asked.u === true, asked.v === true];
   return { lower, upper, periodic, poles: findPoles(surface, range, size) };

@@ -51,3 +51,16 @@ describe('periodic directions', () => {
     assert.equal(arc.shortestPath([4, 0], [1, 0]).status, 'converged');
   });
 });
+
+test('a seam that turns the surface over stays a wall, and is refused where it is asked for', () => {
+  /** @type {any} */
+  const strip = { x: '(1+v*cos(u/2))*cos(u)', y: '(1+v*cos(u/2))*sin(u)', z: 'v*sin(u/2)', u: [0, '2*pi'], v: [-0.3, 0.3] };
+  assert.deepEqual(surfpath.parametric(strip).domain?.periodic, { u: false, v: false });
+  assert.throws(
+    () => surfpath.parametric({ ...strip, periodic: { u: true } }),
+    /periodic\.u: the surface meets itself turned over at the ends of u/,
+  );
+  assert.deepEqual(surfpath.parametric({ ...strip, u: [0, '4*pi'] }).domain?.periodic, { u: true, v: false });
+  const chart = { x: 'cos(u)', y: 'sin(u)', z: 'v', u: /** @type {any} */ ([0, '2*pi']), v: /** @type {any} */ ([-1, 1]) };
+  assert.deepEqual(surfpath.parametric({ ...chart, periodic: { u: true } }).domain?.periodic, { u: true, v: false });
+});

@@ -97,6 +97,28 @@ test('geodesics: distinct, sorted, the shortest path first', () => {
   surface.dispose();
 });
 
+test('geodesics: mirror images are different paths, and do not displace the others', () => {
+  const surface = make(torus);
+  const found = surface.geodesics([0, 0], [Math.PI, 0], POLYLINE);
+  const lengths = found.map(({ length }) => length);
+  assert.ok(new Set(lengths.map((length) => length.toFixed(3))).size >= 3, `lengths ${lengths}`);
+  assert.deepEqual(
+    lengths,
+    [...lengths].sort((a, b) => a - b),
+  );
+  for (const [i, { points }] of found.entries())
+    for (const other of found.slice(0, i))
+      assert.ok(
+        points.some((x, k) => Math.abs(x - other.points[k]) > 0.01),
+        `path ${i} twice`,
+      );
+  assert.deepEqual(
+    surface.geodesics([0, 0], [Math.PI, 0], { ...POLYLINE, max: 5 }).map(({ length }) => length),
+    lengths.slice(0, 5),
+  );
+  surface.dispose();
+});
+
 test('geodesics: both paths of an exact tie', () => {
   for (const { id, definition, from, to, expected } of cases.filter(
     ({ expected }) => !expected.unique && expected.surface === 'bumpy_tie',

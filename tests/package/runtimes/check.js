@@ -6,7 +6,7 @@ import { join } from 'node:path';
 const RUNTIMES = [
   ['Node 20', ['node20/bin/node']],
   ['Node 22', ['node22/bin/node']],
-  ['Deno', ['@deno/linux-x64-glibc/deno'], 'run', '--no-remote', '--allow-read'],
+  ['Deno', ['@deno/linux-x64-glibc/deno'], 'run', '--no-remote', '--allow-read', '--allow-sys'],
   ['Bun', ['@oven/bun-linux-x64/bin/bun', '@oven/bun-linux-x64-baseline/bin/bun'], 'run'],
 ];
 
