@@ -89,13 +89,18 @@ export function checkPeriodic(caller, periodic = 'auto') {
   return { ...periodic };
 }
 
+/** An array-like that holds numbers alone; looked at one by one, as its length may be anything. @param {string} name for messages @param {string} what it must be @param {ArrayLike<unknown>} given */
+export function checkHeld(name, what, given) {
+  for (let i = 0; i < given.length; i++)
+    if (typeof given[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(given[i])}`);
+}
+
 /** Points as a flat list. @param {string} caller @param {any} points @param {string[]} variables */
 export function checkPoints(caller, points, variables) {
   const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a point`;
   if (typeof points !== 'object' || points === null || typeof points.length !== 'number')
     throw new TypeError(`${caller}: points must be ${what}, not ${describe(points)}`);
-  const bad = ArrayBuffer.isView(points) ? undefined : Array.from(points).find((x) => typeof x !== 'number');
-  if (bad !== undefined) throw new TypeError(`${caller}: points must be ${what}; it holds ${describe(bad)}`);
+  checkHeld(`${caller}: points`, what, points);
   if (points.length % variables.length) throw new RangeError(`${caller}: points must be ${what}, not ${points.length} numbers`);
 }
 
@@ -141,8 +146,9 @@ export function readNumbers(caller, name, given, count) {
   const what = count === 2 ? '[u, v]' : '[x, y, z]';
   if (typeof given !== 'object' || given === null || typeof (/** @type {any} */ (given).length) !== 'number')
     throw new TypeError(`${caller}: ${name} must be ${what}, not ${describe(given)}`);
+  const { length } = /** @type {ArrayLike<number>} */ (given);
+  if (length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${length}`);
   const numbers = Array.from(/** @type {ArrayLike<number>} */ (given));
-  if (numbers.length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${numbers.length}`);
   const other = numbers.findIndex((x) => typeof x !== 'number');
   if (other >= 0) throw new TypeError(`${caller}: ${name}[${other}] must be a number, not ${describe(numbers[other])}`);
   const bad = numbers.findIndex((x) => !Number.isFinite(x));

@@ -87,8 +87,8 @@ export function describe(value) {
 
 /** Refuses options that do not exist. @param {string} caller @param {object} options @param {string[]} known */
 export function checkNames(caller, options, known) {
-  for (const [name, value] of Object.entries(options))
-    if (!known.includes(name) && value !== undefined)
+  for (const name in options)
+    if (!known.includes(name) && Object.hasOwn(options, name) && /** @type {Record<string, unknown>} */ (options)[name] !== undefined)
       throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
 }
 

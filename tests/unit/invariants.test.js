@@ -166,3 +166,22 @@ function compareMapped(surface, image, from, to, map) {
   assertClose(mapped.length, (map.factor ?? 1) * path.length, ROUNDING, `length from ${from} to ${to}`);
   return true;
 }
+
+test('ends that are almost conjugate: polylines with a middle node rest at once, ill-conditioned', () => {
+  const sphere = surfpath.implicit({ f: 'x^2 + y^2 + z^2 - 1' });
+  const angle = Math.PI - 1e-4;
+  const to = [0.6 * Math.cos(angle) + 0.8 * Math.sin(angle), 0, 0.8 * Math.cos(angle) - 0.6 * Math.sin(angle)];
+  for (const points of [31, 32, 63, 64]) {
+    const start = Array.from({ length: points + 2 }, (_, i) => {
+      const t = (angle * i) / (points + 1);
+      return [0.6 * Math.cos(t) + 0.8 * Math.sin(t), 0.01 * Math.sin(2 * t), 0.8 * Math.cos(t) - 0.6 * Math.sin(t)];
+    });
+    const path = sphere.shortestPath([0.6, 0, 0.8], to, { algorithm: 'polyline', points, start: start.flat() });
+    assert.equal(path.status, 'ill-conditioned');
+    assert.ok(
+      path.iterations < 100 && Math.abs(path.length - 2 * (points + 1) * Math.sin(angle / (2 * points + 2))) < 1e-9,
+      `${path.length}`,
+    );
+  }
+  sphere.dispose();
+});

@@ -57,9 +57,7 @@ export function unknown(name, isCall, known) {
   const kind = isCall ? 'function' : 'name';
   const translation = TRANSLATIONS.get(name);
   if (translation) return `unknown ${kind} ${name}; write ${translation}`;
-  const near =
-    takeApart(name.slice(0, LONGEST_NAME + 1), isCall, known) ||
-    suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
+  const near = takeApart(name, isCall, known) || suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
   const listed = (isCall ? [...functions.keys()] : known).join(', ');
   const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
   return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : `the ${kind}s here are ${listed}`}`;
@@ -71,6 +69,7 @@ export function unknown(name, isCall, known) {
  * @returns {string} '' where it is no such thing
  */
 function takeApart(name, isCall, known) {
+  if (name.length > LONGEST_NAME) return '';
   for (let i = 1; i < name.length; i++) {
     const [head, tail] = [name.slice(0, i), name.slice(i)];
     if (isCall && known.includes(head) && functions.has(tail)) return `${head}*${tail}(…)`;

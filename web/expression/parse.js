@@ -95,7 +95,8 @@ class Parser {
     if (text === '') this.#fail('a number needs a digit beside its decimal point, as in 0.5');
     if (this.#source[end] === '.') this.#fail('a number has only one decimal point, as in 1.25', end);
     const value = Number(text);
-    if (!Number.isFinite(value)) this.#fail(`${text} is too large; write numbers up to 1.79e308`);
+    if (!Number.isFinite(value))
+      this.#fail(`${text.length > 40 ? `${text.slice(0, 40)}…` : text} is too large; write numbers up to 1.79e308`);
     this.#output.emit('number', text, value, this.#index);
     this.#operandRead(text.length, 'number');
   }
