@@ -8,6 +8,10 @@ static int is_negative(const struct sp_row *row, int lane) {
     return determinant < 0 || (determinant > 0 && determinant < __builtin_inf() && row->pa[lane] < 0);
 }
 
+static struct sp_carry add(struct sp_carry p, struct sp_carry q) {
+    return (struct sp_carry){p.a + q.a, p.b + q.b, p.d + q.d, p.s1 + q.s1, p.s2 + q.s2};
+}
+
 static struct sp_carry subtract(struct sp_carry p, struct sp_carry q) {
     return (struct sp_carry){p.a - q.a, p.b - q.b, p.d - q.d, p.s1 - q.s1, p.s2 - q.s2};
 }
@@ -26,9 +30,9 @@ static struct sp_carry second_lane(struct sp_carry carry) {
 
 struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, struct sp_carry carry, struct sp_tally tally) {
     struct sp_row *row = rows + sp_fold_unknown(fold);
-    /* n odd: the middle node takes both carries; n even: lane 1 of the last pair takes that of lane 0. */
-    struct sp_carry p =
-        fold.odd ? subtract(sp_reduce(row, shift, carry), swap(carry)) : subtract(carry, second_lane(swap(sp_carry_of(row))));
+    /* n odd: the middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is
+     * nearly singular drives them apart. n even: lane 1 of the last pair takes that of lane 0. */
+    struct sp_carry p = fold.odd ? sp_reduce(row, shift, add(carry, swap(carry))) : subtract(carry, second_lane(swap(sp_carry_of(row))));
     sp_pivot(row, p, (sp_mask){0, -1}, &tally);
     return (struct sp_inertia){(int32_t)(tally.negative[0] + tally.negative[1]), !sp_any(tally.unusable),
                                tally.descent[0] + tally.descent[1]};
