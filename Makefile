@@ -5,7 +5,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test browsers check tidy bench bench-peers accuracy site thumbnails demo format clean help tools
+.PHONY: all test browsers check tidy bench bench-peers accuracy fuzz endurance golden golden-update site thumbnails demo format clean help tools
 
 ENTRIES := index slim gallery pool
 VIEWS := three element
@@ -13,7 +13,8 @@ WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/coverage/*.c)
+C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/fuzz/*.[ch] tests/golden/*.[ch] tests/coverage/*.c)
+FUZZERS := expressions definitions straight global
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
 
@@ -23,6 +24,9 @@ CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-co
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20 -msimd128 -mbulk-memory -DNDEBUG
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+# NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
+FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined -fno-sanitize=pointer-overflow \
+    -fno-sanitize-recover=all
 # The analyzer takes a vector of 64-bit lanes for one bit.
 ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
 LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
@@ -49,9 +53,19 @@ ifneq ($(filter coverage,$(MAKECMDGOALS)),)
 TOOLS += clang:clang llvm-cov:llvm
 endif
 
+ifneq ($(filter test fuzz golden,$(MAKECMDGOALS)),)
+TOOLS += clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev
+endif
+ifneq ($(filter golden,$(MAKECMDGOALS)),)
+TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
+endif
+
+# How long each fuzzer of `make fuzz` runs.
+SECONDS ?= 60
+
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
-test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm ## build, check, and run every test
+test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
@@ -83,6 +97,21 @@ bench-peers: all ## compare with scipy, CGAL and GeographicLib, which it install
 accuracy: all ## print the tables of what is found, and how exactly (slow)
 	@failed=0; for file in $(sort $(wildcard tests/accuracy/*.js)); do node $$file || failed=1; done; exit $$failed
 
+fuzz: all build/fuzz/core ## fuzz for SECONDS=60 each, and keep what is new in tests/fuzz/corpus
+	@set -e; for name in $(FUZZERS); do KEEP=1 node tests/fuzz/fuzz.js $$name $(SECONDS); done
+	@build/fuzz/core -max_total_time=$(SECONDS) -timeout=250 -max_len=400 -len_control=0 -artifact_prefix=build/fuzz/ tests/fuzz/corpus/core
+	@node tests/fuzz/fuzz.js straight 86400 1 1000000
+	@node tests/fuzz/fuzz.js global 86400 2 10000
+
+endurance: all ## what a million solves, 10,000 surfaces and 10,000 instances leave in memory (slow)
+	@node --expose-gc tests/endurance/memory.js
+
+golden: all ## the same bits in Node 20 and 22, three browsers, gcc and clang at every level; the same .wasm twice (slow)
+	@node tests/golden/golden.js
+
+golden-update: all ## store the present bits as the golden ones
+	@node tests/golden/golden.js update
+
 site: build/site/main.js ## build the demonstration page as static files in build/site, for any server and any folder
 
 thumbnails: site ## render the gallery's pictures anew, with the page itself
@@ -112,6 +141,10 @@ $(NPM): package-lock.json | tools
 
 # WebAssembly
 
+
+# What a path meets once, not in every step, is compiled to be small.
+COLD := arcs contact cusp mesh mesh_vertices piece pole project refine solve start
+$(COLD:%=build/wasm/%.o): EMCC += -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
@@ -180,6 +213,17 @@ build/sanitized/wasm/%.o: wasm/%.c Makefile | tools
 build/sanitized/tests/%.o: tests/native/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(SANITIZED) -c $< -o $@
+
+build/fuzz/wasm/%.o: wasm/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(FUZZED) -c $< -o $@
+
+build/fuzz/tests/%.o: tests/fuzz/%.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(FUZZED) -c $< -o $@
+
+build/fuzz/core: build/fuzz/tests/core_fuzz.o build/fuzz/tests/hostile.o $(WASM:%.c=build/fuzz/%.o)
+	@$(FUZZED) $^ -o $@
 
 build/sanitized/%_test: build/sanitized/tests/%_test.o $(NATIVE_HELPERS) $(WASM:%.c=build/sanitized/%.o)
 	@$(SANITIZED) $^ -lm -o $@

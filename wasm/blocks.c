@@ -1,103 +1,49 @@
 /* Twisted block LDL': the two halves of the path are eliminated in the two lanes and meet in one 2 x 2 block. MATH.md, "The block solve".
  */
-#include "blocks.h"
+#include "elimination.h"
 
-/* A symmetric 2 x 2 block. */
-struct block {
-    sp_pair a, b, d;
-};
-
-/* Negative eigenvalues in both lanes of a pivot, 0 … 2 each; -1 where it is singular or not finite. */
-static int32_t negative_eigenvalues(struct block p, int lane) {
-    double determinant = p.a[lane] * p.d[lane] - p.b[lane] * p.b[lane];
-    if (determinant < 0) return 1;
-    if (!(determinant > 0) || determinant == __builtin_inf()) return -1;
-    return p.a[lane] < 0 ? 2 : 0;
+/* Whether the pivot of a row has a negative eigenvalue in this lane. */
+static int is_negative(const struct sp_row *row, int lane) {
+    double determinant = row->pa[lane] * row->pd[lane] - row->pb[lane] * row->pb[lane];
+    return determinant < 0 || (determinant > 0 && determinant < __builtin_inf() && row->pa[lane] < 0);
 }
 
-static void count_pivot(struct sp_inertia *inertia, struct block p, int lane) {
-    int32_t negative = negative_eigenvalues(p, lane);
-    if (negative < 0)
-        inertia->usable = 0;
-    else
-        inertia->negative += negative;
+static struct sp_carry add(struct sp_carry p, struct sp_carry q) {
+    return (struct sp_carry){p.a + q.a, p.b + q.b, p.d + q.d, p.s1 + q.s1, p.s2 + q.s2};
 }
 
-static struct block shifted(const struct sp_row *row, double shift) {
-    sp_pair by = shift * row->weight;
-    return (struct block){row->a + by * row->e, row->b + by * row->f, row->d + by * row->g};
+static struct sp_carry subtract(struct sp_carry p, struct sp_carry q) {
+    return (struct sp_carry){p.a - q.a, p.b - q.b, p.d - q.d, p.s1 - q.s1, p.s2 - q.s2};
 }
 
-static void set_pivot(struct sp_row *row, struct block p, sp_pair s1, sp_pair s2) {
-    sp_pair reciprocal = 1.0 / (p.a * p.d - p.b * p.b);
-    row->pa = p.a, row->pb = p.b, row->pd = p.d;
-    row->y1 = reciprocal * (p.d * s1 - p.b * s2);
-    row->y2 = reciprocal * (p.a * s2 - p.b * s1);
-    row->w11 = reciprocal * (p.d * row->q11 - p.b * row->q21);
-    row->w12 = reciprocal * (p.d * row->q12 - p.b * row->q22);
-    row->w21 = reciprocal * (p.a * row->q21 - p.b * row->q11);
-    row->w22 = reciprocal * (p.a * row->q22 - p.b * row->q12);
+static struct sp_carry swap(struct sp_carry carry) {
+    return (struct sp_carry){sp_swap(carry.a), sp_swap(carry.b), sp_swap(carry.d), sp_swap(carry.s1), sp_swap(carry.s2)};
 }
 
-/* What eliminating a row takes from the next one: Q'P^-1 Q from its block, and Q'P^-1 s, added, to its right-hand side. */
-struct carry {
-    struct block block;
-    sp_pair s1, s2;
-};
-
-static struct carry carry_of(const struct sp_row *row) {
-    return (struct carry){
-        {row->q11 * row->w11 + row->q21 * row->w21, row->q11 * row->w12 + row->q21 * row->w22, row->q12 * row->w12 + row->q22 * row->w22},
-        row->q11 * row->y1 + row->q21 * row->y2,
-        row->q12 * row->y1 + row->q22 * row->y2};
-}
-
-static struct block subtract(struct block p, struct block q) { return (struct block){p.a - q.a, p.b - q.b, p.d - q.d}; }
-
-/* The carry of lane 0 as lane 1 meets it; nothing for lane 0. */
-static struct carry across(struct carry carry) {
+/* In lane 1 alone. */
+static struct sp_carry second_lane(struct sp_carry carry) {
     sp_mask second = {0, -1};
     sp_pair zero = sp_splat(0.0);
-    return (struct carry){{sp_select(second, sp_swap(carry.block.a), zero), sp_select(second, sp_swap(carry.block.b), zero),
-                           sp_select(second, sp_swap(carry.block.d), zero)},
-                          sp_select(second, sp_swap(carry.s1), zero),
-                          sp_select(second, sp_swap(carry.s2), zero)};
+    return (struct sp_carry){sp_select(second, carry.a, zero), sp_select(second, carry.b, zero), sp_select(second, carry.d, zero),
+                             sp_select(second, carry.s1, zero), sp_select(second, carry.s2, zero)};
 }
 
-/* Both carries together. */
-static struct carry both_carries(struct carry carry) {
-    return (struct carry){
-        {carry.block.a + sp_swap(carry.block.a), carry.block.b + sp_swap(carry.block.b), carry.block.d + sp_swap(carry.block.d)},
-        carry.s1 + sp_swap(carry.s1),
-        carry.s2 + sp_swap(carry.s2)};
+struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, struct sp_carry carry, struct sp_tally tally) {
+    struct sp_row *row = rows + sp_fold_unknown(fold);
+    /* n odd: the middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is
+     * nearly singular drives them apart. n even: lane 1 of the last pair takes that of lane 0. */
+    struct sp_carry p = fold.odd ? sp_reduce(row, shift, add(carry, swap(carry))) : subtract(carry, second_lane(swap(sp_carry_of(row))));
+    sp_pivot(row, p, (sp_mask){0, -1}, &tally);
+    return (struct sp_inertia){(int32_t)(tally.negative[0] + tally.negative[1]), !sp_any(tally.unusable),
+                               tally.descent[0] + tally.descent[1]};
 }
 
 struct sp_inertia sp_blocks_factor(struct sp_fold fold, struct sp_row *rows, double shift) {
-    struct sp_inertia inertia = {0, 1};
-    struct carry carry = {0};
-    struct sp_row *row = rows;
-    struct block p = {0};
-    sp_pair s1 = sp_splat(0.0), s2 = s1;
-    for (int32_t k = 1; k <= fold.both; k++) {
-        row = rows + k;
-        p = subtract(shifted(row, shift), carry.block);
-        s1 = row->r1 + carry.s1, s2 = row->r2 + carry.s2;
-        set_pivot(row, p, s1, s2);
-        carry = carry_of(row);
-        count_pivot(&inertia, p, 0);
-        if (fold.odd || k < fold.both) count_pivot(&inertia, p, 1);
-    }
-    /* The halves meet: n odd, in the middle node, which takes both carries; n even, lane 1 of the last pair takes that of lane 0. */
-    if (fold.odd) {
-        row = rows + fold.both + 1, p = shifted(row, shift), s1 = row->r1, s2 = row->r2;
-        carry = both_carries(carry);
-    } else {
-        carry = across(carry);
-    }
-    p = subtract(p, carry.block);
-    set_pivot(row, p, s1 + carry.s1, s2 + carry.s2);
-    count_pivot(&inertia, p, 1);
-    return inertia;
+    struct sp_carry carry = {{0}, {0}, {0}, {0}, {0}};
+    struct sp_tally tally = {{0}, {0}, {0}};
+    for (int32_t k = 1; k <= fold.both; k++)
+        sp_eliminate(fold, rows, k, shift, &carry, &tally);
+    return sp_blocks_join(fold, rows, shift, carry, tally);
 }
 
 /* x_k = start_k + W_k x_(k+1), outwards from pair `from`. */
@@ -152,7 +98,7 @@ static int is_meeting(struct sp_fold fold, int32_t k, int lane) { return k == sp
 int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x) {
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
         for (int lane = 0; lane < 2; lane++) {
-            if (negative_eigenvalues((struct block){rows[k].pa, rows[k].pb, rows[k].pd}, lane) <= 0) continue;
+            if (!is_negative(rows + k, lane)) continue;
             double u, v;
             for (int32_t i = 0; i < 2 * sp_fold_pairs(fold); i++)
                 x[i] = sp_splat(0.0);
@@ -170,21 +116,20 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
 }
 
 /* Smaller eigenvalue of P relative to M: the smaller root of det(P - x M) = 0. */
-static double relative_eigenvalue(const struct sp_row *row, int lane) {
-    double a = row->pa[lane], b = row->pb[lane], d = row->pd[lane];
-    double weight = row->weight[lane], e = weight * row->e[lane], f = weight * row->f[lane], g = weight * row->g[lane];
-    double second = e * g - f * f, first = 0.5 * (a * g + d * e - 2 * b * f), zeroth = a * d - b * b;
-    double root = first * first - second * zeroth;
-    return zeroth / (first + sp_square_root(sp_splat(root > 0 ? root : 0))[0]);
+static sp_pair relative_eigenvalue(const struct sp_row *row) {
+    sp_pair e = row->weight * row->e, f = row->weight * row->f, g = row->weight * row->g;
+    sp_pair second = e * g - f * f, first = 0.5 * (row->pa * g + row->pd * e - 2.0 * row->pb * f);
+    sp_pair zeroth = row->pa * row->pd - row->pb * row->pb, squared = first * first - second * zeroth;
+    return zeroth / (first + sp_square_root(sp_select(squared > sp_splat(0.0), squared, sp_splat(0.0))));
 }
 
 double sp_blocks_conditioning(struct sp_fold fold, const struct sp_row *rows) {
-    int32_t meeting = sp_fold_unknown(fold);
-    double smallest = 0.5 * (fold.inner + 1) * relative_eigenvalue(rows + meeting, 1);
-    for (int32_t k = 1; k <= fold.both; k++)
-        for (int lane = 0; lane < 2; lane++) {
-            double value = is_meeting(fold, k, lane) ? smallest : relative_eigenvalue(rows + k, lane);
-            if (value < smallest) smallest = value;
-        }
-    return smallest;
+    sp_pair smallest = 0.5 * (fold.inner + 1) * relative_eigenvalue(rows + sp_fold_unknown(fold));
+    smallest = sp_splat(smallest[1]);
+    for (int32_t k = 1; k <= fold.both; k++) {
+        sp_pair value = relative_eigenvalue(rows + k);
+        if (is_meeting(fold, k, 1)) value[1] = smallest[1];
+        smallest = sp_select(value < smallest, value, smallest);
+    }
+    return smallest[0] < smallest[1] ? smallest[0] : smallest[1];
 }

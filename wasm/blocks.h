@@ -22,6 +22,7 @@ struct sp_row {
 struct sp_inertia {
     int32_t negative; /* negative eigenvalues of H + shift M */
     int32_t usable;   /* 0: a pivot block is singular or not finite; nothing may be solved */
+    double descent;   /* r'(H + shift M)^-1 r: minus the slope of the scaled energy along the solution */
 };
 
 /* Factors H + shift M of the unknown rows 1 … sp_fold_unknown and eliminates the right-hand side. */

@@ -5,7 +5,8 @@
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
-enum { BISECTIONS = 60 };
+static const double PLAIN_SAGITTA = 0.05;
+enum { BISECTIONS = 60, BLOCK = 16 };
 
 /* Two neighbouring nodes, scalar: their places, positions and normals. */
 struct chord {
@@ -108,36 +109,112 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     return SP_CONVERGED;
 }
 
+/* The middles of `count` pairs of chords from pair `first` on: of their places and, implicit, f and its gradient there; else the charts. */
+static void look_at_middles(const struct sp_polyline *line, int32_t first, int32_t count, sp_pair *seen) {
+    int32_t dimension = line->kind->dimension;
+    const sp_pair *places = line->nodes.places + dimension * first;
+    sp_pair middles[3 * BLOCK], metrics[SP_METRIC_LARGEST * BLOCK];
+    for (int32_t j = 0; j < dimension * count; j++)
+        middles[j] = 0.5 * (places[j] + places[j + dimension]);
+    if (line->surface->kind == SP_IMPLICIT)
+        line->surface->value(count, middles, seen);
+    else
+        line->kind->charts(line->surface, count, middles, seen, metrics);
+}
+
+static struct sp_vector chord_of(const sp_pair *chart) {
+    return sp_subtract(sp_load(chart + SP_CHART + SP_CHART_X), sp_load(chart + SP_CHART_X));
+}
+
+/* Normals less than LEAST_COSINE apart, and the middle nearer to f = 0 than a small part of the chord, by f over its gradient. */
+static sp_mask is_plain_implicit(const sp_pair *chart, const sp_pair *seen) {
+    struct sp_vector from = sp_chart_normal(chart), to = sp_chart_normal(chart + SP_CHART), chord = chord_of(chart);
+    struct sp_vector gradient = sp_load(seen + 1);
+    sp_pair cosine = sp_dot(from, to), squares = sp_dot(from, from) * sp_dot(to, to);
+    sp_pair allowed = PLAIN_SAGITTA * PLAIN_SAGITTA * sp_dot(chord, chord) * sp_dot(gradient, gradient);
+    return (cosine > sp_splat(0.0)) & (cosine * cosine > LEAST_COSINE * LEAST_COSINE * squares) & (seen[0] * seen[0] < allowed);
+}
+
+/* |S_u u + S_v v|^2 */
+static inline __attribute__((always_inline)) sp_pair pair_speed_squared(const sp_pair *chart, const sp_pair step[2]) {
+    struct sp_vector velocity = sp_add(sp_scale(sp_load(chart + SP_CHART_1), step[0]), sp_scale(sp_load(chart + SP_CHART_2), step[1]));
+    return sp_dot(velocity, velocity);
+}
+
+/* What check_parametric asks for, in squares: the mean of speeds is at most their root mean square. */
+static sp_mask is_plain_parametric(const sp_pair *chart, const sp_pair *place, const sp_pair *seen) {
+    const sp_pair *next = chart + SP_CHART, step[2] = {place[2] - place[0], place[3] - place[1]};
+    struct sp_vector from = sp_chart_normal(chart), to = sp_chart_normal(next), chord = chord_of(chart);
+    struct sp_vector b1 = sp_load(next + SP_CHART_1), b2 = sp_load(next + SP_CHART_2);
+    struct sp_vector aside = sp_subtract(sp_subtract(sp_load(seen), sp_load(chart)), sp_scale(chord, sp_splat(0.5)));
+    sp_pair length = sp_dot(chord, chord);
+    sp_pair along = pair_speed_squared(chart, step) + 4.0 * pair_speed_squared(seen, step) + pair_speed_squared(next, step);
+    return (sp_dot(to, to) > DEGENERATE * sp_dot(b1, b1) * sp_dot(b2, b2)) & (sp_dot(from, to) > sp_splat(0.0)) &
+           (sp_dot(aside, aside) < LARGEST_SAGITTA * LARGEST_SAGITTA * length) & (along < 6 * LARGEST_STRETCH * LARGEST_STRETCH * length);
+}
+
+/* Chord i alone. */
+static enum sp_status check_chord(const struct sp_polyline *line, int32_t i, double scale) {
+    struct chord chord;
+    read_node(line, i, &chord, 0), read_node(line, i + 1, &chord, 1);
+    return line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
+}
+
+/* Chords that are not plainly in order, of pairs `first` on, are looked at one by one. */
+static enum sp_status check_block(const struct sp_polyline *line, int32_t first, int32_t count, double scale) {
+    int implicit = line->surface->kind == SP_IMPLICIT;
+    enum sp_status worst = SP_CONVERGED;
+    sp_pair seen[SP_CHART * BLOCK];
+    look_at_middles(line, first, count, seen);
+    for (int32_t k = first; k < first + count; k++) {
+        const sp_pair *chart = line->nodes.charts + SP_CHART * k;
+        sp_mask plain = implicit ? is_plain_implicit(chart, seen + SP_IMPLICIT_VALUES * (k - first))
+                                 : is_plain_parametric(chart, line->nodes.places + 2 * k, seen + SP_CHART * (k - first));
+        for (int lane = 0; lane < 2; lane++) {
+            if (plain[lane]) continue;
+            enum sp_status status = check_chord(line, lane ? line->fold.inner - k : k, scale);
+            if (status < 0) return status;
+            if (status > worst) worst = status;
+        }
+    }
+    return worst;
+}
+
 enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
     enum sp_status worst = SP_CONVERGED;
-    struct chord chord;
-    read_node(line, 0, &chord, 0);
-    for (int32_t i = 0; i <= line->fold.inner; i++) {
-        read_node(line, i + 1, &chord, 1);
-        enum sp_status status =
-            line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
+    int32_t chords = line->fold.both + 1;
+    for (int32_t k = 0; k < chords; k += BLOCK) {
+        enum sp_status status = check_block(line, k, chords - k < BLOCK ? chords - k : BLOCK, scale);
         if (status < 0) return status;
         if (status > worst) worst = status;
-        for (int j = 0; j < 3; j++)
-            chord.place[0][j] = chord.place[1][j], chord.at[0][j] = chord.at[1][j], chord.normal[0][j] = chord.normal[1][j];
     }
     enum sp_status metric = sp_metric_check(line, scale);
     return metric < 0 ? metric : worst;
 }
 
-/* (2 a^2 - a b + 2 b^2)/30 of the chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
- */
-static double angle_correction(const struct chord *chord) {
-    double length = distance(chord->at[0], chord->at[1]), angle[2];
-    if (!(length > 0)) return 0;
-    for (int end = 0; end < 2; end++) {
-        double along[3];
-        for (int j = 0; j < 3; j++)
-            along[j] = chord->at[1][j] - chord->at[0][j];
-        double normal = root(dot(chord->normal[end], chord->normal[end]));
-        angle[end] = normal > 0 ? dot(along, chord->normal[end]) / (normal * length) : 0;
+/* The normal of unit length; zero where there is none. */
+static struct sp_vector unit_normal(const sp_pair *chart) {
+    struct sp_vector normal = sp_chart_normal(chart);
+    sp_pair zero = sp_splat(0.0), squared = sp_dot(normal, normal);
+    return sp_scale(normal, sp_select(squared > zero, 1.0 / sp_square_root(squared), zero));
+}
+
+/* (2 a^2 - a b + 2 b^2)/30 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
+ * Here of all chords, which it measures, too. */
+static double angle_corrections(const struct sp_polyline *line, double *length) {
+    struct sp_vector from = unit_normal(line->nodes.charts);
+    sp_pair zero = sp_splat(0.0), sum = zero, lengths = zero, last = zero, last_length = zero;
+    for (int32_t k = 0; k <= line->fold.both; k++) {
+        const sp_pair *chart = line->nodes.charts + SP_CHART * k;
+        struct sp_vector to = unit_normal(chart + SP_CHART), chord = chord_of(chart);
+        sp_pair a = sp_dot(chord, from), b = sp_dot(chord, to);
+        sum += last, lengths += last_length;
+        last_length = sp_square_root(sp_dot(chord, chord));
+        last = sp_select(last_length > zero, (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * last_length), zero);
+        from = to;
     }
-    return length * (2 * angle[0] * angle[0] - angle[0] * angle[1] + 2 * angle[1] * angle[1]) / 30;
+    *length = lengths[0] + lengths[1] + last_length[0] + (line->fold.odd ? last_length[1] : 0);
+    return sum[0] + sum[1] + last[0] + (line->fold.odd ? last[1] : 0);
 }
 
 /* A third of what the polyline through every second node is shorter. */
@@ -158,15 +235,7 @@ double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-1
 
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
     if (line->kind->components) return sp_metric_length_error(line);
-    struct chord chord;
-    double length = sp_polyline_length(line->fold, line->nodes.charts), error = 0, least = sp_check_rounding(length, scale);
-    read_node(line, 0, &chord, 0);
-    for (int32_t i = 0; i <= line->fold.inner; i++) {
-        read_node(line, i + 1, &chord, 1);
-        error += angle_correction(&chord);
-        for (int j = 0; j < 3; j++)
-            chord.at[0][j] = chord.at[1][j], chord.normal[0][j] = chord.normal[1][j];
-    }
+    double length, error = angle_corrections(line, &length), least = sp_check_rounding(length, scale);
     double halved = touches ? halving_error(line, length) : 0;
     if (halved > error) error = halved;
     return error > least ? error : least;

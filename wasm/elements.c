@@ -7,81 +7,77 @@ static const sp_pair *element_charts(const struct sp_elements *elements, const s
     return charts + (size_t)SP_CHART * (size_t)(e * elements->reference.degree);
 }
 
-/* Whether element pair e is the graded one. */
-static int is_graded(const struct sp_elements *elements, int32_t e) { return e == 0 && (elements->singular[0] || elements->singular[1]); }
+/* What differentiates and integrates over an element pair: at how many points; per point weights in the energy, lane by lane, and in the
+ * length; D, K lane by lane. */
+struct integral {
+    int32_t points;
+    const double *weight[2], *length_weight, *derivative, *stiffness[2];
+};
 
-/* Points of the quadrature of element pair e; their weights in the energy and in the length. */
-static int32_t point_count(const struct sp_elements *elements, int32_t e) {
-    return is_graded(elements, e) ? elements->graded.count : elements->reference.degree + 1;
-}
-static sp_pair energy_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
-    if (is_graded(elements, e)) return (sp_pair){elements->graded.weight[0][q], elements->graded.weight[1][q]};
-    return sp_splat(elements->reference.weight[q]);
-}
-static double length_weight(const struct sp_elements *elements, int32_t e, int32_t q) {
-    return is_graded(elements, e) ? elements->graded.length_weight[q] : elements->reference.weight[q];
-}
-static const double *derivative_row(const struct sp_elements *elements, int32_t e, int32_t q) {
-    return (is_graded(elements, e) ? elements->graded.derivative : elements->reference.derivative) + q * (elements->reference.degree + 1);
-}
-static sp_pair stiffness_of(const struct sp_elements *elements, int32_t e, int32_t i, int32_t j) {
-    int32_t at = i * (elements->reference.degree + 1) + j;
-    if (is_graded(elements, e)) return (sp_pair){elements->graded.stiffness[0][at], elements->graded.stiffness[1][at]};
-    return sp_splat(elements->reference.stiffness[at]);
+static struct integral integral_of(const struct sp_elements *elements, int32_t e) {
+    const struct sp_reference *plain = &elements->reference;
+    const struct sp_graded *graded = &elements->graded;
+    if (e == 0 && (elements->singular[0] || elements->singular[1]))
+        return (struct integral){graded->count,
+                                 {graded->weight[0], graded->weight[1]},
+                                 graded->length_weight,
+                                 graded->derivative,
+                                 {graded->stiffness[0], graded->stiffness[1]}};
+    return (struct integral){
+        plain->degree + 1, {plain->weight, plain->weight}, plain->weight, plain->derivative, {plain->stiffness, plain->stiffness}};
 }
 
-/* V_q = sum_j D_qj (X_j - X_o), the derivative of the interpolated path at the points of element pair e, into `velocity`; X_o a node near
- * q, which keeps short elements exact. */
-static void differentiate(const struct sp_elements *elements, int32_t e, const sp_pair *charts) {
-    int32_t p = elements->reference.degree, points = point_count(elements, e);
-    for (int32_t q = 0; q < points; q++) {
-        const double *row = derivative_row(elements, e, q);
-        int32_t origin = points == p + 1 ? q : 0;
-        struct sp_vector here = sp_load(charts + SP_CHART * origin), sum = {{0}, {0}, {0}};
-        for (int32_t j = 0; j <= p; j++) {
-            if (j == origin) continue;
-            struct sp_vector there = sp_load(charts + SP_CHART * j);
-            sum = sp_add(sum, sp_scale(sp_subtract(there, here), sp_splat(row[j])));
-        }
-        sp_store(sum, elements->velocity + 3 * q);
+static sp_pair stiffness_at(const struct integral *integral, int32_t at) {
+    return (sp_pair){integral->stiffness[0][at], integral->stiffness[1][at]};
+}
+
+/* An element pair's share in the energy and in the length. */
+struct share {
+    sp_pair squares, length;
+};
+
+/* V_q = sum_j D_qj (X_j - X_o), the derivative of the interpolated path at the points of an element pair, times weight_q, into `velocity`;
+ * X_o a node near q, which keeps short elements exact. */
+static struct share differentiate(const struct integral *integral, int32_t p, const sp_pair *charts, sp_pair *velocity) {
+    struct share share = {{0}, {0}};
+    const double *row = integral->derivative;
+    for (int32_t q = 0; q < integral->points; q++, row += p + 1) {
+        struct sp_vector here = sp_load(charts + (integral->points == p + 1 ? SP_CHART * q : 0)), sum = {{0}, {0}, {0}};
+        const sp_pair *there = charts;
+        for (int32_t j = 0; j <= p; j++, there += SP_CHART)
+            sum = sp_add(sum, sp_scale(sp_subtract(sp_load(there), here), sp_splat(row[j])));
+        sp_pair squared = sp_dot(sum, sum), weight = {integral->weight[0][q], integral->weight[1][q]};
+        share.squares += weight * squared;
+        share.length += integral->length_weight[q] * sp_square_root(squared);
+        sp_store(sp_scale(sum, weight), velocity + 3 * q);
     }
-}
-
-/* The share of element pair e, in `velocity`, in the energy and in the length. */
-static sp_pair element_squares(const struct sp_elements *elements, int32_t e, sp_pair *length) {
-    sp_pair squares = sp_splat(0.0);
-    *length = sp_splat(0.0);
-    for (int32_t q = 0; q < point_count(elements, e); q++) {
-        struct sp_vector v = sp_load(elements->velocity + 3 * q);
-        sp_pair squared = sp_dot(v, v);
-        squares += energy_weight(elements, e, q) * squared;
-        *length += length_weight(elements, e, q) * sp_square_root(squared);
-    }
-    return squares;
+    return share;
 }
 
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length) {
-    sp_pair squares = sp_splat(0.0), along = sp_splat(0.0), share;
+    struct share sum = {{0}, {0}};
     for (int32_t e = 0; e < elements->count / 2; e++) {
-        differentiate(elements, e, element_charts(elements, charts, e));
-        squares += element_squares(elements, e, &share);
-        along += share;
+        struct integral integral = integral_of(elements, e);
+        struct share share = differentiate(&integral, elements->reference.degree, element_charts(elements, charts, e), elements->velocity);
+        sum.squares += share.squares, sum.length += share.length;
     }
-    if (length) *length = along[0] + along[1];
-    return squares[0] + squares[1];
+    if (length) *length = sum.length[0] + sum.length[1];
+    return sum.squares[0] + sum.squares[1];
 }
 
-/* D_i = sum_q D_qi weight_q V_q, what node i of the element pair e in `velocity` adds to minus the force on it. */
-static struct sp_vector element_pull(const struct sp_elements *elements, int32_t e, int32_t i) {
+/* D_i = sum_q D_qi weight_q V_q, what node i of the element pair in `velocity` adds to minus the force on it. */
+static struct sp_vector element_pull(const struct integral *integral, int32_t p, const sp_pair *velocity, int32_t i) {
     struct sp_vector sum = {{0}, {0}, {0}};
-    for (int32_t q = 0; q < point_count(elements, e); q++)
-        sum = sp_add(sum, sp_scale(sp_load(elements->velocity + 3 * q), derivative_row(elements, e, q)[i] * energy_weight(elements, e, q)));
+    const double *at = integral->derivative + i;
+    for (int32_t q = 0; q < integral->points; q++, at += p + 1)
+        sum = sp_add(sum, sp_scale(sp_load(velocity + 3 * q), sp_splat(*at)));
     return sum;
 }
 
 struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts) {
-    differentiate(elements, 0, charts);
-    return element_pull(elements, 0, 0);
+    struct integral integral = integral_of(elements, 0);
+    differentiate(&integral, elements->reference.degree, charts, elements->velocity);
+    return element_pull(&integral, elements->reference.degree, elements->velocity, 0);
 }
 
 /* One row, and the coordinates of it that are held. */
@@ -102,13 +98,13 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     int32_t p = elements->reference.degree, pairs = elements->count / 2;
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
-    sp_pair squares = sp_splat(0.0), length, carried_weight = sp_splat(0.0);
+    sp_pair squares = sp_splat(0.0), carried_weight = squares;
     for (int32_t e = 0; e < pairs; e++) {
-        differentiate(elements, e, element_charts(elements, line->nodes.charts, e));
-        squares += element_squares(elements, e, &length);
+        struct integral integral = integral_of(elements, e);
+        squares += differentiate(&integral, p, element_charts(elements, line->nodes.charts, e), elements->velocity).squares;
         for (int32_t i = e == 0; i <= p; i++) {
-            struct sp_vector pull = element_pull(elements, e, i);
-            sp_pair weight = stiffness_of(elements, e, i, i);
+            struct sp_vector pull = element_pull(&integral, p, elements->velocity, i);
+            sp_pair weight = stiffness_at(&integral, i * (p + 1) + i);
             int32_t k = e * p + i;
             if (i == 0) pull = sp_add(pull, carried), weight += carried_weight;
             if (i == p && e < pairs - 1) {
@@ -125,10 +121,6 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     return energy;
 }
 
-/* The order of an element's unknowns in its matrix: inner nodes, then the outer border, then the inner one (towards the middle), then the
- * right-hand side. */
-static int32_t position(int32_t degree, int32_t i) { return i == 0 ? 2 * (degree - 1) : i == degree ? 2 * degree : 2 * (i - 1); }
-
 /* The tangent vectors of a node, zero in held coordinates. */
 static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vector frame[2]) {
     sp_pair zero = sp_splat(0.0);
@@ -139,24 +131,25 @@ static void load_frame(const sp_pair *chart, const sp_mask *held, struct sp_vect
     }
 }
 
-/* Puts a number into the upper triangle. */
-static void put(sp_pair *matrix, int32_t order, int32_t i, int32_t j, sp_pair value) {
-    matrix[i < j ? i * order + j : j * order + i] = value;
-}
+/* The node whose two unknowns stand at rows 2 rank and 2 rank + 1 of an element's matrix, of which only the lower triangle is stored: inner
+ * nodes, then the outer border, then the inner one (towards the middle). Then follows the right-hand side, as a row. */
+static int32_t node_at(int32_t degree, int32_t rank) { return rank < degree - 1 ? rank + 1 : rank == degree ? degree : 0; }
 
 /* K_ij B_i'B_j between the nodes of an element. */
 static void fill_couplings(const struct sp_elements *elements, int32_t e, const sp_pair *charts, const sp_mask *held, sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
+    struct integral integral = integral_of(elements, e);
     struct sp_vector frames[2 * (SP_MAX_DEGREE + 1)];
-    for (int32_t i = 0; i <= p; i++) {
-        int32_t row = position(p, i);
-        load_frame(charts + SP_CHART * i, held + 2 * i, frames + 2 * i);
-        for (int32_t j = 0; j < i; j++) {
-            sp_pair stiffness = stiffness_of(elements, e, i, j);
-            int32_t column = position(p, j);
-            for (int32_t a = 0; a < 2; a++)
-                for (int32_t b = 0; b < 2; b++)
-                    put(matrix, order, row + a, column + b, stiffness * sp_dot(frames[2 * i + a], frames[2 * j + b]));
+    for (int32_t rank = 0; rank <= p; rank++) {
+        int32_t i = node_at(p, rank);
+        struct sp_vector *frame = frames + 2 * rank;
+        sp_pair *row = matrix + 2 * rank * order;
+        load_frame(charts + SP_CHART * i, held + 2 * i, frame);
+        for (int32_t other = 0; other < rank; other++, row += 2) {
+            sp_pair stiffness = stiffness_at(&integral, i * (p + 1) + node_at(p, other));
+            const struct sp_vector *there = frames + 2 * other;
+            row[0] = stiffness * sp_dot(frame[0], there[0]), row[1] = stiffness * sp_dot(frame[0], there[1]);
+            row[order] = stiffness * sp_dot(frame[1], there[0]), row[order + 1] = stiffness * sp_dot(frame[1], there[1]);
         }
     }
 }
@@ -167,52 +160,96 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_metric_element element;
     sp_metric_open(&elements->reference, line, line->nodes, e, &element);
-    for (int32_t i = 0; i <= p; i++)
-        for (int32_t j = 0; j < i; j++) {
-            sp_pair block[4];
-            sp_metric_couple(&element, i, j, held, block);
-            for (int32_t a = 0; a < 4; a++)
-                put(matrix, order, position(p, i) + a / 2, position(p, j) + a % 2, block[a]);
+    for (int32_t rank = 0; rank <= p; rank++)
+        for (int32_t other = 0; other < rank; other++) {
+            sp_pair block[4], *row = matrix + 2 * rank * order + 2 * other;
+            sp_metric_couple(&element, node_at(p, rank), node_at(p, other), held, block);
+            row[0] = block[0], row[1] = block[1], row[order] = block[2], row[order + 1] = block[3];
         }
 }
 
-/* The upper triangle of one element's matrix but for its couplings: the diagonal blocks of its inner nodes, in the last column their
- * right-hand sides. */
+/* One element's matrix but for its couplings: the diagonal blocks of its inner nodes, and their right-hand sides; those of the borders are
+ * the skeleton's. */
 static void fill_matrix(const struct sp_elements *elements, const struct sp_row *rows, double shift, sp_pair *matrix) {
-    int32_t p = elements->reference.degree, order = sp_elements_order(p);
-    for (int32_t k = 2 * (p - 1) * order; k < order * order; k++)
-        matrix[k] = sp_splat(0.0);
-    for (int32_t k = 0; k < 2 * (p - 1); k++)
-        matrix[k * order + order - 1] = sp_splat(0.0);
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), right = 2 * (p + 1);
     for (int32_t i = 1; i < p; i++) {
-        int32_t row = position(p, i);
         const struct sp_row *node = rows + i;
-        sp_pair by = shift * node->weight;
-        put(matrix, order, row, row, node->a + by * node->e);
-        put(matrix, order, row, row + 1, node->b + by * node->f);
-        put(matrix, order, row + 1, row + 1, node->d + by * node->g);
-        put(matrix, order, row, order - 1, node->r1), put(matrix, order, row + 1, order - 1, node->r2);
+        int32_t at = 2 * (i - 1);
+        sp_pair by = shift * node->weight, *row = matrix + at * order, *sides = matrix + right * order + at;
+        row[at] = node->a + by * node->e;
+        row[order + at] = node->b + by * node->f, row[order + at + 1] = node->d + by * node->g;
+        sides[0] = node->r1, sides[1] = node->r2;
+        sides[order] = sides[order + 1] = sp_splat(0.0);
+    }
+    for (int32_t first = 2 * (p - 1), row = first; row < order; row++)
+        for (int32_t j = first; j <= row; j++)
+            matrix[row * order + j] = sp_splat(0.0);
+}
+
+/* sum_k L_ik u_jk of two rows of L and two of u; an even count. */
+static void multiply(const sp_pair *l, const sp_pair *u, int32_t order, int32_t count, sp_pair sum[4]) {
+    const sp_pair *next_l = l + order, *next_u = u + order;
+    sp_pair s00 = sp_splat(0.0), s01 = s00, s10 = s00, s11 = s00;
+    for (int32_t k = 0; k < count; k += 2, l += 2, next_l += 2, u += 2, next_u += 2) {
+        s00 += u[0] * l[0], s01 += u[0] * next_l[0], s10 += next_u[0] * l[0], s11 += next_u[0] * next_l[0];
+        s00 += u[1] * l[1], s01 += u[1] * next_l[1], s10 += next_u[1] * l[1], s11 += next_u[1] * next_l[1];
+    }
+    sum[0] = s00, sum[1] = s01, sum[2] = s10, sum[3] = s11;
+}
+
+/* Turns the entries of two rows left of their diagonal block from those of H into u = L D, all but for the columns from `inner` on, which
+ * become their Schur complement. */
+static void reduce_rows(sp_pair *matrix, int32_t order, int32_t inner, int32_t j) {
+    sp_pair *u = matrix + j * order, *next = u + order, sum[4];
+    for (int32_t i = 0; i < j; i += 2) {
+        const sp_pair *l = matrix + i * order;
+        multiply(l, u, order, i < inner ? i : inner, sum);
+        u[i] -= sum[0], u[i + 1] -= sum[1], next[i] -= sum[2], next[i + 1] -= sum[3];
+        if (i >= inner) continue;
+        u[i + 1] -= l[order + i] * u[i], next[i + 1] -= l[order + i] * next[i];
     }
 }
 
-/* LDL' of the first `inner` rows, in place: D on the diagonal, L' and, in the last column, D^-1 L^-1 r beside it; what is left below is the
- * Schur complement. */
-static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
-    struct sp_inertia inertia = {0, 1};
-    for (int32_t k = 0; k < inner; k++) {
-        sp_pair *row = matrix + k * order, pivot = row[k], reciprocal = 1.0 / pivot;
-        for (int lane = 0; lane < 2; lane++) {
-            if (!(pivot[lane] != 0 && pivot[lane] - pivot[lane] == 0)) inertia.usable = 0;
-            inertia.negative += pivot[lane] < 0;
-        }
-        for (int32_t i = k + 1; i < order - 1; i++) {
-            sp_pair factor = row[i] * reciprocal, *target = matrix + i * order;
-            for (int32_t j = i; j < order; j++)
-                target[j] -= factor * row[j];
-        }
-        for (int32_t j = k + 1; j < order; j++)
-            row[j] *= reciprocal;
+/* Divides `count` entries of two rows by the pivots, whose reciprocals stand on the diagonal, and takes the products with what they were
+ * from the diagonal block. */
+static void divide_rows(sp_pair *matrix, int32_t order, int32_t count, int32_t j) {
+    sp_pair *u = matrix + j * order, *next = u + order, a = u[j], b = next[j], d = next[j + 1];
+    for (int32_t k = 0; k < count; k++) {
+        sp_pair reciprocal = matrix[k * order + k], first = u[k] * reciprocal, second = next[k] * reciprocal;
+        a -= first * u[k], b -= first * next[k], d -= second * next[k];
+        u[k] = first, next[k] = second;
     }
+    u[j] = a, next[j] = b, next[j + 1] = d;
+}
+
+/* Counts a pivot and turns it into its reciprocal. */
+static void invert(sp_pair *pivot, struct sp_inertia *inertia) {
+    for (int lane = 0; lane < 2; lane++) {
+        double value = (*pivot)[lane];
+        if (!(value != 0 && value - value == 0)) inertia->usable = 0;
+        inertia->negative += value < 0;
+    }
+    *pivot = 1.0 / *pivot;
+}
+
+/* LDL' of the first `inner` rows, in place, by rows in twos: L, on its diagonal D^-1; below, what is left on the borders is the Schur
+ * complement, and beside the right-hand side's stands D^-1 L^-1 r. */
+static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
+    struct sp_inertia inertia = {0, 1, 0};
+    for (int32_t j = 0; j < order; j += 2) {
+        sp_pair *row = matrix + j * order, *next = row + order;
+        reduce_rows(matrix, order, inner, j);
+        divide_rows(matrix, order, j < inner ? j : inner, j);
+        if (j >= inner) continue;
+        sp_pair coupling = next[j];
+        invert(row + j, &inertia);
+        next[j] = coupling * row[j];
+        next[j + 1] -= next[j] * coupling;
+        invert(next + j + 1, &inertia);
+    }
+    /* The right-hand side's own Schur complement is -r'H^-1 r. */
+    sp_pair ascent = matrix[(inner + 4) * order + inner + 4];
+    inertia.descent = -(ascent[0] + ascent[1]);
     return inertia;
 }
 
@@ -230,18 +267,18 @@ static void start_skeleton(const struct sp_elements *elements, const struct sp_r
 
 /* Adds what condensing element pair e leaves to its two borders. */
 static void add_schur(const struct sp_elements *elements, const sp_pair *matrix, int32_t e) {
-    int32_t p = elements->reference.degree, order = sp_elements_order(p), outer = 2 * (p - 1), inner = 2 * p, last = order - 1;
+    int32_t p = elements->reference.degree, order = sp_elements_order(p), outer = 2 * (p - 1), inner = 2 * p;
+    const sp_pair *first = matrix + outer * order + outer, *second = matrix + inner * order + inner, *right = matrix + (inner + 2) * order;
+    const sp_pair *between = matrix + inner * order + outer;
     struct sp_row *before = elements->skeleton + e, *after = before + 1;
-    sp_pair a = matrix[inner * order + inner], b = matrix[inner * order + inner + 1], d = matrix[(inner + 1) * order + inner + 1];
-    sp_pair r1 = matrix[inner * order + last], r2 = matrix[(inner + 1) * order + last];
+    sp_pair a = second[0], b = second[order], d = second[order + 1], r1 = right[inner], r2 = right[inner + 1];
     if (e == elements->count / 2 - 1) a += sp_swap(a), b += sp_swap(b), d += sp_swap(d), r1 += sp_swap(r1), r2 += sp_swap(r2);
     after->a += a, after->b += b, after->d += d, after->r1 += r1, after->r2 += r2;
-    before->q11 = -matrix[outer * order + inner], before->q12 = -matrix[outer * order + inner + 1];
-    before->q21 = -matrix[(outer + 1) * order + inner], before->q22 = -matrix[(outer + 1) * order + inner + 1];
+    before->q11 = -between[0], before->q12 = -between[order];
+    before->q21 = -between[1], before->q22 = -between[order + 1];
     if (e == 0) return;
-    before->a += matrix[outer * order + outer], before->b += matrix[outer * order + outer + 1];
-    before->d += matrix[(outer + 1) * order + outer + 1];
-    before->r1 += matrix[outer * order + last], before->r2 += matrix[(outer + 1) * order + last];
+    before->a += first[0], before->b += first[order], before->d += first[order + 1];
+    before->r1 += right[outer], before->r2 += right[outer + 1];
 }
 
 static struct sp_fold skeleton_fold(const struct sp_elements *elements) { return sp_fold_of(elements->count - 1); }
@@ -254,7 +291,7 @@ static sp_pair *matrix_of(const struct sp_elements *elements, int32_t e) {
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
                                      const sp_mask *held, double shift) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
-    struct sp_inertia inertia = {0, 1};
+    struct sp_inertia inertia = {0, 1, 0};
     start_skeleton(elements, rows, shift);
     for (int32_t e = 0; e < elements->count / 2; e++) {
         sp_pair *matrix = matrix_of(elements, e);
@@ -264,28 +301,28 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
         else
             fill_couplings(elements, e, element_charts(elements, line->nodes.charts, e), held + 2 * e * p, matrix);
         struct sp_inertia inner = eliminate(matrix, order, 2 * (p - 1));
-        inertia.negative += inner.negative, inertia.usable &= inner.usable;
+        inertia.negative += inner.negative, inertia.usable &= inner.usable, inertia.descent += inner.descent;
         add_schur(elements, matrix, e);
     }
     struct sp_inertia skeleton = sp_blocks_factor(skeleton_fold(elements), elements->skeleton, 0);
-    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable};
+    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable, inertia.descent + skeleton.descent};
 }
 
 /* Inner unknowns of element pair e from its borders, which `x` holds: backwards through L'. */
 static void back_substitute(const struct sp_elements *elements, int32_t e, int32_t from, int add_right, sp_pair *x) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p), inner = 2 * (p - 1);
-    const sp_pair *matrix = matrix_of(elements, e);
+    const sp_pair *matrix = matrix_of(elements, e), *right = matrix + (inner + 4) * order;
     sp_pair values[2 * (SP_MAX_DEGREE + 1)], *nodes = x + 2 * e * p;
     for (int32_t j = 0; j < inner; j++)
         values[j] = nodes[2 + j];
     values[inner] = nodes[0], values[inner + 1] = nodes[1];
     values[inner + 2] = nodes[2 * p], values[inner + 3] = nodes[2 * p + 1];
-    for (int32_t k = from; k >= 0; k--) {
-        const sp_pair *row = matrix + k * order;
-        sp_pair sum = add_right ? row[order - 1] : sp_splat(0.0);
-        for (int32_t j = k + 1; j < inner + 4; j++)
-            sum -= row[j] * values[j];
-        values[k] = sum;
+    for (int32_t k = 0; k <= from; k++)
+        values[k] = add_right ? right[k] : sp_splat(0.0);
+    for (int32_t j = inner + 3; j > 0; j--) {
+        const sp_pair *row = matrix + j * order, value = values[j];
+        for (int32_t k = 0; k < j && k <= from; k++)
+            values[k] -= row[k] * value;
     }
     for (int32_t j = 0; j < inner; j++)
         nodes[2 + j] = values[j];

@@ -14,13 +14,14 @@ struct sp_elements {
     int32_t count;                 /* m, even */
     int32_t singular[2];           /* 1: the path begins, ends, on a singular curve, and its outermost elements are graded */
     struct sp_graded graded;       /* for them; not used if neither is */
-    sp_pair *matrices;       /* m/2 matrices of sp_elements_order^2 numbers: LDL' of each element, borders and right-hand side below */
-    sp_pair *velocity;       /* 3 a node pair of one element: scratch of the assembly */
+    sp_pair *matrices; /* m/2 matrices of sp_elements_order^2 numbers: LDL' of each element, below it its borders and right-hand side */
+    sp_pair *velocity; /* 3 a node pair of one element: scratch of the assembly */
     struct sp_row *skeleton; /* m/2 + 1 rows: the nodes between elements */
 };
 
-/* Rows of an element's matrix: two a node of p - 1 inner and two border nodes, and the right-hand side. */
-static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 1) + 1; }
+/* Rows of an element's matrix: two a node of p - 1 inner and two border nodes, the right-hand side, and one of zeros, since rows are taken
+ * in twos. */
+static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 2); }
 
 /* sum_e sum_ij K_ij X_i.X_j, the path's energy over m; and, where `length` is not NULL, the path's length. */
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length);

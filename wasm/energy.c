@@ -1,6 +1,7 @@
 /* Gradient and Hessian of the polyline's energy, two nodes at a time. Checked in tests/native against finite differences. MATH.md,
  * "Energy". */
 #include "energy.h"
+#include "elimination.h"
 
 double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts) {
     sp_pair sum = sp_splat(0.0);
@@ -28,7 +29,8 @@ double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
     return length + sp_square_root(sp_dot(middle, middle))[0];
 }
 
-void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
+static inline __attribute__((always_inline)) void assemble_node(const sp_pair *chart, struct sp_vector pull, sp_pair weight,
+                                                                sp_mask coordinate, struct sp_row *row) {
     struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2), normal = sp_cross(b1, b2);
     row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2), row->weight = weight;
     row->r1 = -sp_dot(b1, pull), row->r2 = -sp_dot(b2, pull);
@@ -40,7 +42,11 @@ void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight
     row->d = weight * row->g + sp_dot(part, sp_load(chart + SP_CHART_22));
 }
 
-static void assemble_coupling(const sp_pair *chart, const sp_pair *next, struct sp_row *row) {
+void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
+    assemble_node(chart, pull, weight, coordinate, row);
+}
+
+static inline __attribute__((always_inline)) void assemble_coupling(const sp_pair *chart, const sp_pair *next, struct sp_row *row) {
     struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2);
     struct sp_vector next1 = sp_load(next + SP_CHART_1), next2 = sp_load(next + SP_CHART_2);
     row->q11 = sp_dot(b1, next1), row->q12 = sp_dot(b1, next2);
@@ -87,9 +93,8 @@ static void hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_ma
 }
 
 /* Holds the active coordinates of pair k; the node takes the coordinate Hessian and a straight step. */
-static int32_t hold_active(const struct sp_polyline *line, int32_t k, struct sp_row *rows, sp_mask *straight) {
-    sp_mask held[2], none[2] = {{0}, {0}};
-    if (!sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held)) return 0;
+static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_mask held[2], struct sp_row *rows, sp_mask *straight) {
+    sp_mask none[2] = {{0}, {0}};
     straight[k] |= held[0] | held[1];
     sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), sp_splat(2.0), straight[k], rows + k);
     sp_row_hold(rows + k, held);
@@ -105,17 +110,32 @@ static int32_t hold_active(const struct sp_polyline *line, int32_t k, struct sp_
 
 struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_hessian hessian, struct sp_row *rows, sp_mask *straight) {
     struct sp_fold fold = line->fold;
-    const sp_pair *charts = line->nodes.charts;
-    struct sp_energy energy = {sp_polyline_squares(fold, charts), 0.0, 0};
-    sp_mask coordinate = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
-    int32_t unknown = sp_fold_unknown(fold);
-    for (int32_t k = 1; k <= unknown; k++) {
-        straight[k] = coordinate;
-        sp_row_assemble(charts + SP_CHART * k, pull_at(fold, charts, k), sp_splat(2.0), coordinate, rows + k);
-        if (k <= fold.both) assemble_coupling(charts + SP_CHART * k, charts + SP_CHART * (k + 1), rows + k);
+    struct sp_energy energy = {0};
+    struct sp_carry carry = {{0}, {0}, {0}, {0}, {0}};
+    struct sp_tally tally = {{0}, {0}, {0}};
+    sp_mask held[2], coordinate = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
+    sp_pair squares = sp_splat(0.0), slopes = squares, middle = squares;
+    const sp_pair *chart = line->nodes.charts + SP_CHART;
+    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
+    for (int32_t k = 1; k <= fold.both + 1; k++, chart += SP_CHART) {
+        if (k <= sp_fold_unknown(fold)) {
+            int mirrored = k > fold.both;
+            struct sp_vector next = mirrored ? sp_swap_vector(chord) : sp_subtract(sp_load(chart), sp_load(chart + SP_CHART));
+            straight[k] = coordinate;
+            assemble_node(chart, sp_add(chord, next), sp_splat(2.0), coordinate, rows + k);
+            if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
+            if (line->surface->kind == SP_PARAMETRIC && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
+                energy.active += hold_active(line, k, held, rows, straight);
+            sp_pair slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2, zero = sp_splat(0.0);
+            squares += sp_dot(chord, chord);
+            slopes += mirrored ? zero : slope, middle = mirrored ? slope : zero;
+            chord = sp_subtract((struct sp_vector){zero, zero, zero}, next);
+        }
+        /* Q of the row before waited for the coordinates that this one holds. */
+        if (k > 1) sp_eliminate(fold, rows, k - 1, 0, &carry, &tally);
     }
-    for (int32_t k = 1; line->surface->kind == SP_PARAMETRIC && k <= unknown; k++)
-        energy.active += hold_active(line, k, rows, straight);
-    energy.gradient_squared = sp_rows_gradient_squared(fold, rows);
+    energy.inertia = sp_blocks_join(fold, rows, 0, carry, tally);
+    energy.squares = squares[0] + squares[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
+    energy.gradient_squared = slopes[0] + slopes[1] + middle[0];
     return energy;
 }

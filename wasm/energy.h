@@ -14,9 +14,10 @@ enum sp_hessian {
 };
 
 struct sp_energy {
-    double squares;          /* sum of squared chords: E = (n + 1) squares */
-    double gradient_squared; /* sum of squares of the scaled gradient, active coordinates left out */
-    int32_t active;          /* coordinates held at a wall */
+    double squares;            /* sum of squared chords: E = (n + 1) squares */
+    double gradient_squared;   /* sum of squares of the scaled gradient, active coordinates left out */
+    int32_t active;            /* coordinates held at a wall */
+    struct sp_inertia inertia; /* of the Hessian, which is factored */
 };
 
 /* Diagonal block, metric and right-hand side of one pair of nodes: `pull` is D, minus the force on the node, `weight` the stiffness of the
@@ -39,9 +40,9 @@ double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts);
 /* sum |X_i+1 - X_i| */
 double sp_polyline_length(struct sp_fold fold, const sp_pair *charts);
 
-/* Assembles gradient and Hessian into `rows` (1 … sp_fold_unknown). Coordinates that lie on a wall of the surface's rectangle and are
- * pushed outwards are active: their rows become the identity and their node takes the coordinate Hessian; `straight`, a mask a pair, is set
- * at such nodes (everywhere with SP_COORDINATE). */
+/* Assembles gradient and Hessian into `rows` (1 … sp_fold_unknown) and factors them (sp_blocks_factor) in the same sweep. Coordinates that
+ * lie on a wall of the surface's rectangle and are pushed outwards are active: their rows become the identity and their node takes the
+ * coordinate Hessian; `straight`, a mask a pair, is set at such nodes (everywhere with SP_COORDINATE). */
 struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_hessian hessian, struct sp_row *rows, sp_mask *straight);
 
 #endif

@@ -16,7 +16,7 @@ static uint32_t bucket_of(const struct buckets *buckets, const double cube[3]) {
     static const uint32_t PRIMES[3] = {73856093, 19349663, 83492791};
     uint32_t bucket = 0;
     for (int c = 0; c < 3; c++)
-        bucket ^= (uint32_t)(int64_t)cube[c] * PRIMES[c];
+        bucket ^= (cube[c] > -0x1p62 && cube[c] < 0x1p62 ? (uint32_t)(int64_t)cube[c] : 0) * PRIMES[c];
     return bucket & buckets->mask;
 }
 

@@ -126,10 +126,12 @@ static void smooth(double *places, int32_t points, int32_t dimension) {
     }
 }
 
+/* A line that is not finite, between vertices that are, is none. */
 static void emit(struct line *line, double length, struct sp_graph_answer *answer) {
+    measure(line);
+    if (!sp_is_finite(line->along[line->count - 1])) return;
     int32_t points = answer->point_count, number = answer->candidate_count++;
     double *out = answer->places + (size_t)number * (size_t)(points * line->dimension);
-    measure(line);
     resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);

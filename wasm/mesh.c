@@ -27,6 +27,7 @@ struct sweep {
     uint8_t *inside[LIVE_LAYERS]; /* f < 0, a place a lattice point */
     int32_t *vertex[LIVE_LAYERS]; /* EDGES a place: number of the vertex on the edge, or -1 */
     struct sp_mesh *mesh;         /* arrays NULL: only counted */
+    struct sp_mesh counted;       /* what its arrays have room for */
 };
 
 struct site {
@@ -126,7 +127,8 @@ static int32_t edge_vertex(struct sweep *sweep, const struct site *a, const stru
     const struct site *from = a->inside ? a : b, *to = a->inside ? b : a;
     struct sp_mesh *mesh = sweep->mesh;
     *slot = mesh->vertex_count++;
-    for (int axis = 0; mesh->positions && axis < 3; axis++) {
+    int is_stored = mesh->positions && *slot < sweep->counted.vertex_count;
+    for (int axis = 0; is_stored && axis < 3; axis++) {
         double start = coordinate(sweep, axis, from->at[axis]);
         mesh->positions[3 * *slot + axis] = start;
         mesh->normals[3 * *slot + axis] = coordinate(sweep, axis, to->at[axis]) - start;
@@ -134,8 +136,10 @@ static int32_t edge_vertex(struct sweep *sweep, const struct site *a, const stru
     return *slot;
 }
 
-static void emit(struct sp_mesh *mesh, int32_t a, int32_t b, int32_t c) {
-    int32_t *triangle = mesh->indices ? mesh->indices + 3 * mesh->triangle_count : NULL;
+static void emit(struct sweep *sweep, int32_t a, int32_t b, int32_t c) {
+    struct sp_mesh *mesh = sweep->mesh;
+    int is_stored = mesh->indices && mesh->triangle_count < sweep->counted.triangle_count;
+    int32_t *triangle = is_stored ? mesh->indices + 3 * mesh->triangle_count : NULL;
     if (triangle) triangle[0] = a, triangle[1] = b, triangle[2] = c;
     mesh->triangle_count++;
 }
@@ -156,12 +160,12 @@ static void visit_tetrahedron(struct sweep *sweep, const struct site *const corn
     if (c[0]->inside == c[1]->inside) {
         int32_t p = edge_vertex(sweep, c[0], c[2]), q = edge_vertex(sweep, c[0], c[3]);
         int32_t r = edge_vertex(sweep, c[1], c[3]), s = edge_vertex(sweep, c[1], c[2]);
-        emit(sweep->mesh, ~p, q, r);
-        emit(sweep->mesh, p, r, s);
+        emit(sweep, ~p, q, r);
+        emit(sweep, p, r, s);
         return;
     }
     int32_t p = edge_vertex(sweep, c[0], c[1]), q = edge_vertex(sweep, c[0], c[2]), r = edge_vertex(sweep, c[0], c[3]);
-    emit(sweep->mesh, p, c[0]->inside ? q : r, c[0]->inside ? r : q);
+    emit(sweep, p, c[0]->inside ? q : r, c[0]->inside ? r : q);
 }
 
 /* The six lattice points around a face normal to `axis`, from its centre: the centres of the two cells, then the corners in turn. */
@@ -256,12 +260,16 @@ static bool take_arrays(struct sp_mesh *mesh, struct sp_arena *arena) {
     return mesh->positions && mesh->normals && mesh->indices;
 }
 
-/* The mesh with its counts already known: arrays first, so that the scratch behind them can be given back. */
+/* The mesh with its counts already known: arrays first, so that the scratch behind them can be given back. A surface that has changed since
+ * it was counted does not fit: its other counts are then known. */
 static bool store_mesh(struct sweep *sweep, struct sp_arena *arena) {
+    sweep->counted = *sweep->mesh;
     if (!take_arrays(sweep->mesh, arena)) return false;
     size_t kept = arena->used;
     if (!take_layers(sweep, arena)) return false;
     sweep_box(sweep);
+    const struct sp_mesh *found = sweep->mesh, *counted = &sweep->counted;
+    if (found->vertex_count != counted->vertex_count || found->triangle_count != counted->triangle_count) return false;
     arena->used = kept;
     sp_place_vertices(sweep->value, sweep->box, sweep->mesh);
     choose_diagonals(sweep->mesh);

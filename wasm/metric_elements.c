@@ -147,7 +147,7 @@ static void complete_held(struct sp_fold fold, sp_mask *held) {
 struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held) {
     int32_t p = reference->degree, pairs = pairs_of(reference, line), unknown = sp_fold_unknown(line->fold);
-    struct sp_energy energy = {sp_metric_squares(reference, line, line->nodes, NULL), 0, 0};
+    struct sp_energy energy = {.squares = sp_metric_squares(reference, line, line->nodes, NULL)};
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
     for (int32_t e = 0; e < pairs; e++) {

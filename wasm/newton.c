@@ -31,7 +31,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
-    newton->decrement = DECREMENT;
+    newton->decrement = DECREMENT, newton->enough = 0, newton->draft = 0;
     newton->steps_left = options->max_iterations, newton->record_points = options->point_count;
     newton->history_count = 0;
     newton->history = sp_arena_take(arena, (size_t)options->max_iterations + 1, sizeof(struct sp_iterate));
@@ -155,15 +155,15 @@ struct round {
     double gradient_norm, decrement, shift;
 };
 
+static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
+
 static void assemble(struct sp_newton *newton, const struct sp_options *options, struct round *round) {
     enum sp_hessian hessian = options->algorithm == SP_PAPER ? SP_COORDINATE : SP_COVARIANT;
     round->energy = sp_system_assemble(&newton->system, hessian);
-    round->inertia = sp_system_factor(&newton->system, 0);
+    round->inertia = round->energy.inertia;
     round->gradient_norm = 2.0 * sp_system_segments(&newton->system) * root(round->energy.gradient_squared);
     round->decrement = not_a_number();
-    if (!round->inertia.usable) return;
-    sp_system_solve(&newton->system, newton->step);
-    if (round->inertia.negative == 0) round->decrement = root(2 * sp_system_descent(&newton->system, newton->step) / round->energy.squares);
+    if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
 }
 
 /* The step of H + shift M, with a shift that makes it positive definite. Returns 0 if none does. */
@@ -174,7 +174,7 @@ static int shifted_step(struct sp_newton *newton, struct round *round, double le
     for (int i = 0; i < SHIFTS; i++, shift *= 4) {
         struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
         if (!inertia.usable || inertia.negative) continue;
-        round->shift = shift;
+        round->shift = shift, round->inertia.descent = inertia.descent;
         sp_system_solve(&newton->system, newton->step);
         return 1;
     }
@@ -184,22 +184,25 @@ static int shifted_step(struct sp_newton *newton, struct round *round, double le
 /* One step of the certified method. Returns its scale, 0 if nothing lowers the energy. */
 static double step_certified(struct sp_newton *newton, struct round *round) {
     double squares = round->energy.squares;
-    int definite = round->inertia.usable && round->inertia.negative == 0;
+    int definite = is_definite(round);
     if (!definite && sp_system_steepness(&newton->system, squares) <= STATIONARY && sp_system_negative(&newton->system, newton->step))
         return search_escape(newton, squares);
-    if (!definite && !shifted_step(newton, round, 0)) return 0;
-    double scale = search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
+    if (definite)
+        sp_system_solve(&newton->system, newton->step);
+    else if (!shifted_step(newton, round, 0))
+        return 0;
+    double scale = search_armijo(newton, squares, round->inertia.descent);
     if (scale > 0 || !shifted_step(newton, round, 1)) return scale;
-    return search_armijo(newton, squares, sp_system_descent(&newton->system, newton->step));
+    return search_armijo(newton, squares, round->inertia.descent);
 }
 
 /* One step of the paper's method: Newton's, or its reverse where Eq. 25 fails. */
 static double step_paper(struct sp_newton *newton, struct round *round) {
+    double slope = round->inertia.descent;
     if (!round->inertia.usable) return 0;
-    double slope = sp_system_descent(&newton->system, newton->step);
-    if (slope < 0)
-        for (int32_t k = 0; k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
-            newton->step[k] = -newton->step[k];
+    sp_system_solve(&newton->system, newton->step);
+    for (int32_t k = 0; slope < 0 && k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
+        newton->step[k] = -newton->step[k];
     return search_paper(newton, round->energy.squares, slope < 0 ? -slope : slope);
 }
 
@@ -231,6 +234,15 @@ static void take_step(struct sp_newton *newton, const struct sp_options *options
     note(newton, round);
 }
 
+/* Takes the full step in `trial`, of energy `squares`, without a look at where it leads. */
+static void leave(struct sp_newton *newton, double squares, struct round *round) {
+    if (newton->history) newton->history[newton->history_count - 1].step = 1;
+    accept(newton);
+    newton->steps_left--;
+    round->energy.squares = squares, round->gradient_norm = round->decrement = not_a_number();
+    note(newton, round);
+}
+
 /* Below this the decrement is rounding: measured noise is 0.6 … 1 times 1e-16 N (1 + size/length). */
 static double decrement_floor(const struct sp_newton *newton, double squares) {
     double nodes = newton->system.line.fold.inner + 1, length = root(squares * sp_system_segments(&newton->system));
@@ -241,7 +253,7 @@ static double decrement_floor(const struct sp_newton *newton, double squares) {
 /* Whether the stopping rule holds, whatever the index. */
 static int at_rest(const struct sp_newton *newton, const struct sp_options *options, const struct round *round) {
     if (round->energy.squares == 0) return 1;
-    double tolerance = options->gradient_tolerance;
+    double tolerance = newton->draft ? 0 : options->gradient_tolerance;
     if (options->algorithm == SP_PAPER && !(tolerance > 0)) tolerance = PAPER_TOLERANCE;
     if (tolerance > 0) return round->gradient_norm <= tolerance;
     return round->decrement <= decrement_floor(newton, round->energy.squares);
@@ -273,8 +285,7 @@ static int is_undetermined(struct sp_newton *newton, const struct round *round) 
 static void iterate(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
     for (int32_t idle = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
-        int definite = round->inertia.usable && round->inertia.negative == 0;
-        if (rest && (definite || !certified || round->energy.squares == 0)) {
+        if (rest && (is_definite(round) || !certified || round->energy.squares == 0)) {
             outcome->status = certify(newton, round);
             return;
         }
@@ -291,19 +302,39 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
     }
 }
 
-/* One full step more: at the stopping decrement the error left is of its square. Kept only if the energy does not rise. */
-static void polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+/* One full step more: at the stopping decrement the error left is of its square. Returns 0, taking none, where the energy rises. */
+static int polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
     sp_system_solve(&newton->system, newton->step);
     double now = try_step(newton, 1);
-    if (!(now <= round->energy.squares * (1 + SLACK))) return;
+    if (!(now <= round->energy.squares * (1 + SLACK))) return 0;
+    if (newton->draft) {
+        leave(newton, now, round);
+        return 1;
+    }
     take_step(newton, options, 1, round);
     outcome->status = certify(newton, round);
+    return 1;
+}
+
+/* Steps, and the one more. A draft that may not take it goes on with shorter ones. */
+static void converge(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+    int by_decrement = options->algorithm != SP_PAPER && (newton->draft || !(options->gradient_tolerance > 0));
+    iterate(newton, options, round, outcome);
+    if (!by_decrement || outcome->status != SP_CONVERGED || round->energy.squares == 0 || round->decrement <= newton->enough) return;
+    if (newton->steps_left <= 0) {
+        if (newton->draft) outcome->status = SP_ITERATION_LIMIT;
+        return;
+    }
+    if (polish(newton, options, round, outcome) || !newton->draft) return;
+    double wanted = newton->decrement;
+    newton->decrement = DECREMENT;
+    iterate(newton, options, round, outcome);
+    newton->decrement = wanted;
 }
 
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
-    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
         enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);
@@ -311,10 +342,7 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
         return outcome;
     }
     note(newton, &round);
-    iterate(newton, options, &round, &outcome);
-    int by_decrement = options->algorithm != SP_PAPER && !(options->gradient_tolerance > 0);
-    if (by_decrement && outcome.status == SP_CONVERGED && round.energy.squares > 0 && newton->steps_left > 0)
-        polish(newton, options, &round, &outcome);
+    converge(newton, options, &round, &outcome);
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.energy = sp_system_segments(&newton->system) * round.energy.squares, outcome.gradient_norm = round.gradient_norm;
     outcome.active = touches_wall(newton, newton->system.line.nodes.places);

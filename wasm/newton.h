@@ -14,9 +14,11 @@ struct sp_newton {
     double *record;             /* as many polylines of 3 (record_points + 2) numbers; NULL: not wanted, or no positions */
     int32_t history_count, record_points;
     int32_t steps_left; /* Newton steps that may still be taken, in all runs together */
+    int32_t draft;      /* 1: the step more is the last thing done, and where it leads neither assembled nor certified */
     double scale;       /* size of the coordinates, for rounding */
     double size;        /* the same in the unit of length, which a metric may change */
-    double decrement;   /* stop at this relative Newton decrement */
+    double decrement;   /* stop at this relative Newton decrement, and take one step more */
+    double enough;      /* at this one without that step */
 };
 
 /* How a run ended. */
@@ -32,8 +34,9 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
 /* Bytes that sp_newton_take takes. */
 double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner);
 
-/* Runs until converged or beaten, or newton->steps_left is 0; the path is left in newton->system.line and never has more energy than the
- * start. Its steps continue the history of the run before, if there was one: see sp_newton_tell_end. */
+/* Runs until converged or beaten, or newton->steps_left is 0, from a path whose charts are filled (sp_polyline_charts); the path is left in
+ * newton->system.line and never has more energy than the start. Its steps continue the history of the run before, if there was one: see
+ * sp_newton_tell_end. */
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options);
 
 /* Makes `end` the last entry of the history. Where the one that was last is the end of a run, the two are the same path, measured by two

@@ -18,33 +18,38 @@ void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp
             places[2 * k + j] = clip(places[2 * k + j], surface->lower[j], surface->upper[j]);
 }
 
-/* Adds -Gamma(d, d)/2 to the step d, so that the path q + d follows the geodesic to second order; clipped to half of |d| in the metric,
- * beyond which the expansion says nothing. A degenerate metric leaves d alone. */
-static void bend(const sp_pair *chart, sp_pair *u, sp_pair *v) {
+/* -Gamma(d, d)/2 of a step d: added to it, the path q + d follows the geodesic to second order; clipped to half of |d| in the metric,
+ * beyond which the expansion says nothing. A degenerate metric gives 0. */
+static inline __attribute__((always_inline)) void bend(const sp_pair *chart, const sp_pair d[2], sp_pair bent[2]) {
     struct sp_vector s_u = sp_load(chart + SP_CHART_1), s_v = sp_load(chart + SP_CHART_2);
-    struct sp_vector second = sp_add(sp_scale(sp_load(chart + SP_CHART_11), *u * *u), sp_scale(sp_load(chart + SP_CHART_22), *v * *v));
-    second = sp_add(second, sp_scale(sp_load(chart + SP_CHART_12), 2.0 * *u * *v));
+    struct sp_vector second =
+        sp_add(sp_scale(sp_load(chart + SP_CHART_11), d[0] * d[0]), sp_scale(sp_load(chart + SP_CHART_22), d[1] * d[1]));
+    second = sp_add(second, sp_scale(sp_load(chart + SP_CHART_12), 2.0 * d[0] * d[1]));
     sp_pair e = sp_dot(s_u, s_u), f = sp_dot(s_u, s_v), g = sp_dot(s_v, s_v);
     sp_pair along_u = sp_dot(s_u, second), along_v = sp_dot(s_v, second), factor = -0.5 / (e * g - f * f);
-    sp_pair bend_u = factor * (g * along_u - f * along_v), bend_v = factor * (e * along_v - f * along_u);
-    sp_pair step = e * *u * *u + 2.0 * f * *u * *v + g * *v * *v;
-    sp_pair bent = e * bend_u * bend_u + 2.0 * f * bend_u * bend_v + g * bend_v * bend_v;
-    sp_pair limit = sp_select(4.0 * bent > step, 0.5 * sp_square_root(step / bent), sp_splat(1.0));
-    sp_mask sane = limit * (bend_u * bend_u + bend_v * bend_v) < sp_splat(__builtin_inf());
-    *u += sp_select(sane, limit * bend_u, sp_splat(0.0));
-    *v += sp_select(sane, limit * bend_v, sp_splat(0.0));
+    sp_pair u = factor * (g * along_u - f * along_v), v = factor * (e * along_v - f * along_u);
+    sp_pair step = e * d[0] * d[0] + 2.0 * f * d[0] * d[1] + g * d[1] * d[1];
+    sp_pair length = e * u * u + 2.0 * f * u * v + g * v * v;
+    sp_mask too_long = 4.0 * length > step;
+    if (sp_any(too_long)) {
+        sp_pair limit = sp_select(too_long, 0.5 * sp_square_root(step / length), sp_splat(1.0));
+        u *= limit, v *= limit;
+    }
+    sp_mask sane = u * u + v * v < sp_splat(__builtin_inf());
+    bent[0] = sp_select(sane, u, sp_splat(0.0)), bent[1] = sp_select(sane, v, sp_splat(0.0));
 }
 
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     for (int32_t k = 0; k < pair_count; k++) {
-        sp_pair straight_u = scale * steps[2 * k], straight_v = scale * steps[2 * k + 1], u = straight_u, v = straight_v;
-        bend(charts + SP_CHART * k, &u, &v);
+        sp_pair step[2] = {scale * steps[2 * k], scale * steps[2 * k + 1]}, bent[2];
+        bend(charts + SP_CHART * k, step, bent);
         sp_mask keep = straight ? straight[k] : (sp_mask){0, 0};
-        moved[2 * k] = places[2 * k] + sp_select(keep, straight_u, u);
-        moved[2 * k + 1] = places[2 * k + 1] + sp_select(keep, straight_v, v);
+        for (int j = 0; j < 2; j++) {
+            sp_pair to = places[2 * k + j] + sp_select(keep, step[j], step[j] + bent[j]);
+            moved[2 * k + j] = clip(to, surface->lower[j], surface->upper[j]);
+        }
     }
-    sp_parametric_clip(surface, pair_count, moved);
     return 1;
 }
 

@@ -55,8 +55,10 @@ static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, 
 /* A first path of elements to a singular end: chords are solved, roughly, and kept; elements lie on them. Returns 0 where that fails. */
 static int start_graded(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_system *start,
                         struct sp_arena *arena) {
-    newton->decrement = CHORD_DECREMENT;
-    if (!start_chords(newton, piece, arena) || sp_newton_run(newton, options).status < 0) return 0;
+    newton->decrement = CHORD_DECREMENT, newton->enough = 0, newton->draft = 0;
+    if (!start_chords(newton, piece, arena)) return 0;
+    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
+    if (sp_newton_run(newton, options).status < 0) return 0;
     sp_piece_keep(newton, piece);
     *start = newton->system;
     start->elements.count = START_COUNT;

@@ -1,9 +1,14 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
+#include "metric.h"
 #include "piece.h"
 
-enum { ROUNDS = 12 };
-static const double ENOUGH = 1e-13;
+enum { ROUNDS = 12, SWEEP = 64 };
+static const double ENOUGH = 1e-13, PI = 3.14159265358979323846;
+
+/* How far from straight a path may pass a pole, radians. A path that passes beside it is shorter by the square of that over twice the
+ * stiffness of the path; between nearly antipodal places of the earth, where that is least, by 2e-11 of its length. */
+static const double STRAIGHT = 1e-6;
 
 /* Coordinate j at the end of the path in `system`, extrapolated from the other nodes of its last element. */
 static double extrapolated(const struct sp_system *system, int32_t j) {
@@ -17,6 +22,36 @@ static double extrapolated(const struct sp_system *system, int32_t j) {
         value += weight * sp_fold_get(system->line.fold, system->line.nodes.places, 2, last - p + i, j);
     }
     return value;
+}
+
+/* The angle on the surface at a pole between the lines along which the coordinate around it is `from` and `to`: the directions in between,
+ * turned through. */
+static double angle_between(const struct sp_surface *surface, int32_t across, double value, double from, double to) {
+    double angle = 0;
+    struct sp_vector before = {{0}, {0}, {0}};
+    for (int i = 0; i <= SWEEP; i++) {
+        sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
+        place[across] = sp_splat(value), place[1 - across] = sp_splat(from + (to - from) * i / SWEEP);
+        sp_kind_of(surface)->charts(surface, 1, place, chart, metric);
+        struct sp_vector along = sp_load(chart + (across ? SP_CHART_2 : SP_CHART_1));
+        along = sp_scale(along, 1.0 / sp_square_root(sp_dot(along, along)));
+        struct sp_vector change = sp_subtract(along, before);
+        double squared = sp_dot(change, change)[0], chord = sp_square_root(sp_splat(squared))[0];
+        angle += i ? chord * (1 + squared / 24 * (1 + 9 * squared / 80)) : 0;
+        before = along;
+    }
+    return angle;
+}
+
+/* Whether the surface has no shorter way past the pole than over it: straight on where the surface closes around the pole; between walls,
+ * no turn into the rectangle. Of a tensor that is not known. */
+static int passes_straight(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
+    if (surface->metric == SP_TENSOR) return 1;
+    double angle = angle_between(surface, across, value, around[0], around[1]);
+    if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle >= PI - STRAIGHT;
+    while (angle > 2 * PI && angle < 100)
+        angle -= 2 * PI;
+    return angle >= PI - STRAIGHT && angle <= PI + STRAIGHT;
 }
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
@@ -41,6 +76,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     struct sp_storage storage;
     int32_t across = edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
+    double value = edge % 2 ? surface->upper[across] : surface->lower[across], around[2] = {0, 0};
     arcs->count = 0;
     if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
@@ -50,16 +86,18 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         struct sp_piece piece = {.system = given, .first = i ? 1 : 0, .last = i ? 1 : 0};
         for (int32_t j = 0; j < 2; j++)
             piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
-        piece.joint[1].place[across] = edge % 2 ? surface->upper[across] : surface->lower[across];
+        piece.joint[1].place[across] = value;
         if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
         none.outcome.status = SP_SINGULAR_METRIC;
         if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena)) break;
+        around[i] = piece.joint[1].place[1 - across];
         arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }
     line->surface = surface;
     if (arcs->count < 2) return arcs->count = 0, none;
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
+    if (!passes_straight(surface, across, value, around)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
     return whole;
 }

@@ -103,6 +103,8 @@ int32_t sp_project_point(const struct sp_surface *surface, const double point[3]
     here = distance_at(chart, target);
     find_held(surface, at, here, held);
     for (int j = 0; j < kind->dimension; j++)
+        if (!is_finite(at[j][0])) return SP_NOT_FINITE;
+    for (int j = 0; j < kind->dimension; j++)
         place[j] = at[j][0];
     return is_stationary(here, held, target) ? SP_CONVERGED : SP_STALLED;
 }

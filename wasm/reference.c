@@ -52,16 +52,14 @@ static void fill_derivative(struct sp_reference *reference) {
     }
 }
 
+/* K_ij = 2 b_i b_j/(p (p + 1) (t_i - t_j)^2), b = 1/P_p: by parts, since the rule is exact for l_i l_j''. */
 static void fill_stiffness(struct sp_reference *reference) {
     int32_t p = reference->degree, size = p + 1;
     for (int32_t i = 0; i <= p; i++) {
         double sum = 0;
         for (int32_t j = 0; j <= p; j++) {
-            double entry = 0;
-            for (int32_t q = 0; q <= p; q++)
-                entry += reference->weight[q] * reference->derivative[q * size + i] * reference->derivative[q * size + j];
-            reference->stiffness[i * size + j] = entry;
-            sum += j == i ? 0 : entry;
+            double away = reference->node[i] - reference->node[j], product = reference->barycentric[i] * reference->barycentric[j];
+            if (j != i) sum += reference->stiffness[i * size + j] = 2 * product / (p * size * away * away);
         }
         reference->stiffness[i * size + i] = -sum;
     }
@@ -99,8 +97,9 @@ void sp_reference_interpolate(const struct sp_reference *reference, double t, do
         values[j] = reference->barycentric[j] / away;
         sum += values[j];
     }
+    double scale = 1 / sum;
     for (int32_t j = 0; j <= p; j++)
-        values[j] /= sum;
+        values[j] *= scale;
 }
 
 /* Node i of the n-point Gauss rule on 0 … 1, and its weight: Newton on P_n from Chebyshev's guess. */

@@ -8,12 +8,14 @@ struct rung {
     int32_t degree, count;
 };
 
-static const struct rung LADDER[] = {{6, 2}, {8, 2}, {12, 2}, {12, 4}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {24, 32}, {24, 64}};
+static const struct rung LADDER[] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
-static const double FIRST_DECREMENT = 1e-4, LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
+/* Why these: MATH.md, "The ladder". */
+static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
+static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 
@@ -91,17 +93,30 @@ struct climbed {
     double length, moved;
 };
 
+/* Runs Newton from the path as it stands and measures where it leads. */
+static void run(struct sp_newton *newton, const struct sp_options *options, const struct start *start, struct climbed *climbed) {
+    climbed->outcome = sp_newton_run(newton, options);
+    if (climbed->outcome.status < 0) return;
+    climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
+    climbed->moved = displacement(&newton->system, start);
+}
+
 static struct climbed climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, struct rung rung,
-                            struct sp_arena *arena) {
+                            struct start *start, struct sp_arena *arena) {
     struct climbed climbed = {0};
-    struct start start;
-    climbed.outcome.status = start_rung(newton, from, rung, &start, arena);
-    if (climbed.outcome.status != SP_CONVERGED) return climbed;
-    climbed.outcome = sp_newton_run(newton, options);
-    if (climbed.outcome.status < 0) return climbed;
-    climbed.length = sp_system_length(&newton->system, newton->system.line.nodes);
-    climbed.moved = displacement(&newton->system, &start);
+    climbed.outcome.status = start_rung(newton, from, rung, start, arena);
+    if (climbed.outcome.status == SP_CONVERGED) run(newton, options, start, &climbed);
     return climbed;
+}
+
+/* Enough for a step more to be below the tolerance. */
+static double decrement_of(const struct sp_options *options) { return options->tolerance < 1e-8 ? 1e-8 : 1e-6; }
+
+/* A draft is one step from a small decrement, not looked at again; any other run ends at rest. */
+static void aim(struct sp_newton *newton, const struct sp_options *options, int32_t draft) {
+    newton->draft = draft;
+    newton->decrement = draft ? DRAFT_DECREMENT : decrement_of(options);
+    newton->enough = draft ? 0 : ENOUGH * smaller(options->tolerance, LOOSEST);
 }
 
 /* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. Between conjugate ends the way
@@ -113,12 +128,9 @@ static int strayed(const struct climbed *climbed, double first_length) {
     return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || moved);
 }
 
-/* Enough for a step more to be below the tolerance. */
-static double decrement_of(const struct sp_options *options) { return options->tolerance < 1e-8 ? 1e-8 : 1e-6; }
-
-/* The smallest relative error that the coordinates' rounding allows. */
+/* No looser than what ends of arcs are fitted to, no tighter than what the coordinates' rounding allows. */
 static double tolerance_of(const struct sp_newton *newton, const struct sp_options *options, double length) {
-    return larger(options->tolerance, 8 * 2.2e-16 * newton->size / length);
+    return larger(smaller(options->tolerance, LOOSEST), 8 * 2.2e-16 * newton->size / length);
 }
 
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
@@ -127,14 +139,23 @@ static struct sp_refined finish(const struct sp_newton *newton, struct climbed c
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */
 static struct climbed climb_guarded(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *before,
-                                    const struct sp_system *first, double first_length, struct rung rung, struct sp_arena *arena) {
+                                    const struct sp_system *first, double first_length, struct rung rung, struct start *start,
+                                    struct sp_arena *arena) {
     size_t bottom = arena->used;
-    struct climbed now = climb(newton, options, before, rung, arena);
+    struct climbed now = climb(newton, options, before, rung, start, arena);
     if (strayed(&now, first_length) && before->elements.reference.degree > 1) {
         arena->used = bottom;
-        now = climb(newton, options, first, rung, arena);
+        now = climb(newton, options, first, rung, start, arena);
     }
     return now;
+}
+
+/* Whether a path that moved so far from that of the rung before is itself within `allowed`: how far it moved is the error of that one, its
+ * own is smaller, if rungs converge, by as much as the last two moves differ. */
+static int is_settled(double moved, double moved_before, double allowed) {
+    if (!(moved_before > 0)) return moved <= allowed;
+    double ratio = larger(moved / moved_before, SLOWEST_TRUSTED);
+    return moved <= allowed || SAFETY * ratio * moved <= allowed;
 }
 
 /* A path that took many chords has nothing to learn from a few nodes, and Newton on them wanders. */
@@ -145,34 +166,51 @@ static int first_rung(const struct sp_system *first) {
     return r;
 }
 
+static double distance(double a, double b) { return a > b ? a - b : b - a; }
+
+/* Between conjugate ends positions never settle; the length, which is that of all the ways, does (`settled`: it had on the rung before). */
+static int is_at_rest(const struct climbed *now, int settled, double moved, double allowed) {
+    return now->outcome.status == SP_ILL_CONDITIONED ? settled : is_settled(now->moved, moved, allowed);
+}
+
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
                                    const struct sp_system *first, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
-    double last = first_length, change = first_length;
+    double last = first_length, change = first_length, moved = 0;
     int settled = 0;
+    struct start start;
     struct sp_storage storage;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
-    newton->decrement = decrement_of(options);
     size_t bottom = arena->used;
     for (int r = 0; r < rungs; r++) {
+        int from_elements = r > 0 && before.elements.reference.degree > 1;
         arena->used = bottom;
-        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], arena);
-        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
-            return finish(newton, now, now.length > last ? now.length - last : last - now.length);
+        aim(newton, options, r < rungs - 1);
+        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], &start, arena);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
-        int astray = strayed(&now, first_length), from_elements = r > 0 && before.elements.reference.degree > 1;
+        int astray = strayed(&now, first_length);
+        int agrees =
+            !astray && from_elements && distance(now.length, last) <= allowed && is_at_rest(&now, change <= allowed, moved, allowed);
+        if (agrees && newton->draft) {
+            aim(newton, options, 0);
+            run(newton, options, &start, &now);
+            astray = strayed(&now, first_length);
+        }
+        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
+            return finish(newton, now, distance(now.length, last));
         settled = !astray && from_elements && change <= allowed;
         double previous = change;
-        change = now.length > last ? now.length - last : last - now.length;
+        change = distance(now.length, last);
         last = now.length;
-        /* Between conjugate ends positions never settle; the length, which is that of all the ways, does. */
-        int undetermined = now.outcome.status == SP_ILL_CONDITIONED, at_rest = undetermined ? settled : now.moved <= allowed;
-        double doubt = undetermined ? previous : smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous);
-        if (!astray && from_elements && at_rest && change <= allowed)
+        if (agrees && !astray && change <= allowed && is_at_rest(&now, settled, moved, allowed)) {
+            int undetermined = now.outcome.status == SP_ILL_CONDITIONED;
+            double doubt = undetermined ? larger(change, previous) : smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous);
             return finish(newton, now, larger(undetermined ? 2 * change : change, doubt));
+        }
+        moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
         else
@@ -198,6 +236,7 @@ double sp_refine_bytes(void) {
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                  double *error) {
     struct climbed now = {0};
+    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     for (;;) {
         int32_t count = 2 * (newton->system.line.fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
@@ -218,7 +257,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     double error = 0;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
-    newton->decrement = FIRST_DECREMENT;
+    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0;
     first = find_first(newton, options, &storage, &error);
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
@@ -244,13 +283,58 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena) {
     struct rung rung = {from->elements.reference.degree, from->elements.count};
-    newton->decrement = larger(decrement_of(options), 10 * options->tolerance);
-    return finish(newton, climb(newton, options, from, rung, arena), 0);
+    struct start start;
+    aim(newton, options, 0);
+    newton->decrement = larger(newton->decrement, 10 * options->tolerance);
+    return finish(newton, climb(newton, options, from, rung, &start, arena), 0);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
-    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, arena);
+    struct start start;
+    newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
+    struct climbed chords = climb(newton, options, from, (struct rung){1, count}, &start, arena);
     double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
     return finish(newton, chords, error);
+}
+
+/* From how many chords on a coarser polyline helps, how few it may have, and by what it is coarser. */
+enum { LEAST_CHORDS = 128, COARSE_CHORDS = 16, COARSEN = 4 };
+
+int32_t sp_refine_coarsest(int32_t count) {
+    int32_t coarse = count;
+    while (count >= LEAST_CHORDS && coarse >= COARSEN * COARSE_CHORDS)
+        coarse = (coarse + COARSEN - 1) / COARSEN;
+    return coarse;
+}
+
+/* The next of the numbers of chords between `chords` and `count`. */
+static int32_t finer(int32_t chords, int32_t count) {
+    int32_t next = count;
+    while ((next + COARSEN - 1) / COARSEN > chords)
+        next = (next + COARSEN - 1) / COARSEN;
+    return next;
+}
+
+double sp_refine_polyline_bytes(int32_t dimension, int32_t count) {
+    return (count / (2.0 * COARSEN) + 4) * dimension * sizeof(sp_pair) + 2 * (SP_MAX_DEGREE + 1) * sizeof(double) + 3 * 16;
+}
+
+int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena) {
+    struct sp_polyline *line = &newton->system.line;
+    struct sp_storage storage;
+    int32_t largest = (count + COARSEN - 1) / COARSEN;
+    if (!sp_storage_take(&storage, line->kind->dimension, largest - 1, arena)) return 0;
+    double wanted = newton->decrement;
+    newton->draft = 1, newton->decrement = DRAFT_DECREMENT;
+    sp_polyline_charts(line, line->nodes);
+    enum sp_status status = SP_CONVERGED;
+    for (int32_t chords = line->fold.inner + 1; status == SP_CONVERGED && chords < count; chords = line->fold.inner + 1) {
+        struct sp_outcome outcome = sp_newton_run(newton, options);
+        if (outcome.status != SP_CONVERGED) break;
+        struct sp_system before = sp_storage_keep(&storage, &newton->system);
+        status = carry_over(newton, &before, finer(chords, count));
+    }
+    newton->draft = 0, newton->decrement = wanted;
+    return status == SP_CONVERGED && line->fold.inner + 1 == count;
 }

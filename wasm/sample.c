@@ -1,22 +1,37 @@
 /* Interpolation along a path: elements by their Lagrange polynomials, polylines by cubics through four neighbours. MATH.md, "Elements". */
 #include "sample.h"
 
-/* The place at t of a polyline: cubic through the four nodes around it. */
-static void polyline_place(const struct sp_system *system, double t, double place[3]) {
-    struct sp_fold fold = system->line.fold;
-    int32_t dimension = system->line.kind->dimension, last = fold.inner + 1, first = (int32_t)(t * last) - 1,
-            count = last < 3 ? last + 1 : 4;
-    first = first < 0 ? 0 : first > last + 1 - count ? last + 1 - count : first;
-    for (int j = 0; j < 3; j++)
-        place[j] = 0;
-    for (int32_t i = 0; i < count; i++) {
-        double weight = 1, at = t * last - first;
-        for (int32_t k = 0; k < count; k++)
-            if (k != i) weight *= (at - k) / (i - k);
-        for (int32_t j = 0; j < dimension; j++)
-            /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
-            place[j] += weight * sp_fold_get(fold, system->line.nodes.places, dimension, first + i, j);
+enum { BLOCK = 32 };
+
+/* Number j of node i in lane 0, of its mirror image in lane 1. */
+static sp_pair node_pair(const struct sp_system *system, int32_t i, int32_t j) {
+    int32_t dimension = system->line.kind->dimension, mirrored = system->line.fold.inner + 1 - i;
+    const sp_pair *places = system->line.nodes.places;
+    return i <= mirrored ? places[dimension * i + j] : sp_swap(places[dimension * mirrored + j]);
+}
+
+/* sum_i weights_i node_(first + i), and of the mirrored nodes. */
+static void combine(const struct sp_system *system, int32_t first, int32_t count, const double *weights, sp_pair place[3]) {
+    for (int32_t j = 0; j < 3; j++) {
+        place[j] = sp_splat(0.0);
+        for (int32_t i = 0; i < count && j < system->line.kind->dimension; i++)
+            place[j] += weights[i] * node_pair(system, first + i, j);
     }
+}
+
+/* The places of a polyline at t and 1 - t: cubic through the four nodes around each; linear where there are fewer. */
+static void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
+    int32_t last = system->line.fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
+    int32_t first = before > most ? most : before;
+    if (last < 3) {
+        double s = t * last - first, weights[2] = {1 - s, s};
+        combine(system, first, 2, weights, place);
+        return;
+    }
+    if (first < 1) first = 1;
+    double s = t * last - first, ahead = 1 - s, both = s * ahead;
+    double weights[4] = {both * (s - 2) / 6, ahead * (1 + s) * (2 - s) / 2, s * (1 + s) * (2 - s) / 2, -both * (1 + s) / 6};
+    combine(system, first - 1, 4, weights, place);
 }
 
 static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }
@@ -34,26 +49,36 @@ static double from_reference(const struct sp_elements *elements, int32_t e, doub
     return x;
 }
 
-/* The place at t of elements. */
-static void element_place(const struct sp_system *system, double t, double place[3]) {
+/* The place of elements at t in lane 0; at 1 - t in lane 1, unless it is graded otherwise there. */
+static void element_place(const struct sp_system *system, double t, sp_pair place[3]) {
     const struct sp_elements *elements = &system->elements;
-    int32_t dimension = system->line.kind->dimension, p = elements->reference.degree, e = (int32_t)(t * elements->count);
+    int32_t p = elements->reference.degree, e = (int32_t)(t * elements->count);
     if (e > elements->count - 1) e = elements->count - 1;
-    double values[SP_MAX_DEGREE + 1];
-    sp_reference_interpolate(&elements->reference, to_reference(elements, e, t * elements->count - e), values);
+    double weights[SP_MAX_DEGREE + 1];
+    sp_reference_interpolate(&elements->reference, to_reference(elements, e, t * elements->count - e), weights);
+    combine(system, e * p, p + 1, weights, place);
+}
+
+/* The places at t and at 1 - t. */
+static void place_pair(const struct sp_system *system, double t, sp_pair place[3]) {
+    const struct sp_elements *elements = &system->elements;
+    if (elements->reference.degree == 1) {
+        polyline_place(system, t, place);
+        return;
+    }
+    element_place(system, t, place);
+    if (elements->singular[0] == elements->singular[1]) return;
+    sp_pair other[3];
+    element_place(system, 1 - t, other);
     for (int j = 0; j < 3; j++)
-        place[j] = 0;
-    for (int32_t i = 0; i <= p; i++)
-        for (int32_t j = 0; j < dimension; j++)
-            /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
-            place[j] += values[i] * sp_fold_get(system->line.fold, system->line.nodes.places, dimension, e * p + i, j);
+        place[j][1] = other[j][0];
 }
 
 void sp_sample_place(const struct sp_system *system, double t, double place[3]) {
-    if (system->elements.reference.degree == 1)
-        polyline_place(system, t, place);
-    else
-        element_place(system, t, place);
+    sp_pair pair[3];
+    place_pair(system, t, pair);
+    for (int j = 0; j < 3; j++)
+        place[j] = pair[j][0];
 }
 
 double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
@@ -62,20 +87,22 @@ double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
 }
 
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
-    int32_t last = to->reference.degree * to->count, dimension = from->line.kind->dimension;
-    struct sp_fold fold = sp_fold_of(last - 1);
-    for (int32_t i = 0; i <= last; i++) {
-        double place[3];
-        sp_sample_place(from, sp_sample_parameter(to, i), place);
-        for (int32_t j = 0; j < dimension; j++) {
-            double end = i == 0 || i == last
-                             ? sp_fold_get(from->line.fold, from->line.nodes.places, dimension, i ? from->line.fold.inner + 1 : 0, j)
-                             : place[j];
-            places[dimension * sp_fold_pair(fold, i) + j][sp_fold_lane(fold, i)] = end;
+    int32_t dimension = from->line.kind->dimension;
+    struct sp_fold fold = sp_fold_of(to->reference.degree * to->count - 1);
+    int alike = to->singular[0] == to->singular[1];
+    for (int32_t k = 0; k <= sp_fold_unknown(fold); k++) {
+        sp_pair place[3];
+        double t = sp_sample_parameter(to, k), other = alike ? 1 - t : sp_sample_parameter(to, fold.inner + 1 - k);
+        place_pair(from, t, place);
+        if (other != 1 - t) {
+            sp_pair mirrored[3];
+            place_pair(from, other, mirrored);
+            for (int32_t j = 0; j < dimension; j++)
+                place[j][1] = mirrored[j][0];
         }
+        for (int32_t j = 0; j < dimension; j++)
+            places[dimension * k + j] = k == 0 ? node_pair(from, 0, j) : k > fold.both ? sp_splat(place[j][0]) : place[j];
     }
-    for (int32_t j = 0; j < dimension && fold.odd; j++)
-        places[dimension * (fold.both + 1) + j] = sp_splat(places[dimension * (fold.both + 1) + j][0]);
     sp_fold_mirror(fold, places, dimension);
 }
 
@@ -115,35 +142,56 @@ struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct 
     return kept;
 }
 
-/* A node: its chart knows where it lies, unless it is a chart of u and v themselves. */
-static void write_node(const struct sp_system *system, int32_t i, double *point, double *parameters) {
+/* The pair of nodes k, as samples k and last - k: charts know where they lie, unless they are charts of u and v themselves. */
+static void write_nodes(const struct sp_system *system, int32_t k, int32_t last, double *points, double *parameters) {
     const struct sp_polyline *line = &system->line;
-    int flat = line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR;
-    for (int32_t j = 0; parameters && j < 2; j++)
-        parameters[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j);
-    if (!point) return;
-    for (int32_t j = 0; !flat && j < 3; j++)
-        point[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
-    if (!flat) return;
-    sp_pair place[2], position[SP_PARAMETRIC_VALUES];
-    for (int32_t j = 0; j < 2; j++)
-        place[j] = sp_splat(sp_fold_get(line->fold, line->nodes.places, 2, i, j));
-    line->surface->value(1, place, position);
-    for (int j = 0; j < 3; j++)
-        point[j] = position[j][0];
+    const sp_pair *place = line->nodes.places + line->kind->dimension * k, *position = line->nodes.charts + SP_CHART * k;
+    sp_pair flat[SP_PARAMETRIC_VALUES];
+    if (points && line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR) {
+        line->surface->value(1, place, flat);
+        position = flat;
+    }
+    for (int lane = 0; lane < 2; lane++) {
+        int32_t at = lane ? last - k : k;
+        for (int j = 0; points && j < 3; j++)
+            points[3 * at + j] = position[j][lane];
+        for (int j = 0; parameters && j < 2; j++)
+            parameters[2 * at + j] = place[j][lane];
+    }
+}
+
+/* Samples i and last - i of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
+static void write_block(const struct sp_system *system, double scale, int32_t first, int32_t count, int32_t last, double *points,
+                        double *parameters) {
+    const struct sp_surface *surface = system->line.surface;
+    int32_t dimension = system->line.kind->dimension;
+    sp_pair places[3 * BLOCK], positions[SP_PARAMETRIC_VALUES * BLOCK], place[3];
+    for (int32_t i = 0; i < count; i++) {
+        place_pair(system, (double)(first + i) / last, place);
+        for (int32_t j = 0; j < dimension; j++)
+            places[dimension * i + j] = place[j];
+    }
+    if (surface->kind == SP_PARAMETRIC)
+        sp_parametric_clip(surface, count, places);
+    else
+        sp_implicit_settle(surface, count, places, scale);
+    if (surface->kind == SP_PARAMETRIC && points) surface->value(count, places, positions);
+    const sp_pair *written = surface->kind == SP_PARAMETRIC ? positions : places;
+    for (int32_t i = 0; i < count; i++)
+        for (int lane = 0; lane < 2; lane++) {
+            int32_t at = lane ? last - first - i : first + i;
+            for (int j = 0; points && j < 3; j++)
+                points[3 * at + j] = written[3 * i + j][lane];
+            for (int j = 0; parameters && j < 2; j++)
+                parameters[2 * at + j] = places[2 * i + j][lane];
+        }
 }
 
 void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
-    struct sp_fold fold = system->line.fold;
-    int32_t last = point_count + 1, end = fold.inner + 1;
-    int nodes = system->elements.reference.degree == 1 && fold.inner == point_count;
-    for (int32_t i = 0; i <= last; i++) {
-        double *point = points ? points + 3 * i : NULL, *place = parameters ? parameters + 2 * i : NULL, at[3];
-        if (nodes || i == 0 || i == last) {
-            write_node(system, nodes ? i : i ? end : 0, point, place);
-            continue;
-        }
-        sp_sample_place(system, (double)i / last, at);
-        sp_sample_point(system->line.surface, scale, at, point, place);
-    }
+    int32_t last = point_count + 1, half = last / 2;
+    int nodes = system->elements.reference.degree == 1 && system->line.fold.inner == point_count;
+    for (int32_t k = 0; k <= (nodes ? half : 0); k++)
+        write_nodes(system, k, last, points, parameters);
+    for (int32_t i = 1; !nodes && i <= half; i += BLOCK)
+        write_block(system, scale, i, half - i < BLOCK ? half - i + 1 : BLOCK, last, points, parameters);
 }

@@ -30,7 +30,8 @@ static int32_t inner_nodes(const struct sp_options *options) {
 double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double kept = (SP_REFINE_INNER / 2 + 3) * 3.0 * sizeof(sp_pair); /* the start, for arcs to begin from */
-    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept : 0;
+    double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept
+                                                   : sp_refine_polyline_bytes(sp_kind_of(surface)->dimension, clean.point_count + 1);
     return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
            8.0 * start_count + 4 * 16;
 }
@@ -138,7 +139,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
     int may = may_cross(line);
-    if (pole > 0 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (pole >= 1 && pole <= 4 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     result->crosses_singularity = may && sp_cusp_divides(newton);
@@ -151,6 +152,39 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
+/* The first path: of elements, few chords; of many points from the straight line, by way of coarser polylines; else all points at once,
+ * which is also what is left where that leads nowhere. */
+static enum sp_status start_path(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                 const double from[3], const double to[3], struct sp_arena *arena) {
+    struct sp_polyline *line = &newton->system.line;
+    int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
+    newton->size = newton->scale;
+    line->fold = sp_fold_of(options->algorithm == SP_ELEMENTS ? first_inner(request) : coarse - 1);
+    if (options->algorithm == SP_ELEMENTS) return sp_start_polyline(line, request, from, to, newton->scale, arena);
+    int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && line->kind->components == 0;
+    if (climbs && sp_start_polyline(line, request, from, to, newton->scale, arena) == SP_CONVERGED &&
+        sp_refine_polyline(newton, options, count, arena))
+        return SP_CONVERGED;
+    line->fold = sp_fold_of(options->point_count);
+    enum sp_status status = sp_start_polyline(line, request, from, to, newton->scale, arena);
+    if (status == SP_CONVERGED) sp_polyline_charts(line, line->nodes);
+    return status;
+}
+
+static int are_finite(const double *numbers, int32_t count) {
+    double sum = 0;
+    for (int32_t i = 0; numbers && i < count; i++)
+        sum += numbers[i] - numbers[i];
+    return sum == 0;
+}
+
+/* What is handed out is a path, however a surface that is not smooth, or NaN in places, has led the stages astray. */
+static int is_sound(const struct sp_result *result, int32_t point_count) {
+    int32_t count = point_count + 2;
+    return are_finite(&result->length, 1) && result->length_error >= 0 && are_finite(result->points, 3 * count) &&
+           are_finite(result->parameters, 2 * count);
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -159,12 +193,11 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     double from[3] = {0}, to[3] = {0};
     int elements = options->algorithm == SP_ELEMENTS;
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
-    if (elements) line->fold = sp_fold_of(first_inner(request));
     int reversed = order_ends(surface, request, from, to);
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, from);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
-    if (status == SP_CONVERGED) status = sp_start_polyline(line, request, from, to, newton.scale, arena);
+    if (status == SP_CONVERGED) status = start_path(&newton, request, options, from, to, arena);
     if (status != SP_CONVERGED) return status;
     newton.size = size_of(&newton);
     struct sp_arcs arcs;
@@ -179,7 +212,9 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (!elements) result->crosses_singularity = 0;
     fill(&refined, &newton, options, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
-    return status > 0 ? status : (enum sp_status)refined.outcome.status;
+    if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
+    if (status > 0) return status;
+    return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
 
 int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,

@@ -39,7 +39,8 @@ struct sp_request {
                             NULL: the straight line from end to end, solved from the lexicographically smaller end, so that
                             exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
-    int32_t pole; /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; 0: none */
+    int32_t pole;        /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; any other
+                            number: none */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are

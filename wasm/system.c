@@ -25,10 +25,15 @@ double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
 }
 
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
+    struct sp_polyline *line = &system->line;
+    struct sp_energy energy;
+    if (is_polyline(system) && !has_metric(system)) return sp_polyline_assemble(line, hessian, system->rows, system->straight);
     if (has_metric(system))
-        return sp_metric_assemble(&system->elements.reference, &system->line, hessian, system->rows, system->straight, system->held);
-    if (is_polyline(system)) return sp_polyline_assemble(&system->line, hessian, system->rows, system->straight);
-    return sp_elements_assemble(&system->elements, &system->line, hessian, system->rows, system->straight, system->held);
+        energy = sp_metric_assemble(&system->elements.reference, line, hessian, system->rows, system->straight, system->held);
+    else
+        energy = sp_elements_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
+    energy.inertia = sp_system_factor(system, 0);
+    return energy;
 }
 
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift) {
@@ -61,14 +66,6 @@ void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     }
     struct sp_vector force = sp_elements_end_pull(&system->elements, chart);
     pull[0] = sp_dot(force, sp_load(chart + SP_CHART_1)), pull[1] = sp_dot(force, sp_load(chart + SP_CHART_2));
-}
-
-double sp_system_descent(const struct sp_system *system, const sp_pair *x) {
-    struct sp_fold fold = system->line.fold;
-    double sum = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        sum += sp_fold_sum(fold, k, system->rows[k].r1 * x[2 * k] + system->rows[k].r2 * x[2 * k + 1]);
-    return sum;
 }
 
 double sp_system_steepness(const struct sp_system *system, double squares) {

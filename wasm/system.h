@@ -23,7 +23,7 @@ double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes);
 /* Length of the path of these nodes: sum of chords, or quadrature. */
 double sp_system_length(const struct sp_system *system, struct sp_nodes nodes);
 
-/* The pieces of a Newton step: energy.h, blocks.h, elements.h. */
+/* The pieces of a Newton step: energy.h, blocks.h, elements.h. Assembling factors, too, without a shift. */
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian);
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift);
 void sp_system_solve(const struct sp_system *system, sp_pair *x);
@@ -33,9 +33,6 @@ double sp_system_conditioning(const struct sp_system *system);
 /* The derivative of the energy over 2m by the chart coordinates of the two ends, lane 0 the first: minus the velocity into the path, over
  * an element, its index lowered. */
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]);
-
-/* r . x over all unknowns: minus the slope of the scaled energy along x. */
-double sp_system_descent(const struct sp_system *system, const sp_pair *x);
 
 /* sqrt(2 g'M^-1 g / squares): how far from stationary, whatever the Hessian. */
 double sp_system_steepness(const struct sp_system *system, double squares);

@@ -1,5 +1,6 @@
 /** Many pairs of points in one flat array, checked: what is wrong with one pair is that pair's status, what is wrong with the array is an exception. */
 
+import { checkHeld } from './definition.js';
 import { enterDomain } from './domain.js';
 import { describe, readOptions } from './path.js';
 
@@ -26,8 +27,7 @@ export function readPairNumbers(caller, pairs, variables) {
   const what = `a flat array of ${[...variables, ...variables].join(' ')}, ${width} numbers a pair`;
   if (typeof pairs !== 'object' || pairs === null || typeof pairs.length !== 'number')
     throw new TypeError(`${caller}: pairs must be ${what}, not ${describe(pairs)}`);
-  const bad = ArrayBuffer.isView(pairs) ? undefined : Array.from(pairs).find((x) => typeof x !== 'number');
-  if (bad !== undefined) throw new TypeError(`${caller}: pairs must be ${what}; it holds ${describe(bad)}`);
+  checkHeld(`${caller}: pairs`, what, pairs);
   if (pairs.length % width) throw new RangeError(`${caller}: pairs must be ${what}, not ${pairs.length} numbers`);
   return Float64Array.from(/** @type {ArrayLike<number>} */ (pairs));
 }

@@ -2,6 +2,7 @@
 
 import { checkNames, describe, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
+import { OUT_OF_MEMORY } from './runtime/heap.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -47,9 +48,12 @@ function search({ domain, box, graphs, run }, caller, from, places) {
       level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
     const found = run((heap, record) => {
       const graph = graphs.find(heap, record, place, level);
+      if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
       return graph && heap.measureField(record, graph, from, wanted);
     });
     if (!found) break;
+    if (found.status === OUT_OF_MEMORY)
+      throw new RangeError(`${caller}: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed`);
     if (found.status !== CONVERGED) continue;
     for (const [k, i] of missing.entries()) lengths[i] = found.lengths[k];
     missing = missing.filter((i) => lengths[i] === Infinity);

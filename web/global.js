@@ -3,7 +3,7 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { liftNear } from './domain.js';
+import { isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
@@ -46,6 +46,8 @@ const CANDIDATE_POINTS = 65;
 const MARGIN = 1e-3;
 /** Of those, so many are solved finely. */
 const MOST_FINE = 4;
+/** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
+const AGREEMENT = 1e-6;
 /** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
 const MOST_CROSSING = 2;
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
@@ -75,7 +77,9 @@ export function findPaths(problem, options, most) {
   }
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
+  const crossing = isPointed(problem)
+    ? []
+    : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
@@ -100,6 +104,8 @@ export function findPaths(problem, options, most) {
   usable.push(...acrossCusps(problem, options, crossing));
   usable.push(...overPoles(problem, options, usable));
   if (usable.length === 0 && failed) return [failed];
+  const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
+  if (beside) return [beside];
   return distinct(usable)
     .slice(0, most)
     .map(({ path }) => path);
@@ -114,6 +120,7 @@ function findStarts(problem) {
   /** @type {Start[]} */
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
   const search = (/** @type {Graph} */ graph) => {
+    if (graph.status !== STATUS.converged) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
     return status;
@@ -149,14 +156,29 @@ function straightEnds({ from, to, domain }) {
  * Paths over a pole, which no chart shows as stationary: taken only where they are shorter than all others.
  * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath }[]} others
  */
-function overPoles({ to, domain, solve }, options, others) {
+function overPoles({ from, to, domain, solve }, options, others) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   const shortest = Math.min(...others.map(({ path }) => path.length));
   return domain.poles
+    .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
     .map((pole) => ({ to, path: solve(to, null, options, pole) }))
     .filter(({ path }) => holds(path) && path.length < shortest - path.lengthError)
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1);
+}
+
+/**
+ * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
+ * @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options @param {RawPath} best
+ */
+function besidePole({ domain, solve }, tried, options, best) {
+  if (!domain || domain.poles.length === 0) return null;
+  const [weak] = tried
+    .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))
+    .sort((a, b) => estimate(a.path) - estimate(b.path));
+  const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
+  if (!path || !(Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length)) return null;
+  return path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
 }
 
 /**
@@ -169,6 +191,14 @@ function acrossCusps({ solve }, options, crossing) {
     .slice(0, MOST_CROSSING)
     .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
     .filter(({ path }) => holds(path));
+}
+
+/**
+ * Whether an end is a pole or an apex, and no other place singular: ways that turn around it are singular there, and lead across nothing.
+ * @param {Problem} problem
+ */
+function isPointed({ from, to, domain, graph }) {
+  return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */

@@ -1,5 +1,7 @@
 /** The graphs of one surface: built when they are first needed, finer ones where a coarser one separates two ends, freed together. */
 
+import { OUT_OF_MEMORY } from './runtime/heap.js';
+
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 
@@ -24,15 +26,16 @@ export class Graphs {
   }
 
   /**
-   * The graph of all of the surface; null: there is none so fine.
+   * The graph of all of the surface; null: there is none so fine. One of status out-of-memory holds nothing, and is tried again by the next call.
    * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
    * @param {number} level how often it is refined
    */
   find(heap, record, box, level) {
     const resolution = RESOLUTION[this.#kind][level];
     if (!box || !resolution) return null;
-    this.#graphs[level] ??= heap.buildGraph(record, this.#kind, { box, cell: 0, resolution });
-    return usable(this.#graphs[level]);
+    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution });
+    if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
+    return usable(graph);
   }
 
   /**
@@ -43,6 +46,7 @@ export class Graphs {
     const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
     if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
+    this.#flood = null;
     this.#flood = heap.buildGraph(record, this.#kind, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
     return usable(this.#flood);
   }
@@ -56,4 +60,4 @@ export class Graphs {
 }
 
 /** @param {Graph} graph */
-const usable = (graph) => (graph.status === CONVERGED ? graph : null);
+const usable = (graph) => ([CONVERGED, OUT_OF_MEMORY].includes(graph.status) ? graph : null);

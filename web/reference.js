@@ -84,7 +84,7 @@ export class ReferenceFinder {
     data.set(Object.values(parameters));
     const slots = this.#solver.install(module, data, dataBytes);
     try {
-      const sampled = this.#solver.run(() => this.#solver.heap.evaluate(slots.call.value, places, 1, value.length));
+      const sampled = this.#solver.evaluate(slots.call.value, places, 1, value.length);
       const vectors = (/** @type {number} */ offset) =>
         places.map((_, i) => Array.from(sampled.subarray(value.length * i + offset, value.length * i + offset + 3)));
       return this.#curve.reference.length > 0 ? [vectors(6), vectors(3)] : [vectors(3)];

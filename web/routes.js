@@ -3,6 +3,7 @@
 import { facePoles, liftEnds } from './domain.js';
 import { findPaths, reverse } from './global.js';
 import { makePath } from './path.js';
+import { emptyPath, OUT_OF_MEMORY } from './runtime/heap.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -49,24 +50,31 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
   const swap = different >= 0 && from[different] > to[different];
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
-  const raw = run((heap, record) =>
+  let exhausted = false;
+  /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
+  const watch = (answer) => {
+    exhausted ||= answer?.status === OUT_OF_MEMORY;
+    return answer;
+  };
+  const found = run((heap, record) =>
     findPaths(
       {
         from: a,
         to: b,
         isPlain,
         domain,
-        solve: (end, start, asked, pole) => heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked),
-        graph: (level) => graphs.find(heap, record, place, level),
-        flood: (level) => graphs.flood(heap, record, a, b, level),
-        search: (graph, points) => heap.searchGraph(record, graph, a, b, points),
+        solve: (end, start, asked, pole) => watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked)),
+        graph: (level) => watch(graphs.find(heap, record, place, level)),
+        flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
+        search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points)),
       },
       options,
       most,
     ),
   );
-  return raw.map((found) => {
-    const path = makePath(swap ? reverse(found) : found);
+  const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
+  return raw.map((one) => {
+    const path = makePath(swap ? reverse(one) : one);
     const { parameters } = path;
     if (parameters)
       shift(
@@ -88,9 +96,7 @@ export function passThrough(field, caller, places, options, start) {
   const count = places.length - 1;
   const least = 2 * count - 1;
   if (options.points < least)
-    throw new RangeError(
-      `${caller}: options.points must be at least ${least} for ${count - 1} points of options.via, not ${options.points}`,
-    );
+    throw new RangeError(`${caller}: options.points must be at least ${least} where options.via has ${count - 1}, not ${options.points}`);
   const solve = (/** @type {number[]} */ points) =>
     points.map((own, i) => {
       const [ends, asked] = [places.slice(i, i + 2), { ...options, points: own }];

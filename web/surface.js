@@ -10,7 +10,7 @@ import { bridgesSheets, meshRectangle } from './mesh.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
-import { emptyPath, LAYOUT } from './runtime/heap.js';
+import { emptyPath } from './runtime/heap.js';
 import { findGlobal, passThrough, solveNear } from './routes.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
@@ -47,21 +47,18 @@ export class Surface {
   #forget;
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
-  /** @type {ReturnType<typeof compile>} */ #compiled;
+  /** With what measures length, if it is not space alone, and the reference direction of its frame. @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, reference: number[] | null }} */
+  #compiled;
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
-  /** @type {ReturnType<typeof compileMetric>} */ #metric = null;
   /** @type {Record<string, number>} */ #parameters;
   /** @type {ReferenceFinder | null} */ #finder = null;
-  /** The direction that the frame of a tube or sweep refers to: that it should, and that it was compiled with. @type {Record<'wanted' | 'compiled', number[] | null>} */
-  #reference = { wanted: null, compiled: null };
+  /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
   /** @type {import('./domain.js').Domain | null} */ #domain = null;
   /** @type {number[] | null} */ #box = null;
   /** @type {Installed | null} */ #installed = null;
   /** @type {Installed | null} */ #installedMetric = null;
   #graphs;
-  #record = 0;
-  /** Address of the record of the surface as space measures it. */
-  #shapeRecord = 0;
+  /** The solver's instance in which it is installed; 0: in none. */
   #generation = 0;
   #disposed = false;
 
@@ -80,7 +77,12 @@ export class Surface {
     const range = this.#readRange(kind);
     this.#compiled = this.#compile();
     this.#install();
-    this.#settle(range);
+    try {
+      this.#settle(range);
+    } catch (error) {
+      this.#uninstall();
+      throw error;
+    }
   }
 
   /** The named constants and their values, a copy. */
@@ -119,7 +121,8 @@ export class Surface {
   }
 
   /**
-   * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none.
+   * All locally shortest paths between two points that a graph search finds, shortest first. Empty if there is none; one of status `out-of-memory` where there
+   * may be some.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
    * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
@@ -135,7 +138,7 @@ export class Surface {
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    return findGlobal(this.#field(), ends, solve, max).filter(({ index }) => index === 0);
+    return findGlobal(this.#field(), ends, solve, max).filter(({ index, status }) => index === 0 || status === 'out-of-memory');
   }
 
   /**
@@ -145,7 +148,7 @@ export class Surface {
    * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
    */
   lengths(pairs, options) {
-    return Float64Array.from(this.#solvePairs('lengths', pairs, options), ({ length }) => length);
+    return Float64Array.from(this.#solvePairs('lengths', pairs, options, true), ({ length }) => length);
   }
 
   /**
@@ -277,7 +280,7 @@ export class Surface {
         throw new RangeError(
           `${caller}: the surface has no parameter '${name}'; it has ${Object.keys(this.#parameters).join(', ') || 'none'}`,
         );
-    const [before, reference] = [this.#parameters, this.#reference.wanted];
+    const [before, reference, compiled, domain] = [this.#parameters, this.#reference, this.#compiled, this.#domain];
     this.#wake();
     this.#parameters = Object.assign(Object.create(null), before, changed);
     try {
@@ -286,9 +289,9 @@ export class Surface {
       this.#refresh();
       this.#settle(range);
     } catch (error) {
-      this.#parameters = before;
-      this.#reference.wanted = reference;
-      this.#refresh();
+      [this.#parameters, this.#reference, this.#compiled, this.#domain] = [before, reference, compiled, domain];
+      this.#dropGraphs();
+      this.#uninstall();
       throw error;
     }
   }
@@ -298,8 +301,7 @@ export class Surface {
     if (this.#disposed) return;
     this.#disposed = true;
     this.#dropGraphs();
-    if (this.#installed && this.#generation === this.#solver.generation) this.#uninstall();
-    this.#installed = this.#installedMetric = null;
+    this.#uninstall();
     this.#forget();
   }
 
@@ -310,31 +312,33 @@ export class Surface {
 
   #compile() {
     const { outputs, names, variables } = this.#shape;
-    const { wanted } = this.#reference;
-    this.#reference.compiled = wanted;
-    this.#metric = compileMetric(this.kind, this.#measure, this.#shape, wanted, this.#parameters, this.#solver.apply);
-    return compile({
-      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, wanted) : outputs,
+    const reference = this.#reference;
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.#parameters, this.#solver.apply);
+    const compiled = compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
       names,
       variables,
       parameters: this.#parameters,
       apply: this.#solver.apply,
       valueOrder: SHAPE[this.kind].valueOrder,
     });
+    return { ...compiled, metric, reference };
   }
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
   #refresh() {
-    if (this.#reference.compiled === this.#reference.wanted) return this.#writeParameters();
-    this.#uninstall();
+    if (this.#compiled.reference === this.#reference) return this.#writeParameters();
     this.#compiled = this.#compile();
+    this.#uninstall();
     this.#install();
     this.#writeRecord();
   }
 
+  /** Gives back what the solver's present instance holds of it, if anything; {@link #wake} installs it again. */
   #uninstall() {
+    this.#generation = 0;
     for (const installed of [this.#installed, this.#installedMetric]) if (installed) this.#solver.remove(installed);
-    for (const record of [this.#record, this.#shapeRecord]) this.#solver.heap.release(record);
+    this.#installed = this.#installedMetric = null;
   }
 
   /** @param {string} caller */
@@ -342,24 +346,47 @@ export class Surface {
     if (this.kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
   }
 
-  /** Compiles the module into the solver's present instance. */
+  /** Compiles the modules into the solver's present instance: both or, with an error, neither. */
   #install() {
     const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) =>
       this.#solver.install(module, data, dataBytes);
-    this.#installed = install(this.#compiled);
-    this.#installedMetric = this.#metric && install(this.#metric.compiled);
-    this.#record = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);
-    this.#shapeRecord = this.#solver.heap.allocate(LAYOUT.sp_surface.bytes);
+    const installed = install(this.#compiled);
+    try {
+      this.#installedMetric = this.#metric && install(this.#metric.compiled);
+    } catch (error) {
+      this.#solver.remove(installed);
+      throw error;
+    }
+    this.#installed = installed;
     this.#generation = this.#solver.generation;
     this.#writeParameters();
+  }
+
+  get #metric() {
+    return this.#compiled.metric;
+  }
+
+  /** Address of the record of the surface as it measures length. */
+  get #record() {
+    return /** @type {Installed} */ (this.#installedMetric ?? this.#installed).record;
+  }
+
+  /** Address of the record of the surface as space measures it. */
+  get #shapeRecord() {
+    return /** @type {Installed} */ (this.#installed).record;
   }
 
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     if (this.#generation === this.#solver.generation) return;
     this.#graphs.drop(null);
-    this.#install();
-    this.#writeRecord();
+    try {
+      this.#install();
+      this.#writeRecord();
+    } catch (error) {
+      this.#uninstall();
+      throw error;
+    }
   }
 
   /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
@@ -377,9 +404,9 @@ export class Surface {
   #evaluate(what, points) {
     const { variables, jet, value } = SHAPE[this.kind];
     if (points.length === 0) return new Float64Array(0);
-    return this.#run((heap) =>
-      heap.evaluate(/** @type {Installed} */ (this.#installed).call[what], points, variables.length, what === 'jet' ? jet : value),
-    );
+    this.#wake();
+    const { call } = /** @type {Installed} */ (this.#installed);
+    return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
   }
 
   /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
@@ -387,7 +414,8 @@ export class Surface {
     const metric = this.#metric;
     if (!metric) return [];
     const count = metric.compiled.jet.length;
-    const jets = this.#run((heap) => heap.evaluate(/** @type {Installed} */ (this.#installedMetric).call.jet, points, 2, count));
+    this.#wake();
+    const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installedMetric).call.jet, points, 2, count);
     return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
   }
 
@@ -414,7 +442,7 @@ export class Surface {
         throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
       [lower[j], upper[j]] = range;
     }
-    if (this.#finder) this.#reference.wanted = this.#finder.find(this.#parameters, [lower[1], upper[1]]);
+    if (this.#finder) this.#reference = this.#finder.find(this.#parameters, [lower[1], upper[1]]);
     return { lower, upper };
   }
 
@@ -477,10 +505,16 @@ export class Surface {
     );
   }
 
-  /** The path of each pair, one by one. @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @returns {Iterable<Path>} */
-  *#solvePairs(caller, pairs, options) {
+  /**
+   * The path of each pair, one by one.
+   * @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @param {boolean} [shapeless] only lengths are wanted
+   * @returns {Iterable<Path>}
+   */
+  *#solvePairs(caller, pairs, options, shapeless = false) {
     this.#checkAlive(caller);
     const { solve, start } = readPairOptions(caller, options);
+    // Elements are sampled in the end, chords are what is solved.
+    if (shapeless && solve.algorithm === 0) solve.points = 1;
     for (const ends of readPairs(caller, pairs, SHAPE[this.kind].variables, this.#domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
       else yield start === 'global' ? findGlobal(this.#field(), ends, solve, 1)[0] : solveNear(this.#field(), ends, solve, null);

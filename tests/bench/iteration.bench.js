@@ -1,12 +1,13 @@
 /**
  * Where the time of a Newton iteration goes, at 50, 500 and 5,000 points: whole solves of a polyline under V8's sampling profiler, the samples sorted by
- * the C file that the function stands in. The module is that of dist/, linked once more with the names of its functions.
+ * the C file that the function stands in. The straight line is given as a start, so that every step is one of so many points, none of a coarser
+ * polyline. The module is that of dist/, linked once more with the names of its functions.
  */
 import { readdirSync, readFileSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
 import { load } from 'surfpath';
 import { gallery } from 'surfpath/gallery';
-import { STRAIGHT } from '../helpers/options.js';
+import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
 import { compete, quick, report, SEED, warmUp } from './bench.js';
 import { buildNative } from './native.js';
@@ -80,9 +81,9 @@ async function profile(run) {
 /** @param {string} name @param {Pair[]} pairs @param {number} points */
 async function measure(name, pairs, points) {
   const { surface } = surfaces[name];
-  const options = { ...STRAIGHT, points };
-  const solveAll = () => pairs.reduce((sum, pair) => sum + surface.shortestPath(...pair, options).length, 0);
-  const steps = pairs.reduce((sum, pair) => sum + surface.shortestPath(...pair, options).iterations, 0);
+  const solve = (/** @type {Pair} */ pair) => surface.shortestPath(...pair, { ...POLYLINE, points, start: pair.flat() });
+  const solveAll = () => pairs.reduce((sum, pair) => sum + solve(pair).length, 0);
+  const steps = pairs.reduce((sum, pair) => sum + solve(pair).iterations, 0);
   warmUp(solveAll);
   const repetitions = quick ? 1 : Math.max(1, Math.round(20_000 / points));
   const { ours, gcc } = compete(
@@ -92,7 +93,7 @@ async function measure(name, pairs, points) {
         for (let i = 0; i < repetitions; i++) solveAll();
         return (1e6 * (performance.now() - start)) / (repetitions * steps);
       },
-      gcc: () => (native.solve(name, pairs, points, repetitions).nanoseconds * pairs.length) / steps,
+      gcc: () => (native.solveAtOnce(name, pairs, points, repetitions).nanoseconds * pairs.length) / steps,
     },
     ROUNDS,
   );

@@ -1,8 +1,9 @@
 /* The native side of the benchmarks: takes one sample of the same core on the same surface, and prints it as JSON.
  *
  *   native solve SURFACE K REPETITIONS < pairs        nanoseconds a solve, and the sum of the lengths: polylines, or, if K is below 1,
- * elements to that tolerance native evaluate SURFACE COUNT REPETITIONS < points  nanoseconds a point for all that `jet` stores, and the sum
- * of it
+ *                                                     elements to that tolerance
+ *   native at-once SURFACE K REPETITIONS < pairs      the same from the straight line given as a start, which no coarser polyline precedes
+ *   native evaluate SURFACE COUNT REPETITIONS < points  nanoseconds a point for all that `jet` stores, and the sum of it
  *
  * Input: a count, then the numbers; a pair is its two ends of two or three numbers. One pass over all comes first, to warm up. */
 #include <stdio.h>
@@ -58,12 +59,13 @@ static double solve_all(const struct sp_surface *surface, const struct sp_reques
     return sum;
 }
 
-static void sample_solves(const struct sp_surface *surface, double size, int repetitions) {
+static void sample_solves(const struct sp_surface *surface, double size, int at_once, int repetitions) {
     int count, dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
     double *numbers = read_numbers(2 * dimension, &count), sum = 0;
     struct sp_request *requests = reserve(sizeof *requests * (size_t)count);
     for (int i = 0; i < count; i++) {
         requests[i] = (struct sp_request){0};
+        if (at_once) requests[i].start = numbers + 2 * dimension * i, requests[i].start_count = 2;
         memcpy(requests[i].from, numbers + 2 * dimension * i, sizeof(double) * (size_t)dimension);
         memcpy(requests[i].to, numbers + 2 * dimension * i + dimension, sizeof(double) * (size_t)dimension);
     }
@@ -73,7 +75,7 @@ static void sample_solves(const struct sp_surface *surface, double size, int rep
         options.tolerance = size;
     else
         options.algorithm = SP_POLYLINE, options.point_count = (int)size;
-    size_t bytes = (size_t)sp_solve_bytes(surface, &options, 0);
+    size_t bytes = (size_t)sp_solve_bytes(surface, &options, 2);
     struct sp_arena arena = {reserve(bytes), bytes, 0};
     solve_all(surface, requests, count, &options, &arena);
     double start = nanoseconds();
@@ -106,8 +108,9 @@ int main(int count, char **arguments) {
     const struct sp_surface *surface = count == 5 ? find_surface(arguments[2]) : NULL;
     if (!surface) return 2;
     int repetitions = atoi(arguments[4]);
-    if (strcmp(arguments[1], "solve") == 0)
-        sample_solves(surface, atof(arguments[3]), repetitions);
+    int at_once = strcmp(arguments[1], "at-once") == 0;
+    if (at_once || strcmp(arguments[1], "solve") == 0)
+        sample_solves(surface, atof(arguments[3]), at_once, repetitions);
     else
         sample_evaluations(surface, repetitions);
     return 0;

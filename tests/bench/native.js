@@ -58,6 +58,13 @@ export function buildNative(program, surfaces, build = 'native') {
         ['solve', name, points, repetitions],
         pairs.map(([from, to]) => [...from, ...to]),
       ),
+    /** From the straight line given as a start. @param {string} name @param {[number[], number[]][]} pairs @param {number} points @param {number} repetitions @returns {NativeSample} */
+    solveAtOnce: (name, pairs, points, repetitions) =>
+      sample(
+        binary,
+        ['at-once', name, points, repetitions],
+        pairs.map(([from, to]) => [...from, ...to]),
+      ),
     /** @param {string} name @param {number[][]} points @param {number} repetitions @returns {NativeSample} */
     evaluate: (name, points, repetitions) => sample(binary, ['evaluate', name, points.length, repetitions], points),
   };
@@ -70,7 +77,7 @@ function sample(binary, parameters, numbers) {
 }
 
 /** @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces */
-function writeTable(surfaces) {
+export function writeTable(surfaces) {
   const names = Object.keys(surfaces);
   const declarations = names.map(
     (name) => `void ${name}_jet(int32_t, const sp_pair *, sp_pair *);\nvoid ${name}_value(int32_t, const sp_pair *, sp_pair *);`,

@@ -6,11 +6,13 @@ import { load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
 import { openBrowser, openPage } from '../helpers/page.js';
 import { createRandom } from '../helpers/random.js';
+import { serveSite } from '../helpers/site.js';
 
 const SEED = 12;
 const OPTIONS = /** @type {const} */ ({ start: 'straight', tolerance: 1e-6, points: 3 });
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {Awaited<ReturnType<typeof serveSite>>} */ let site;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 /** @type {number[]} */ let pairs;
@@ -23,11 +25,14 @@ before(async () => {
   expected = Array.from(surface.lengths(pairs, OPTIONS));
   surfpath.dispose();
   browser = await openBrowser();
-  /* A plain document of the same origin and policy, which runs nothing of its own. */
-  ({ page, complaints } = await openPage(browser.context, new URL('icon.svg', browser.address).href));
+  site = await serveSite({ plain: '<!doctype html><title>A page that runs nothing of its own</title>' });
+  ({ page, complaints } = await openPage(browser.context, `${site.address}/plain`));
 });
 
-after(() => browser?.close());
+after(async () => {
+  await browser?.close();
+  await site?.close();
+});
 
 /** Runs in the page: `pool` of two workers, whose constructors leave the workers in `workers`. @param {string} body */
 function play(body) {

@@ -18,7 +18,7 @@ function policy(html) {
   const scripts = [...html.matchAll(/<script(?![^>]*\bsrc=)[^>]*>(.*?)<\/script>/gs)];
   const hashes = scripts.map(([, script]) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`);
   const sources = ["'self'", "'wasm-unsafe-eval'", ...hashes].join(' ');
-  return `default-src 'none'; script-src ${sources}; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'`;
+  return `default-src 'none'; script-src ${sources}; style-src 'self'; img-src 'self'; connect-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'`;
 }
 
 /**

@@ -127,7 +127,8 @@ static void check_elements(const struct sp_surface *surface, enum sp_hessian hes
             matrix[i * size + j] = hessian_entry(&newton, 1 + i / 2, i % 2, 1 + j / 2, j % 2);
             second += matrix[i * size + j] * sp_fold_get(fold, x, 2, 1 + i / 2, i % 2) * sp_fold_get(fold, x, 2, 1 + j / 2, j % 2);
         }
-    linear = sp_system_descent(&newton.system, x);
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        linear += sp_fold_sum(fold, k, newton.system.rows[k].r1 * x[2 * k] + newton.system.rows[k].r2 * x[2 * k + 1]);
     for (int i = 0; i < 2; i++) {
         double t = 4e-4 / (1 << i), ahead = energy_along(&newton, x, t), behind = energy_along(&newton, x, -t),
                here = energy_along(&newton, x, 0);
@@ -149,6 +150,11 @@ static void check_elements(const struct sp_surface *surface, enum sp_hessian hes
             sum += matrix[i * size + j] * sp_fold_get(fold, x, 2, 1 + j / 2, j % 2);
         worst = fmax(worst, fabs(sum));
     }
+    double descent = 0;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        descent += sp_fold_sum(fold, k, newton.system.rows[k].r1 * x[2 * k] + newton.system.rows[k].r2 * x[2 * k + 1]);
+    CHECK(fabs(inertia.descent - descent) <= 1e-9 * fabs(descent), "p = %d, m = %d: descent %g, not %g", degree, count, inertia.descent,
+          descent);
     CHECK(worst <= 1e-8 * largest, "p = %d, m = %d: residual %g of %g", degree, count, worst, largest);
     int negative = dense_negative(size, matrix);
     CHECK(inertia.usable && inertia.negative == negative, "p = %d, m = %d: %d negative, dense %d", degree, count, inertia.negative,

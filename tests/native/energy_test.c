@@ -152,13 +152,15 @@ static int dense_solve(int32_t size, double *matrix, double *x, int *negative) {
 /* Solution, inertia and descent direction of the folded rows against the dense matrix. */
 static void check_solve(const struct sp_surface *surface, int32_t inner, struct sp_arena *arena, uint64_t *seed) {
     struct sp_newton newton = random_path(surface, inner, arena, seed);
-    sp_polyline_assemble(&newton.system.line, SP_COORDINATE, newton.system.rows, newton.system.straight);
+    struct sp_energy energy = sp_polyline_assemble(&newton.system.line, SP_COORDINATE, newton.system.rows, newton.system.straight);
     double matrix[4 * LARGEST * LARGEST], right[2 * LARGEST];
     unfold(&newton, inner, matrix, right);
     int negative;
     dense_solve(2 * inner, matrix, right, &negative);
     struct sp_inertia inertia = sp_blocks_factor(newton.system.line.fold, newton.system.rows, 0);
     CHECK(inertia.usable && inertia.negative == negative, "n = %d: %d negative, dense %d", inner, inertia.negative, negative);
+    CHECK(energy.inertia.negative == negative && energy.inertia.descent == inertia.descent, "n = %d: in the sweep %d, descent %g", inner,
+          energy.inertia.negative, energy.inertia.descent);
     sp_pair x[2 * (LARGEST + 2)];
     sp_blocks_solve(newton.system.line.fold, newton.system.rows, x);
     double largest = 0, error = 0;
@@ -168,6 +170,8 @@ static void check_solve(const struct sp_surface *surface, int32_t inner, struct 
     }
     CHECK(error <= 1e-9 * largest, "n = %d: error %g of %g", inner, error, largest);
     double linear;
+    quadratic(&newton, x, &linear);
+    CHECK(fabs(inertia.descent - linear) <= 1e-9 * fabs(linear), "n = %d: descent %g, not %g", inner, inertia.descent, linear);
     if (negative)
         CHECK(sp_blocks_descent(newton.system.line.fold, newton.system.rows, x) && quadratic(&newton, x, &linear) < 0, "n = %d: no descent",
               inner);

@@ -176,12 +176,13 @@ static void check_derivatives(const struct sp_surface *surface, enum sp_hessian 
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++)
         gradient[2 * k] = system->rows[k].r1, gradient[2 * k + 1] = system->rows[k].r2;
     randomise_right(system, seed);
-    CHECK(sp_system_factor(system, 0).usable, "singular");
+    struct sp_inertia inertia = sp_system_factor(system, 0);
+    CHECK(inertia.usable, "singular");
     sp_system_solve(system, x);
     double largest = 0, linear = 0;
     for (int32_t k = 0; k < 2 * pairs; k++)
         largest = fmax(largest, fmax(fabs(x[k][0]), fabs(x[k][1])));
-    double second = sp_system_descent(system, x) / (largest * largest), size = 0;
+    double second = inertia.descent / (largest * largest), size = 0;
     for (int32_t k = 2; k < 2 * pairs; k++)
         x[k] /= largest;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {

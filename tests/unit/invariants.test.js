@@ -166,3 +166,23 @@ function compareMapped(surface, image, from, to, map) {
   assertClose(mapped.length, (map.factor ?? 1) * path.length, ROUNDING, `length from ${from} to ${to}`);
   return true;
 }
+
+test('ends that are almost conjugate: the two copies of a middle node stay one, and polylines come to rest', () => {
+  const sphere = surfpath.implicit({ f: 'x^2 + y^2 + z^2 - 1' });
+  const angle = Math.PI - 1e-4;
+  const to = [0.6 * Math.cos(angle) + 0.8 * Math.sin(angle), 0, 0.8 * Math.cos(angle) - 0.6 * Math.sin(angle)];
+  for (const points of [31, 32, 63, 64]) {
+    // Another half of a great circle, which hardly is another length.
+    const start = Array.from({ length: points + 2 }, (_, i) => {
+      const t = (Math.PI * i) / (points + 1);
+      const [along, aside] = [Math.cos(1) * Math.sin(t), Math.sin(1) * Math.sin(t)];
+      return [0.6 * Math.cos(t) + 0.8 * along, aside, 0.8 * Math.cos(t) - 0.6 * along];
+    });
+    start[points + 1] = to;
+    const path = sphere.shortestPath([0.6, 0, 0.8], to, { algorithm: 'polyline', points, start: start.flat() });
+    const chords = 2 * (points + 1) * Math.sin(angle / (2 * points + 2));
+    assert.equal(path.status, 'ill-conditioned', `${points} points`);
+    assert.ok(Math.abs(path.length - chords) < 1e-9, `${path.length} is not ${chords}`);
+  }
+  sphere.dispose();
+});

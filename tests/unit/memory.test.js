@@ -8,42 +8,12 @@ import { ExpressionError, load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
 import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
+import { footprint, loadWatched } from '../helpers/watched.js';
+import { measureGrowth } from '../endurance/memory.js';
 
 /** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
-/** @typedef {{ memory: WebAssembly.Memory, __indirect_function_table: WebAssembly.Table, malloc: (bytes: number) => number }} Solver */
 
 const SEED = 424242;
-
-/** Loads an instance and watches what it instantiates, so as to see the solver behind it. @returns {Promise<{ surfpath: Surfpath, solver: Solver }>} */
-async function loadWatched() {
-  const { Instance } = WebAssembly;
-  /** @type {any} */ let solver;
-  WebAssembly.Instance = class extends Instance {
-    /** @param {WebAssembly.Module} module @param {WebAssembly.Imports} [imports] */
-    constructor(module, imports) {
-      super(module, imports);
-      if (this.exports.malloc) solver = this.exports;
-    }
-  };
-  try {
-    const surfpath = await load();
-    return { surfpath, solver };
-  } finally {
-    WebAssembly.Instance = Instance;
-  }
-}
-
-/**
- * How much memory and table there are, and how many blocks of 256 bytes still fit: what the tests compare. Fills the memory until it grows, so
- * an instance can be asked once.
- * @param {Solver} solver
- */
-function footprint({ memory, __indirect_function_table: table, malloc }) {
-  const { byteLength } = memory.buffer;
-  let blocks = 0;
-  while (memory.buffer.byteLength === byteLength && malloc(256)) blocks++;
-  return { byteLength, slots: table.length, blocks };
-}
 
 /** Two footprints are the same, but for a few blocks that differ in how free memory is cut up. @param {ReturnType<typeof footprint>} after @param {ReturnType<typeof footprint>} before */
 function assertSame(after, before) {
@@ -128,6 +98,16 @@ describe('memory', () => {
       }
     };
     assertSame(await footprintAfter(work(500)), await footprintAfter(work(2)));
+  });
+
+  // How large the process stays is for `make endurance`: over so few operations the engine's own growth is more than what could be lost.
+  test('no page of memory more in a process of its own: solves, surfaces, instances', async () => {
+    for (const [what, count] of /** @type {const} */ ([
+      ['solves', 10_000],
+      ['surfaces', 300],
+      ['instances', 100],
+    ]))
+      assert.equal((await measureGrowth(what, count)).pages, 0, what);
   });
 
   test('a surface that was disposed of is garbage', async () => {

@@ -95,7 +95,8 @@ class Parser {
     if (text === '') this.#fail('a number needs a digit beside its decimal point, as in 0.5');
     if (this.#source[end] === '.') this.#fail('a number has only one decimal point, as in 1.25', end);
     const value = Number(text);
-    if (!Number.isFinite(value)) this.#fail(`${text} is too large; write numbers up to 1.79e308`);
+    if (!Number.isFinite(value))
+      this.#fail(`${text.length > 40 ? `${text.slice(0, 40)}…` : text} is too large; write numbers up to 1.79e308`);
     this.#output.emit('number', text, value, this.#index);
     this.#operandRead(text.length, 'number');
   }
@@ -107,10 +108,16 @@ class Parser {
     const rest = this.#source.slice(this.#index + name.length).trimStart();
     const isCall = rest[0] === '(';
     if (functions.has(name)) this.#readFunction(name, rest);
+    else if (!this.#scope.has(name) && this.#isDefined(rest)) this.#fail('write only what stands behind "="; the name is known');
     else if (!this.#scope.has(name)) this.#fail(unknown(name, isCall, [...this.#scope.keys()]));
     else if (isCall) this.#fail(`${name} is not a function; write ${name}*(…) for a product`);
     else this.#emitMeaning(name, name.length);
     return true;
+  }
+
+  /** Whether the formula says what it is for: z = …, f(x, y) = … @param {string} rest the text after its first name */
+  #isDefined(rest) {
+    return this.#last === '' && /^(\([^()]*\)\s*)?=(?!=)/.test(rest);
   }
 
   /** @param {string} name @param {string} rest the text after it */

@@ -1,6 +1,6 @@
 /**
- * Traffic with the solver's linear memory: the only file that touches it. Views are made right before use, because memory may grow in any call,
- * and results are copies. Mirrors the structs of wasm/surfpath.h; a test compares the two.
+ * Traffic with the solver's linear memory: the only file that touches it. Views are asked for right before use, because memory may grow in any
+ * call, and results are copies. Mirrors the structs of wasm/surfpath.h; a test compares the two.
  */
 
 /** Byte offsets in WebAssembly of the structs of wasm/surfpath.h and wasm/surface.h. */
@@ -48,7 +48,7 @@ export const LAYOUT = {
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
 
-const OUT_OF_MEMORY = -6;
+export const OUT_OF_MEMORY = -6;
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
 const MOST_TRACE_STEPS = 200_000;
@@ -93,6 +93,8 @@ export class Heap {
   #structs;
   #arenaBase = 0;
   #arenaSize = 0;
+  #float64 = new Float64Array(0);
+  #int32 = new Int32Array(0);
 
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
@@ -146,13 +148,13 @@ export class Heap {
    * @param {(pairs: number, input: number, output: number) => void} evaluate
    * @param {ArrayLike<number>} points `inputs` numbers a point
    * @param {number} inputs @param {number} outputs
-   * @returns {Float64Array} `outputs` numbers a point
+   * @returns {Float64Array | null} `outputs` numbers a point; null: memory is exhausted
    */
   evaluate(evaluate, points, inputs, outputs) {
     const count = points.length / inputs;
     const pairs = (count + 1) >> 1;
     const bytes = pairs * 16 * (inputs + outputs);
-    if (!this.#reserve(bytes)) throw new RangeError(`surfpath: no memory to evaluate ${count} points; pass fewer at a time`);
+    if (!this.#reserve(bytes)) return null;
     const input = this.#doubles(this.#arenaBase, 2 * pairs * inputs);
     for (let i = 0; i < 2 * pairs; i++) {
       const point = Math.min(i, count - 1) * inputs;
@@ -184,10 +186,10 @@ export class Heap {
     const bytes = this.#exports.sp_solve_bytes(surface, optionsAt, startCount);
     if (!this.#reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
     if (start) this.writeDoubles(this.#arenaBase, start);
-    this.writeDoubles(requestAt, [...request.from, 0].slice(0, 3));
-    this.writeDoubles(requestAt + LAYOUT.sp_request.to, [...request.to, 0].slice(0, 3));
-    this.#words(requestAt + LAYOUT.sp_request.start, 3).set([start ? this.#arenaBase : 0, startCount, request.pole ?? 0]);
-    this.#words(arena, 3).set([this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0]);
+    this.#writePoint(requestAt, request.from);
+    this.#writePoint(requestAt + LAYOUT.sp_request.to, request.to);
+    this.#writeWords(requestAt + LAYOUT.sp_request.start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
+    this.#writeWords(arena, this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0);
     this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
     return this.#readResult(options.points + 2);
   }
@@ -204,10 +206,10 @@ export class Heap {
     this.writeDoubles(traceOptions, [options.tolerance]);
     this.#words(traceOptions + LAYOUT.sp_trace_options.point_count, 2).set([options.points, MOST_TRACE_STEPS]);
     if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, traceOptions))) return emptyPath(OUT_OF_MEMORY);
-    this.writeDoubles(traceRequest, [...request.from, 0].slice(0, 3));
-    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.direction, [...request.direction, 0].slice(0, 3));
+    this.#writePoint(traceRequest, request.from);
+    this.#writePoint(traceRequest + LAYOUT.sp_trace_request.direction, request.direction);
     this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.length, [request.length]);
-    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
     this.#exports.sp_trace_path(surface, traceRequest, traceOptions, arena, traceResult);
     return this.#readTrace(options.points + 2);
   }
@@ -259,7 +261,7 @@ export class Heap {
     for (let attempt = 0; ; attempt++) {
       const bytes = this.#exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.#reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
-      this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+      this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
       const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, arena, mesh);
       const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.#words(mesh, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
@@ -290,7 +292,7 @@ export class Heap {
     let status = OUT_OF_MEMORY;
     for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
-      this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+      this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
       status = this.#exports.sp_graph_build(surface, graphOptions, arena, at);
     }
     const bytes = status === 0 ? this.#exports.sp_graph_bytes(at) : 0;
@@ -331,9 +333,9 @@ export class Heap {
     const dimension = from.length;
     if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
       return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
-    this.writeDoubles(numbers, [...from, 0].slice(0, 3));
-    this.writeDoubles(numbers + 24, [...to, 0].slice(0, 3));
-    this.#words(arena, 3).set([this.#arenaBase, this.#arenaSize, 0]);
+    this.#writePoint(numbers, from);
+    this.#writePoint(numbers + 24, to);
+    this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
     const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, arena, answer);
     const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
     const candidates = Array.from({ length: count }, (_, i) =>
@@ -355,9 +357,9 @@ export class Heap {
     const base = this.#arenaBase;
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
-    this.writeDoubles(fieldRequest, [...from, 0].slice(0, 3));
+    this.#writePoint(fieldRequest, from);
     this.#words(fieldRequest + LAYOUT.sp_field_request.places, 3).set([base, lengths, count]);
-    this.#words(arena, 3).set([base + own, this.#arenaSize - own, 0]);
+    this.#writeWords(arena, base + own, this.#arenaSize - own, 0);
     const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, arena);
     return { status, lengths: this.#doubles(lengths, count).slice() };
   }
@@ -365,44 +367,71 @@ export class Heap {
   /** @param {SolveOptions} options */
   #writeOptions(options) {
     const at = this.#structs.options;
-    this.writeDoubles(at, [options.tolerance, options.gradientTolerance]);
-    this.#words(at + 16, 4).set([options.algorithm, options.points, options.maxIterations, options.record ? 1 : 0]);
+    const doubles = this.#allDoubles();
+    doubles[at >> 3] = options.tolerance;
+    doubles[(at >> 3) + 1] = options.gradientTolerance;
+    this.#writeWords(at + 16, options.algorithm, options.points, options.maxIterations);
+    this.#allWords()[(at + LAYOUT.sp_options.record) >> 2] = options.record ? 1 : 0;
+  }
+
+  /** Two or three numbers, as three. @param {number} at @param {number[]} point */
+  #writePoint(at, point) {
+    const doubles = this.#allDoubles();
+    for (let j = 0; j < 3; j++) doubles[(at >> 3) + j] = point[j] ?? 0;
+  }
+
+  /** @param {number} at @param {number} a @param {number} b @param {number} c */
+  #writeWords(at, a, b, c) {
+    const words = this.#allWords();
+    const i = at >> 2;
+    words[i] = a;
+    words[i + 1] = b;
+    words[i + 2] = c;
+  }
+
+  /** A copy. @param {number} at @param {number} count */
+  #copyDoubles(at, count) {
+    return this.#allDoubles().slice(at >> 3, (at >> 3) + count);
   }
 
   /** Copies the result struct and its arrays. @param {number} count points of a polyline @returns {RawPath} */
   #readResult(count) {
+    const { sp_result: layout } = LAYOUT;
     const at = this.#structs.result;
-    const [length, lengthError, energy, gradientNorm] = this.#doubles(at, 4);
-    const [pointsAt, parametersAt, historyAt, recordAt, status, iterations, index, touches, entries, crosses] = this.#words(at + 32, 10);
-    const history = this.#readHistory(historyAt, recordAt, entries, count);
+    const words = this.#allWords();
+    const word = (/** @type {number} */ offset) => words[(at + offset) >> 2];
+    const doubles = this.#allDoubles();
+    const parametersAt = word(layout.parameters);
     return {
-      status,
-      length,
-      lengthError,
-      energy,
-      gradientNorm,
-      iterations,
-      index,
-      touchesBoundary: touches !== 0,
-      crossesSingularity: crosses !== 0,
+      status: word(layout.status),
+      length: doubles[at >> 3],
+      lengthError: doubles[(at + layout.length_error) >> 3],
+      energy: doubles[(at + layout.energy) >> 3],
+      gradientNorm: doubles[(at + layout.gradient_norm) >> 3],
+      iterations: word(layout.iterations),
+      index: word(layout.index),
+      touchesBoundary: word(layout.touches_boundary) !== 0,
+      crossesSingularity: word(layout.crosses_singularity) !== 0,
       conjugate: null,
-      points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
-      parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
-      history,
+      points: word(layout.points) ? this.#copyDoubles(word(layout.points), 3 * count) : new Float64Array(0),
+      parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
+      history: this.#readHistory(word(layout.history), word(layout.record), word(layout.history_count), count),
     };
   }
 
   /** @param {number} at @param {number} recordAt @param {number} entries @param {number} count @returns {Iterate[]} */
   #readHistory(at, recordAt, entries, count) {
-    const numbers = this.#doubles(at, 4 * entries);
-    const recorded = recordAt ? this.#doubles(recordAt, 3 * count * entries) : null;
-    return Array.from({ length: entries }, (_, i) => {
-      const [energy, gradientNorm, decrement, step] = numbers.subarray(4 * i, 4 * i + 4);
+    const doubles = this.#allDoubles();
+    /** @type {Iterate[]} */
+    const history = [];
+    for (let i = 0; i < entries; i++) {
+      const k = (at >> 3) + 4 * i;
       /** @type {Iterate} */
-      const iterate = { energy, gradientNorm, decrement, step };
-      if (recorded) iterate.points = recorded.slice(3 * count * i, 3 * count * (i + 1));
-      return iterate;
-    });
+      const iterate = { energy: doubles[k], gradientNorm: doubles[k + 1], decrement: doubles[k + 2], step: doubles[k + 3] };
+      if (recordAt) iterate.points = this.#copyDoubles(recordAt + 24 * count * i, 3 * count);
+      history.push(iterate);
+    }
+    return history;
   }
 
   /** Makes the arena at least this large; false if memory is exhausted (the arena is then gone, and made anew by the next call). @param {number} bytes */
@@ -415,6 +444,17 @@ export class Heap {
     this.#arenaBase = this.allocate(rounded);
     if (this.#arenaBase) this.#arenaSize = rounded;
     return this.#arenaBase !== 0;
+  }
+
+  /** All memory; made anew where it grew, which detaches the last view. */
+  #allDoubles() {
+    if (this.#float64.length === 0) this.#float64 = new Float64Array(this.#exports.memory.buffer);
+    return this.#float64;
+  }
+
+  #allWords() {
+    if (this.#int32.length === 0) this.#int32 = new Int32Array(this.#exports.memory.buffer);
+    return this.#int32;
   }
 
   /** @param {number} at @param {number} count */

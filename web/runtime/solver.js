@@ -1,14 +1,17 @@
 /**
  * One instance of the solver: instantiates the module, installs compiled surfaces in its function table, reuses freed slots.
- * After a trap the instance is dropped and made anew from the same module; surfaces then install themselves again (see `generation`).
+ * After a trap, or where the engine's own stack was full, the instance is dropped and made anew from the same module; surfaces then install
+ * themselves again (see `generation`).
  */
 
-import { Heap } from './heap.js';
+import { Heap, LAYOUT } from './heap.js';
 
 /** A module of a few bytes that is valid only where f64x2 arithmetic is. */
 const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
+
+const EXHAUSTED = 'surfpath: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed';
 
 /** @typedef {URL | string | Response | BufferSource | WebAssembly.Module} WasmSource */
 
@@ -48,78 +51,104 @@ export async function compileSolver(given) {
   return WebAssembly.compile(/** @type {BufferSource} */ (found));
 }
 
-/** What a compiled surface needs from the solver: table slots and the address of its data. @typedef {{ jet: number, value: number, data: number }} Slots */
+/** What a compiled surface needs from the solver: table slots, the addresses of its data and of a struct sp_surface, and where: see `generation`. @typedef {{ jet: number, value: number, data: number, record: number, generation: number }} Slots */
 
 export class Solver {
   #module;
-  /** @type {any} */ #exports;
-  /** @type {Heap} */ #heap;
+  /** The present instance; null: the next call makes one. @type {{ exports: any, heap: Heap } | null} */ #instance = null;
   /** @type {number[]} */ #freeSlots = [];
-  /** Counts instances: what was installed in an earlier one is gone. */
-  generation = 0;
+  /** Counts instances, from 1: what was installed in an earlier one is gone. */
+  generation = 1;
 
   /** @param {WebAssembly.Module} module */
   constructor(module) {
     this.#module = module;
-    this.#exports = null;
-    this.#heap = this.#instantiate();
+    this.#instance = this.#instantiate();
   }
 
   get heap() {
-    return this.#heap;
+    return this.#present.heap;
   }
 
   /** One elementary function of one or two numbers, with the bits that compiled surfaces get. @type {(code: number, x: number, y: number) => number} */
-  apply = (code, x, y) => this.#exports.sp_apply_function(code, x, y);
+  apply = (code, x, y) => this.run(() => this.#present.exports.sp_apply_function(code, x, y));
 
-  /** Runs a call into the instance. A trap (which only a bug can cause) drops the instance, so that the next call finds a sound one. @template T @param {() => T} call @returns {T} */
+  /**
+   * Runs a call into the instance. An error is a trap, which only a bug can cause, or a stack that the caller has filled: both leave the instance's
+   * own stack in disorder. It is dropped, and the next call finds a sound one.
+   * @template T @param {() => T} call @returns {T}
+   */
   run(call) {
     try {
       return call();
     } catch (error) {
-      if (error instanceof WebAssembly.RuntimeError) this.#heap = this.#instantiate();
+      this.#instance = null;
+      this.generation++;
       throw error;
     }
   }
 
   /**
-   * Installs a compiled surface.
+   * Evaluates a compiled surface at points, as {@link Heap.evaluate}.
+   * @param {(pairs: number, input: number, output: number) => void} compiled @param {ArrayLike<number>} points @param {number} inputs @param {number} outputs
+   * @returns {Float64Array}
+   */
+  evaluate(compiled, points, inputs, outputs) {
+    const numbers = this.run(() => this.heap.evaluate(compiled, points, inputs, outputs));
+    if (numbers) return numbers;
+    throw new RangeError(`surfpath: no memory to evaluate ${points.length / inputs} points; pass fewer at a time`);
+  }
+
+  /**
+   * Installs a compiled surface; all of it or, with an error, nothing.
    * @param {Uint8Array} bytes its module @param {Float64Array} data its parameters and constants @param {number} dataBytes room it wants for them and its scratch
    * @returns {Slots & { call: { jet: (pairs: number, input: number, output: number) => void, value: (pairs: number, input: number, output: number) => void } }}
    */
   install(bytes, data, dataBytes) {
-    const address = this.#heap.allocate(dataBytes);
-    if (!address) throw new RangeError('surfpath: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed');
-    this.#heap.writeDoubles(address, data);
-    const env = { ...this.#exports, data: new WebAssembly.Global({ value: 'i32' }, address) };
-    const instance = new WebAssembly.Instance(new WebAssembly.Module(/** @type {BufferSource} */ (bytes)), { env });
-    const call = /** @type {any} */ (instance.exports);
-    return { jet: this.#occupy(call.jet), value: this.#occupy(call.value), data: address, call };
+    const { heap, exports } = this.#present;
+    const blocks = { data: heap.allocate(dataBytes), record: heap.allocate(LAYOUT.sp_surface.bytes) };
+    try {
+      if (!blocks.data || !blocks.record) throw new RangeError(EXHAUSTED);
+      heap.writeDoubles(blocks.data, data);
+      const env = { ...exports, data: new WebAssembly.Global({ value: 'i32' }, blocks.data) };
+      const instance = new WebAssembly.Instance(new WebAssembly.Module(/** @type {BufferSource} */ (bytes)), { env });
+      const call = /** @type {any} */ (instance.exports);
+      return { jet: this.#occupy(call.jet), value: this.#occupy(call.value), ...blocks, generation: this.generation, call };
+    } catch (error) {
+      for (const block of [blocks.data, blocks.record]) heap.release(block);
+      throw error;
+    }
   }
 
-  /** @param {Slots} slots of {@link install} */
-  remove({ jet, value, data }) {
+  /** @param {Slots} slots of {@link install}; those of an earlier instance are gone already */
+  remove({ jet, value, data, record, generation }) {
+    if (generation !== this.generation) return;
+    const { heap, exports } = this.#present;
     for (const slot of [jet, value]) {
-      this.#exports.__indirect_function_table.set(slot, null);
+      exports.__indirect_function_table.set(slot, null);
       this.#freeSlots.push(slot);
     }
-    this.#heap.release(data);
+    for (const block of [data, record]) heap.release(block);
   }
 
   /** @param {Function} compiled @returns {number} the slot */
   #occupy(compiled) {
-    const table = this.#exports.__indirect_function_table;
+    const table = this.#present.exports.__indirect_function_table;
     const slot = this.#freeSlots.pop() ?? table.grow(1);
     table.set(slot, compiled);
     return slot;
   }
 
+  get #present() {
+    this.#instance ??= this.#instantiate();
+    return this.#instance;
+  }
+
   #instantiate() {
     const env = { emscripten_notify_memory_growth() {} };
-    this.#exports = new WebAssembly.Instance(this.#module, { env }).exports;
-    this.#exports._initialize();
+    const exports = /** @type {any} */ (new WebAssembly.Instance(this.#module, { env }).exports);
+    exports._initialize();
     this.#freeSlots = [];
-    this.generation++;
-    return new Heap(this.#exports);
+    return { exports, heap: new Heap(exports) };
   }
 }

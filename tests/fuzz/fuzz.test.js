@@ -1,0 +1,36 @@
+// Ten seconds of each fuzzer of `make fuzz`, with the kept corpus, from a new seed every time; it is printed with what fails.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+
+const SECONDS = 10;
+const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
+const run = promisify(execFile);
+
+/** What a fuzzer said, if it failed. @param {string} file @param {string[]} parameters */
+const complaint = (file, parameters) =>
+  run(file, parameters, { maxBuffer: 2 ** 26 }).then(
+    () => '',
+    ({ stdout, stderr }) => `${stdout}\n${stderr.slice(-5000)}`,
+  );
+
+describe('fuzz', { concurrency: 2 }, () => {
+  for (const name of ['expressions', 'definitions', 'straight', 'global'])
+    test(name, async () => {
+      assert.equal(await complaint(process.execPath, [path('fuzz.js'), name, String(SECONDS)]), '');
+    });
+
+  test('the C functions, under sanitizers', async () => {
+    const corpus = mkdtempSync(join(tmpdir(), 'surfpath-fuzz-'));
+    cpSync(path('corpus/core'), corpus, { recursive: true });
+    const options = [`-max_total_time=${SECONDS}`, '-timeout=250', '-max_len=400', '-len_control=0', `-artifact_prefix=${corpus}/`];
+    const said = await complaint(path('../../build/fuzz/core'), [...options, corpus]);
+    rmSync(corpus, { recursive: true });
+    assert.equal(said, '');
+  });
+});

@@ -1,0 +1,68 @@
+// Texts made to overflow, to hang or to reach what they must not: refused at once, in time that does not grow with them.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { compile } from '../../../web/expression/compile.js';
+import { ExpressionError } from '../../../web/expression/error.js';
+
+const MEGABYTE = 2 ** 20;
+const apply = () => Number.NaN;
+/** @param {string} source @param {Record<string, number>} [parameters] */
+const build = (source, parameters) => compile({ outputs: [source], names: ['f'], variables: ['u', 'v'], parameters, apply });
+
+/** Milliseconds that a call takes: the least of many. @param {() => void} call @param {number} [times] */
+function leastTime(call, times = 40) {
+  let least = Infinity;
+  for (let i = 0; i < times; i++) {
+    const start = performance.now();
+    call();
+    least = Math.min(least, performance.now() - start);
+  }
+  return least;
+}
+
+/** @type {Record<string, [string, Record<string, number>?]>} */
+const HOSTILE = {
+  '5,000 nested brackets': [`${'('.repeat(5000)}u${')'.repeat(5000)}`],
+  '5,000 open brackets': ['('.repeat(5000)],
+  '5,000 signs': [`${'-'.repeat(4000)}(`],
+  '2,000 nested calls': ['sin('.repeat(1000)],
+  'a tower of powers': [`u${'^2'.repeat(2000)}`],
+  'a megabyte of sum': [`u${'+u'.repeat(MEGABYTE / 2)}`],
+  'a megabyte of digits': ['9'.repeat(MEGABYTE)],
+  'a megabyte of space': [' '.repeat(MEGABYTE)],
+  'a megabyte of a name': ['x'.repeat(MEGABYTE)],
+  '65 parameters': ['u', Object.fromEntries(Array.from({ length: 65 }, (_, k) => [`p${k}`, k]))],
+  __proto__: ['__proto__'],
+  'constructor.constructor': ['constructor.constructor("return 1")()'],
+  'a call of toString': ['toString(u)'],
+  'full-width letters': ['ｓｉｎ(u)'],
+  'a Cyrillic letter': ['ѕin(u)'],
+  'a Greek letter': ['υ+1'],
+  'an invisible letter': ['u\u200b+v'],
+  'text from right to left': ['\u202eu+v'],
+  'half a character': ['u+\ud800'],
+  'a null character': ['u\u0000'],
+  '1e400': ['1e400'],
+  'an exponent of many digits': [`1e${'9'.repeat(4000)}`],
+};
+
+describe('hostile texts are refused in a millisecond', () => {
+  for (const [name, [source, parameters]] of Object.entries(HOSTILE))
+    test(name, () => {
+      const refuse = () =>
+        assert.throws(
+          () => build(source, parameters),
+          (/** @type {any} */ error) => error instanceof ExpressionError && error.message.length < 500,
+        );
+      // The least of many, so that the machine's other work does not count.
+      const milliseconds = leastTime(refuse);
+      assert.ok(milliseconds <= 1, `${milliseconds} ms`);
+    });
+});
+
+test('the time grows with the text, not faster', () => {
+  const text = (/** @type {number} */ terms) => Array.from({ length: terms }, (_, i) => `sin(${i}u)`).join('+');
+  const [short, long] = [40, 320].map((terms) => leastTime(() => build(text(terms)), 100));
+  // Eight times the text: twice that for caches and tables that grow.
+  assert.ok(long <= 16 * short, `${short} and ${long} ms`);
+});
