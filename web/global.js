@@ -4,7 +4,7 @@
  */
 
 import { distinct, estimate } from './distinct.js';
-import { liftNear } from './domain.js';
+import { isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
@@ -85,7 +85,9 @@ export function findPaths(problem, options, most) {
 function choosePaths(problem, options, most, ways) {
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
+  const crossing = isPointed(problem)
+    ? []
+    : tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
@@ -163,9 +165,10 @@ function straightEnds({ from, to, domain }) {
  * shortest.
  * @param {Problem} problem @param {SolveOptions} options
  */
-function overPoles({ to, domain, solve }, options) {
+function overPoles({ from, to, domain, solve }, options) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   return domain.poles
+    .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
     .map((pole) => ({ to, path: solve(to, null, options, pole) }))
     .filter(({ path }) => path.status >= STATUS.converged)
     .sort((a, b) => a.path.length - b.path.length);
@@ -201,6 +204,14 @@ function acrossCusps({ solve }, options, crossing) {
     .slice(0, MOST_CROSSING)
     .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
     .filter(({ path }) => holds(path));
+}
+
+/**
+ * Whether an end is a pole or an apex, and no other place singular: ways that turn around it are singular there, and lead across nothing.
+ * @param {Problem} problem
+ */
+function isPointed({ from, to, domain, graph }) {
+  return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
 }
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */

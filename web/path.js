@@ -148,7 +148,11 @@ export function readOptions(caller, given) {
 export function readStart(caller, start, dimension) {
   if (start === 'straight') return null;
   const path = /** @type {any} */ (start);
-  const isPath = typeof path === 'object' && path !== null && path.points instanceof Float64Array;
+  const isPath = typeof path === 'object' && path !== null && typeof path.status === 'string';
+  if (isPath && !(path.points instanceof Float64Array))
+    throw new TypeError(
+      `${caller}: options.start is a path whose points are no Float64Array, which JSON does not keep; give its points or parameters as a flat array`,
+    );
   const numbers = isPath ? (dimension === 2 ? path.parameters : path.points) : path;
   const what = dimension === 2 ? 'u v' : 'x y z';
   if (isPath && !(numbers?.length > 0))
@@ -157,6 +161,8 @@ export function readStart(caller, start, dimension) {
     throw new TypeError(
       `${caller}: options.start must be 'global', 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
     );
+  if (Array.isArray(numbers) && numbers.some(Array.isArray))
+    throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
   const copy = Float64Array.from(/** @type {ArrayLike<number>} */ (numbers));

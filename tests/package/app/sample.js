@@ -1,6 +1,7 @@
 /* What every consumer computes, through both entries: a line a path, with all digits, so that the same text means the same bits. */
 
 import * as inlined from 'surfpath';
+import { SurfacePathElement } from 'surfpath/element';
 import { gallery } from 'surfpath/gallery';
 import { createPool } from 'surfpath/pool';
 import * as slim from 'surfpath/slim';
@@ -11,7 +12,7 @@ export async function sample() {
   const said = await solve(inlined);
   const again = await solve(slim);
   if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
-  return `${said}\n${await draw()}\n${await share()}`;
+  return `${said}\n${await draw()}\n${await place()}\n${await share()}`;
 }
 
 /** @param {typeof inlined | typeof slim} entry */
@@ -48,4 +49,20 @@ async function draw() {
   const geometry = surfaceGeometry(surface, { resolution: 12 });
   const line = new GeodesicLine(surface.shortestPath(torus.from, torus.to, { points: 9 }));
   return `three.js: ${geometry.getAttribute('position').count} vertices, a line is a ${line.type}`;
+}
+
+/** The length that <surface-path> tells where there are elements; elsewhere, where importing it does nothing, what it would tell. */
+async function place() {
+  const { from, to } = gallery.torus;
+  if (!globalThis.customElements) return `element: ${(await inlined.load()).surface(gallery.torus).shortestPath(from, to).length}`;
+  const element = document.createElement('surface-path');
+  if (!(element instanceof SurfacePathElement)) throw new Error('<surface-path> is not defined');
+  element.setAttribute('surface', 'torus');
+  const path = await new Promise((resolve, reject) => {
+    element.addEventListener('path', ({ detail }) => resolve(detail));
+    element.addEventListener('error', ({ detail }) => reject(detail));
+    document.body.append(element);
+  });
+  element.remove();
+  return `element: ${path.length}`;
 }

@@ -22,7 +22,14 @@ new Scene().add(mesh, line, handle);
 await player.play();
 
 const element = document.querySelector('surface-path');
-if (element instanceof SurfacePathElement) console.log(element.path?.length, element.from);
+if (element instanceof SurfacePathElement) {
+  const length: number | undefined = element.path?.length;
+  element.from = [0.5, 0.6];
+  element.definition = { kind: 'graph', z: 'x y', x: [-1, 1], y: [-1, 1] };
+  console.log(length, element.from, element.definition.kind);
+  // @ts-expect-error: the path is read, not set
+  element.path = path;
+}
 
 // @ts-expect-error: there is no such colouring
 surfaceGeometry(torus, { colour: 'red' });
