@@ -56,6 +56,8 @@ coverage: all build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TES
 	@for test in $(COVERAGE_TESTS); do LLVM_PROFILE_FILE=$$test.profraw $$test tests/data >/dev/null || exit 1; done
 	@NODE_OPTIONS=--import=$(CURDIR)/tests/coverage/preload.js NODE_V8_COVERAGE=build/coverage/v8 \
 	    node --test --test-reporter=dot --test-timeout=300000 $$(find tests/unit -name '*.test.js' | sort)
+	@NODE_OPTIONS=--import=$(CURDIR)/tests/coverage/pages.js \
+	    node --test --test-reporter=dot --test-timeout=300000 --test-concurrency=1 tests/browser/element.test.js tests/browser/three.test.js
 	@node tests/coverage/merge.js build/coverage/counters >build/coverage/wasm.proftext
 	@llvm-profdata merge -o build/coverage/all.profdata build/coverage/*.profraw build/coverage/wasm.proftext
 	@llvm-cov export build/coverage/core.so -instr-profile=build/coverage/all.profdata >build/coverage/branches.json
@@ -64,8 +66,8 @@ coverage: all build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TES
 
 # Mistakes put into the sources, one at a time. Written in JavaScript: tests/mutants/.
 
-mutants: all | tools ## put small mistakes into the sources and see whether the tests notice (half an hour)
-	@node tests/mutants/mutants.js
+mutants: all $(NATIVE_TESTS) | tools ## put small mistakes into the sources and see whether the tests notice (half an hour)
+	@SANITIZED='$(SANITIZED)' node tests/mutants/mutants.js
 
 # Those of the list that some makefile here defines.
 

@@ -1,9 +1,10 @@
 /**
- * Do the tests notice? Puts one small mistake at a time into a copy of the sources, builds it, and runs the tests until one fails. The mistakes
- * are drawn by seed: from wasm/*.c, where the native tests look first, then those of the built library, and from web/expression/*.js.
+ * Do the tests notice? Puts one small mistake at a time into a copy of the sources, builds what depends on it, and runs the tests until one
+ * fails. The mistakes are drawn by seed: from wasm/*.c, where the native tests look first, under sanitizers, then those of the built library,
+ * and from web/expression/*.js.
  *
  * Usage: node tests/mutants/mutants.js [count, default 45] [seed, default 1]; exits with 1 if fewer than 90 % are noticed, or if one that is
- * not noticed is missing from survivors.md.
+ * not noticed is missing from survivors.md. SANITIZED is the command that compiles native tests; `make mutants` passes it.
  */
 import { execFileSync, spawn } from 'node:child_process';
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -17,19 +18,21 @@ const [count, seed] = [Number(process.argv[2] ?? 45), Number(process.argv[3] ?? 
 const WANTED = 0.9;
 /** Of three mutants this many are C. */
 const C_SHARE = 2 / 3;
-const GCC = ['-std=c17', '-w', '-O1', '-ffp-contract=off', '-fno-math-errno', '-Iwasm'];
-/** They test what is packed and written, not what is computed. */
-const NOT_RUN = /\/(build|readme)\.test\.js$/;
+/** A warning is no failure: a mutant may leave a variable unused. */
+const COMPILE = `${process.env.SANITIZED ?? 'gcc -std=c17 -O1 -ffp-contract=off -fno-math-errno -Iwasm'} -w`;
+const WASM_FLAGS = 'CFLAGS=-std=c17 -w -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP';
+/** They test what is packed, written, drawn or sent to workers, not what is computed. */
+const NOT_RUN = /\/(build|readme|memory)\.test\.js$|\/(view|runtime)\//;
 const AT_A_TIME = 2;
 
 /** @typedef {import('./candidates.js').Mutant} Mutant */
 /** @typedef {{ name: string, command: string[], milliseconds: number, noticed: number }} Test */
 
-/** A copy of what is compiled and run; what is only read is linked to. */
+/** A copy of what is compiled and run, as it was built; what is only read is linked to. */
 function makeTree() {
   rmSync(tree, { recursive: true, force: true });
-  mkdirSync(join(tree, 'native'), { recursive: true });
-  for (const name of ['Makefile', 'package.json', 'package-lock.json', 'wasm', 'web', 'demo', 'build/wasm', 'dist'])
+  mkdirSync(tree, { recursive: true });
+  for (const name of ['Makefile', 'package.json', 'package-lock.json', 'wasm', 'web', 'demo', 'build/wasm', 'build/sanitized', 'dist'])
     cpSync(join(root, name), join(tree, name), { recursive: true, preserveTimestamps: true });
   const isData = (/** @type {string} */ path) => path === join(root, 'tests/data') || path.includes('/tests/package/');
   cpSync(join(root, 'tests'), join(tree, 'tests'), { recursive: true, preserveTimestamps: true, filter: (path) => !isData(path) });
@@ -40,27 +43,24 @@ function makeTree() {
 /** @param {string} command @param {string[]} parameters */
 const build = (command, ...parameters) => execFileSync(command, parameters, { cwd: tree, stdio: 'pipe' });
 
+/** @param {string[]} parameters */
+const compile = (...parameters) => build('sh', '-c', `${COMPILE} "$@"`, 'sh', ...parameters);
+
 /** @param {string} source */
-const objectOf = (source) => `native/${basename(source, '.c')}.o`;
+const objectOf = (source) => `build/sanitized/wasm/${basename(source, '.c')}.o`;
 const sources = readdirSync(join(root, 'wasm')).filter((name) => name.endsWith('.c'));
-const programs = readdirSync(join(root, 'tests/native')).filter((name) => name.endsWith('_test.c'));
 
-/** Links every native test with the objects of the core. */
-function linkNative() {
-  const objects = sources.map(objectOf);
-  for (const name of programs)
-    build('gcc', `native/${basename(name, '.c')}.test.o`, ...objects, '-lm', '-o', `native/${basename(name, '.c')}`);
+/** Each links itself with the objects of the core: most mutants are noticed before the last has to. @returns {Test[]} */
+function nativeTests() {
+  const names = readdirSync(join(root, 'tests/native')).filter((name) => name.endsWith('.c'));
+  const objects = names.map((name) => `build/sanitized/tests/${basename(name, '.c')}.o`);
+  const [programs, helpers] = [objects.filter((name) => name.endsWith('_test.o')), objects.filter((name) => !name.endsWith('_test.o'))];
+  return programs.map((object) => {
+    const program = object.replace('/tests/', '/').replace(/\.o$/, '');
+    const link = [COMPILE, object, ...helpers, ...sources.map(objectOf), '-lm', '-o', program].join(' ');
+    return { name: basename(program), command: ['sh', '-c', `${link} && exec ${program} tests/data`], milliseconds: 0, noticed: 0 };
+  });
 }
-
-function compileNative() {
-  for (const source of sources) build('gcc', ...GCC, '-c', `wasm/${source}`, '-o', objectOf(source));
-  for (const name of programs) build('gcc', ...GCC, '-c', `tests/native/${name}`, '-o', `native/${basename(name, '.c')}.test.o`);
-  linkNative();
-}
-
-/** @returns {Test[]} */
-const nativeTests = () =>
-  programs.map((name) => ({ name, command: [`native/${basename(name, '.c')}`, 'tests/data'], milliseconds: 0, noticed: 0 }));
 
 /** @param {string} under @returns {Test[]} */
 function unitTests(under) {
@@ -110,9 +110,10 @@ async function firstFailure(tests) {
   return failed;
 }
 
-/** A test that fails without any mutant notices nothing. @param {Test[]} tests */
+/** A test that fails without any mutant notices nothing. Says too how long each takes, so that the quick ones come first. @param {Test[]} tests */
 async function checkSound(tests) {
-  for (const test of tests) if (!(await run(test))) throw new Error(`${test.name} fails without any mutant`);
+  const failed = await firstFailure(tests);
+  if (failed) throw new Error(`${failed.name} fails without any mutant`);
 }
 
 /** Puts a mutant into the tree and looks which test fails; null: none does. @param {Mutant} mutant @param {{ native: Test[], compiler: Test[], others: Test[] }} tests */
@@ -123,17 +124,16 @@ async function judge(mutant, { native, compiler, others }) {
   try {
     if (!mutant.file.endsWith('.c')) return await firstFailure([...inOrder(compiler, mutant.file), ...inOrder(others, mutant.file)]);
     const object = objectOf(mutant.file);
-    cpSync(join(tree, object), join(tree, 'native/sound.o'));
+    cpSync(join(tree, object), join(tree, 'sound.o'));
     try {
-      build('gcc', ...GCC, '-c', mutant.file, '-o', object);
-      linkNative();
+      compile('-c', mutant.file, '-o', object);
       const failed = await firstFailure(inOrder(native, mutant.file));
       if (failed) return failed;
     } finally {
-      cpSync(join(tree, 'native/sound.o'), join(tree, object));
+      cpSync(join(tree, 'sound.o'), join(tree, object));
     }
-    build('make', 'dist/wasm.js');
-    return await firstFailure([...inOrder(others, mutant.file), ...compiler]);
+    build('make', WASM_FLAGS, 'dist/wasm.js');
+    return await firstFailure(inOrder(others, mutant.file));
   } finally {
     writeFileSync(path, sound);
   }
@@ -155,7 +155,7 @@ function compiles({ file, text }) {
   const copy = join(tree, isC ? 'wasm/mutant.c' : 'mutant.mjs');
   writeFileSync(copy, text);
   try {
-    if (isC) build('gcc', ...GCC, '-fsyntax-only', copy);
+    if (isC) compile('-fsyntax-only', copy);
     else build(process.execPath, '--check', copy);
     return true;
   } catch {
@@ -166,19 +166,20 @@ function compiles({ file, text }) {
 }
 
 makeTree();
-compileNative();
 const unit = unitTests('tests/unit');
 const isCompiler = (/** @type {Test} */ { name }) => name.startsWith('expression/');
 const tests = { native: nativeTests(), compiler: unit.filter(isCompiler), others: unit.filter((test) => !isCompiler(test)) };
+await checkSound([...tests.native, ...unit]);
 const cCount = Math.round(count * C_SHARE);
+// The compiler's first: a mutant of the C stays in the library until the next one is built.
 const mutants = [
-  ...draw(
-    sources.flatMap((name) => findMutants(tree, `wasm/${name}`, seed)),
-    cCount,
-  ),
   ...draw(
     readdirSync(join(root, 'web/expression')).flatMap((name) => findMutants(tree, `web/expression/${name}`, seed)),
     count - cCount,
+  ),
+  ...draw(
+    sources.flatMap((name) => findMutants(tree, `wasm/${name}`, seed)),
+    cCount,
   ),
 ];
 
@@ -194,9 +195,6 @@ for (const mutant of mutants) {
   const verdict = failed ? `noticed by ${failed.name}` : `SURVIVED${isExplained ? ', explained' : ''}`;
   console.log(`${mutant.file}:${mutant.line}: ${mutant.before}  =>  ${mutant.after}\n    ${verdict}`);
 }
-linkNative();
-build('make', 'dist/wasm.js');
-await checkSound([...tests.native, ...unit].filter((test) => test.noticed > 0));
 console.log(
   `seed ${seed}: ${noticed} of ${mutants.length} mutants noticed (wanted: ${100 * WANTED} %), ${unexplained} survivors not explained`,
 );
