@@ -32,6 +32,9 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
+/* How often the normal turns over along a polyline on a parametric surface, from one node to the next. Computes its charts. */
+int32_t sp_cusp_turns(const struct sp_polyline *line);
+
 /* Whether a path leads from one side of such a curve to the other (sp_cusp_run), so that no smooth path can be near it. newton->system.line
  * holds the path; its charts are computed. */
 int sp_cusp_divides(const struct sp_newton *newton);

@@ -4,7 +4,8 @@
 #include "metric.h"
 #include "piece.h"
 
-static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1;
+static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
+                    TOUCHING = 1e-3;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3 };
 
@@ -331,8 +332,18 @@ static int finish(struct sp_newton *newton, const struct sp_options *options, st
     return 0;
 }
 
+/* Where arcs from ends close to the curve do not settle to the tolerance: one that they do, LOOSER times it. */
+static int finish_loosely(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
+                          struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
+    struct sp_options loose = *options;
+    while ((loose.tolerance *= LOOSER) < ROUGH && newton->steps_left > 0)
+        if (finish(newton, &loose, bridge, spare, arena)) return 1;
+    return 0;
+}
+
 /* The bridge as a list of arcs. */
-static struct sp_refined cross(struct sp_newton *newton, const struct bridge *bridge, struct sp_arena *arena, struct sp_arcs *arcs) {
+static struct sp_refined cross(struct sp_newton *newton, const struct sp_options *options, const struct bridge *bridge,
+                               struct sp_arena *arena, struct sp_arcs *arcs) {
     double slopes = 0;
     for (int32_t i = 0; i <= bridge->count; i++)
         arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
@@ -340,11 +351,15 @@ static struct sp_refined cross(struct sp_newton *newton, const struct bridge *br
         slopes += bridge->slope[i] * bridge->slope[i];
     struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
     whole.length_error += bridge->gain;
+    for (int32_t i = 0; i <= bridge->count; i++)
+        whole.outcome.active |= bridge->piece[i].solved.outcome.active;
+    if (!whole.outcome.active) return whole;
+    whole.length_error += TOUCHING * whole.length; /* an element that spans a contact is not smooth */
+    if (TOUCHING > options->tolerance) whole.outcome.status = SP_TOLERANCE_NOT_MET;
     return whole;
 }
 
-int sp_cusp_divides(const struct sp_newton *newton) {
-    const struct sp_polyline *line = &newton->system.line;
+int32_t sp_cusp_turns(const struct sp_polyline *line) {
     const sp_pair *charts = line->nodes.charts;
     int32_t turns = 0, last = line->fold.both;
     sp_polyline_charts(line, line->nodes);
@@ -352,7 +367,12 @@ int sp_cusp_divides(const struct sp_newton *newton) {
         sp_pair product = sp_dot(sp_chart_normal(charts + SP_CHART * k), sp_chart_normal(charts + SP_CHART * (k + 1)));
         turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
     }
-    return turns % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
+    return turns;
+}
+
+int sp_cusp_divides(const struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
 }
 
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
@@ -367,10 +387,13 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
     for (int32_t i = 0; i <= bridge.count; i++)
         bridge.piece[i].storage = storage[0][i];
     int found = find_bridge(newton, options, &bridge, storage, arena);
-    int converged = found && finish(newton, options, &bridge, storage[1], arena), limited = found && newton->steps_left <= 0;
+    int converged = found && finish(newton, options, &bridge, storage[1], arena);
+    int limited = found && !converged && newton->steps_left <= 0;
+    int settled = converged || (found && finish_loosely(newton, options, &bridge, storage[1], arena));
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (!converged && !limited) return refined;
-    refined = cross(newton, &bridge, arena, arcs);
-    if (!converged) refined.outcome.status = SP_ITERATION_LIMIT, refined.outcome.index = -1;
+    if (!settled && !limited) return refined;
+    refined = cross(newton, options, &bridge, arena, arcs);
+    if (settled && !converged) refined.outcome.status = SP_TOLERANCE_NOT_MET;
+    if (limited) refined.outcome.status = SP_ITERATION_LIMIT, refined.outcome.index = -1;
     return refined;
 }

@@ -6,7 +6,8 @@
 
 enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
-/* A pole: the samples of an edge of the rectangle vary by less than this part of the patch. A curve where the normal vanishes: after the
+/* A pole: the samples of an edge of the rectangle vary by less than this part of what lies beside it: the surface may be far larger
+ * elsewhere, or infinite. A curve where the normal vanishes: after the
  * bisections it is this much shorter than at the ends of the segment. Rounding of the square of a normal that vanishes. */
 static const double COLLAPSED = 1e-9, VANISHING = 1e-2, NOTHING = 1e-12;
 
@@ -135,28 +136,29 @@ static int is_singular(const struct grid *grid) {
     return 0;
 }
 
+/* How far the samples of a line are from a point, at most. What is not finite does not count, or makes all infinite. */
+static double farthest(const struct grid *grid, int direction, int32_t line, const double *point, int finite) {
+    double farthest = 0;
+    for (int32_t k = 0; k < grid->count[1 - direction]; k++) {
+        double away = sp_distance3(direction ? sample_at(grid, k, line) : sample_at(grid, line, k), point);
+        if (!sp_is_finite(away)) away = finite ? 0 : __builtin_inf();
+        farthest = away > farthest ? away : farthest;
+    }
+    return farthest;
+}
+
 /* Which edges of the rectangle are points. Without positions none is known to be. */
 static int find_collapsed(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
-    double size = 0;
     int any = 0;
     if (grid->builder->surface->metric == SP_TENSOR) return 0;
-    for (int32_t i = 0; i < grid->count[0]; i++)
-        for (int32_t j = 0; j < grid->count[1]; j++) {
-            double away = sp_distance3(sample_at(grid, i, j), sample_at(grid, 0, 0));
-            size = away > size ? away : size;
-        }
     for (int edge = 0; edge < 4; edge++) {
         int direction = edge / 2;
         if (graph->wraps[direction]) continue;
-        int32_t fixed = edge & 1 ? grid->count[direction] - 1 : 0;
-        double variation = 0;
-        for (int32_t k = 0; k < grid->count[1 - direction]; k++) {
-            const double *here = direction ? sample_at(grid, k, fixed) : sample_at(grid, fixed, k);
-            double away = sp_distance3(here, direction ? sample_at(grid, 0, fixed) : sample_at(grid, fixed, 0));
-            variation = away <= variation ? variation : away;
-        }
-        any |= graph->collapsed[edge] = variation <= COLLAPSED * size;
+        int32_t line = edge & 1 ? grid->count[direction] - 1 : 0, beside = edge & 1 ? line - 2 : 2;
+        const double *first = direction ? sample_at(grid, 0, line) : sample_at(grid, line, 0);
+        double size = farthest(grid, direction, beside, first, 1);
+        any |= graph->collapsed[edge] = farthest(grid, direction, line, first, 0) <= COLLAPSED * size;
     }
     return any;
 }

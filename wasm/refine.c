@@ -119,11 +119,13 @@ static void aim(struct sp_newton *newton, const struct sp_options *options, int3
     newton->enough = draft ? 0 : ENOUGH * smaller(options->tolerance, LOOSEST);
 }
 
-/* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. */
+/* A rung that ended as another path than the first one found: in another class of geodesics, or not at rest. Between conjugate ends the way
+ * is one of many of the same length, and may move among them. */
 static int strayed(const struct climbed *climbed, double first_length) {
     double change = climbed->length / first_length - 1;
     if (climbed->outcome.status < 0 || climbed->outcome.status == SP_STALLED) return 1;
-    return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || climbed->moved > DISPLACEMENT_GUARD * climbed->length);
+    int moved = climbed->outcome.status != SP_ILL_CONDITIONED && climbed->moved > DISPLACEMENT_GUARD * climbed->length;
+    return first_length > 0 && (change > LENGTH_GUARD || change < -LENGTH_GUARD || moved);
 }
 
 /* No looser than what ends of arcs are fitted to, no tighter than what the coordinates' rounding allows. */
@@ -166,6 +168,11 @@ static int first_rung(const struct sp_system *first) {
 
 static double distance(double a, double b) { return a > b ? a - b : b - a; }
 
+/* Between conjugate ends positions never settle; the length, which is that of all the ways, does (`settled`: it had on the rung before). */
+static int is_at_rest(const struct climbed *now, int settled, double moved, double allowed) {
+    return now->outcome.status == SP_ILL_CONDITIONED ? settled : is_settled(now->moved, moved, allowed);
+}
+
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
                                    const struct sp_system *first, double first_length, struct sp_arena *arena) {
@@ -185,7 +192,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         now = climb_guarded(newton, options, &before, first, first_length, ladder[r], &start, arena);
         double allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length);
-        int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
+        int agrees =
+            !astray && from_elements && distance(now.length, last) <= allowed && is_at_rest(&now, change <= allowed, moved, allowed);
         if (agrees && newton->draft) {
             aim(newton, options, 0);
             run(newton, options, &start, &now);
@@ -197,8 +205,11 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         double previous = change;
         change = distance(now.length, last);
         last = now.length;
-        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed))
-            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
+        if (agrees && !astray && change <= allowed && is_at_rest(&now, settled, moved, allowed)) {
+            int undetermined = now.outcome.status == SP_ILL_CONDITIONED;
+            double doubt = undetermined ? larger(change, previous) : smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous);
+            return finish(newton, now, larger(undetermined ? 2 * change : change, doubt));
+        }
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;

@@ -129,21 +129,24 @@ static struct sp_refined solve_polyline(struct sp_newton *newton, const struct s
     return refined;
 }
 
+/* Only the surface in space has cusps: E, F and G that vanish are another matter. */
+static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->kind->components == 0; }
+
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
 static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
                                         struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
-    int is_parametric = line->surface->kind == SP_PARAMETRIC, may_cross = is_parametric && line->kind->components == 0;
-    if (pole >= 1 && pole <= 4 && is_parametric) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    int may = may_cross(line);
+    if (pole >= 1 && pole <= 4 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
-    result->crosses_singularity = may_cross && sp_cusp_divides(newton);
+    result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
         refined = sp_refine_run(newton, options, arena);
         if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
-        if (refined.outcome.status != SP_SINGULAR_METRIC || !may_cross) return refined;
+        if (refined.outcome.status != SP_SINGULAR_METRIC || !may) return refined;
     }
     result->crosses_singularity = 1;
     return sp_cusp_run(newton, options, &start, arena, arcs);
@@ -199,12 +202,14 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     newton.size = size_of(&newton);
     struct sp_arcs arcs;
     arcs.count = 0;
+    result->crosses_singularity = !elements && may_cross(line) && sp_cusp_turns(line) > 0;
     struct sp_refined refined =
         elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options);
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
     if (status < 0) return status;
+    if (!elements) result->crosses_singularity = 0;
     fill(&refined, &newton, options, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
     if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
@@ -220,6 +225,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     arena->used = 0;
     *result = none;
     enum sp_status status = solve(surface, request, &clean, arena, result);
+    none.crosses_singularity = status == SP_SINGULAR_METRIC && result->crosses_singularity;
     if (status < 0) *result = none;
     result->status = status;
     return status;

@@ -66,7 +66,7 @@ struct sp_result {
     int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
     int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
     int32_t history_count;
-    int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes */
+    int32_t crosses_singularity; /* 1: the path crosses a curve where S_u x S_v vanishes; SP_SINGULAR_METRIC: that is why */
 };
 
 /* Writes the defaults: SP_ELEMENTS, tolerance 1e-9, K = 64, 200 iterations, no record. */

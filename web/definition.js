@@ -1,5 +1,6 @@
 /** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
 
+import { editDistance } from './expression/advice.js';
 import { describe } from './path.js';
 
 /** @typedef {string | number} Expression a formula, or a number */
@@ -52,6 +53,18 @@ export function checkExpressions(caller, name, value, count) {
   for (const [i, one] of value.entries()) checkExpression(caller, `${name}[${i}]`, one);
 }
 
+/** Fields that a definition may do without. Others are ignored, except where they look like one of these misspelt: its absence would go unnoticed. */
+const OPTIONAL = ['periodic', 'parameters', 'density', 'metric', 'bounds', 'reference'];
+
+/** @param {string} caller @param {object} definition @param {string[]} required */
+function checkSpelling(caller, definition, required) {
+  for (const [name, value] of Object.entries(definition)) {
+    if (value === undefined || required.includes(name) || OPTIONAL.includes(name)) continue;
+    const meant = OPTIONAL.find((field) => editDistance(name.slice(0, 12).toLowerCase(), field) <= (field.length > 6 ? 2 : 1));
+    if (meant) throw new TypeError(`${caller}: the definition has no field '${name.slice(0, 12)}'; did you mean ${meant}?`);
+  }
+}
+
 /** @param {string} caller @param {any} definition @param {string[]} required @param {string[]} expressions those of them that are formulas */
 export function checkDefinition(caller, definition, required, expressions) {
   if (typeof definition !== 'object' || definition === null)
@@ -59,6 +72,7 @@ export function checkDefinition(caller, definition, required, expressions) {
   for (const name of required)
     if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
   for (const name of expressions) checkExpression(caller, name, definition[name]);
+  checkSpelling(caller, definition, required);
 }
 
 /** @param {string} caller @param {any} periodic @returns {'auto' | { u?: boolean, v?: boolean }} a copy */
@@ -97,8 +111,8 @@ export function checkParameters(caller, given) {
   if (typeof given !== 'object' || given === null)
     throw new TypeError(`${caller}: parameters must be an object of numbers, not ${describe(given)}`);
   for (const [name, value] of Object.entries(given)) {
-    if (typeof value !== 'number' || !Number.isFinite(value))
-      throw new RangeError(`${caller}: parameter ${name} must be a finite number, not ${describe(value)}`);
+    if (typeof value !== 'number') throw new TypeError(`${caller}: parameter ${name} must be a number, not ${describe(value)}`);
+    if (!Number.isFinite(value)) throw new RangeError(`${caller}: parameter ${name} must be a finite number, not ${describe(value)}`);
     parameters[name] = value;
   }
   return parameters;
@@ -135,7 +149,9 @@ export function readNumbers(caller, name, given, count) {
   const { length } = /** @type {ArrayLike<number>} */ (given);
   if (length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${length}`);
   const numbers = Array.from(/** @type {ArrayLike<number>} */ (given));
-  const bad = numbers.findIndex((x) => typeof x !== 'number' || !Number.isFinite(x));
+  const other = numbers.findIndex((x) => typeof x !== 'number');
+  if (other >= 0) throw new TypeError(`${caller}: ${name}[${other}] must be a number, not ${describe(numbers[other])}`);
+  const bad = numbers.findIndex((x) => !Number.isFinite(x));
   if (bad >= 0) throw new RangeError(`${caller}: ${name}[${bad}] must be a finite number, not ${describe(numbers[bad])}`);
   return numbers;
 }

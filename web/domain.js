@@ -9,6 +9,7 @@
 /** Where the two edges of a possible seam are compared: irregular, so that no symmetry hides a difference. */
 const TEST_FRACTIONS = [0.0371, 0.1618, 0.3183, 0.4669, 0.6181, 0.7724, 0.9143];
 const GRID = 16;
+const FRACTIONS = Array.from({ length: GRID + 1 }, (_, i) => i / GRID);
 const POSITION_GAP = 1e-9;
 const DERIVATIVE_GAP = 1e-7;
 
@@ -17,6 +18,16 @@ const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offs
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+
+/** The largest distance from a point to those of these samples that are finite. @param {Float64Array} jets @param {ArrayLike<number>} point */
+function reach(jets, point) {
+  let farthest = 0;
+  for (let i = 0; i < jets.length / 18; i++) {
+    const away = gap(vector(jets, i, 0), point);
+    if (away > farthest && away < Infinity) farthest = away;
+  }
+  return farthest;
+}
 
 /** 17 × 17 places. @param {Range} range */
 function gridPlaces({ lower, upper }) {
@@ -27,7 +38,7 @@ function gridPlaces({ lower, upper }) {
   return places;
 }
 
-/** Diagonal of the bounding box of these samples. @param {Jets} jets @param {Range} range */
+/** Diagonal of the bounding box of those of these samples that are finite. @param {Jets} jets @param {Range} range */
 function diagonal(jets, range) {
   const places = gridPlaces(range);
   const sampled = jets(places);
@@ -37,63 +48,80 @@ function diagonal(jets, range) {
   ];
   for (let i = 0; i < places.length / 2; i++)
     for (let k = 0; k < 3; k++) {
-      low[k] = Math.min(low[k], sampled[18 * i + k]);
-      high[k] = Math.max(high[k], sampled[18 * i + k]);
+      if (Number.isFinite(sampled[18 * i + k])) {
+        low[k] = Math.min(low[k], sampled[18 * i + k]);
+        high[k] = Math.max(high[k], sampled[18 * i + k]);
+      }
     }
   return gap(low, high);
 }
 
-/** Places along an edge of the rectangle. @param {Range} range @param {number} direction of the coordinate that is constant there @param {number} side 0: lower, 1: upper @param {number[]} fractions */
-function edgePlaces({ lower, upper }, direction, side, fractions) {
+/** Places along a line of the rectangle. @param {Range} range @param {number} direction of the coordinate that is constant there @param {number} side where: 0, the lower edge, to 1, the upper @param {number[]} fractions */
+function linePlaces({ lower, upper }, direction, side, fractions) {
   const other = 1 - direction;
-  const edge = (side ? upper : lower)[direction];
+  const constant = (1 - side) * lower[direction] + side * upper[direction];
   return fractions.flatMap((fraction) => {
     const along = lower[other] + fraction * (upper[other] - lower[other]);
-    return direction === 0 ? [edge, along] : [along, edge];
+    return direction === 0 ? [constant, along] : [along, constant];
   });
 }
 
-/** Edges that are one point: a pole, an apex. @param {Sampled} surface @param {Range} range @param {number} size of the surface */
-function findPoles({ jets, tensors }, range, size) {
-  const fractions = Array.from({ length: GRID + 1 }, (_, i) => i / GRID);
-  const isPoint = tensors
-    ? hasNoLength(tensors, range)
-    : (/** @type {number[]} */ places) => {
-        const sampled = jets(places);
-        return fractions.every((_, i) => gap(vector(sampled, i, 0), vector(sampled, 0, 0)) <= POSITION_GAP * size);
-      };
-  return [0, 1, 2, 3].filter((edge) => isPoint(edgePlaces(range, edge >> 1, edge & 1, fractions), 1 - (edge >> 1))).map((edge) => edge + 1);
+/**
+ * Edges that are one point: a pole, an apex. They are compared with the line beside them: the surface may be far larger elsewhere.
+ * @param {Sampled} surface @param {Range} range
+ */
+function findPoles({ jets, tensors }, range) {
+  const isPoint = tensors ? hasNoLength(tensors, range) : isOnePlace(jets);
+  return [0, 1, 2, 3]
+    .filter((edge) => {
+      const [direction, side] = [edge >> 1, edge & 1];
+      const beside = linePlaces(range, direction, side ? 1 - 1 / GRID : 1 / GRID, FRACTIONS);
+      return isPoint(linePlaces(range, direction, side, FRACTIONS), beside, 1 - direction);
+    })
+    .map((edge) => edge + 1);
+}
+
+/** @param {Jets} jets */
+function isOnePlace(jets) {
+  return (/** @type {number[]} */ places, /** @type {number[]} */ beside) => {
+    const sampled = jets(places);
+    const first = vector(sampled, 0, 0);
+    const near = POSITION_GAP * reach(jets(beside), first);
+    return FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), first) <= near);
+  };
 }
 
 /** Where E, F and G measure length they tell what is a point: the speed along the edge vanishes. @param {Sampler} tensors @param {Range} range */
 function hasNoLength(tensors, range) {
   const span = [0, 1].map((j) => range.upper[j] - range.lower[j]);
   const lengthOf = (/** @type {ArrayLike<number>} */ tensor, /** @type {number} */ j) => Math.sqrt(Math.abs(tensor[2 * j])) * span[j];
-  const size = Math.max(...tensors(gridPlaces(range)).flatMap((tensor) => [lengthOf(tensor, 0), lengthOf(tensor, 1)]));
-  return (/** @type {number[]} */ places, /** @type {number} */ along) =>
-    tensors(places).every((tensor) => lengthOf(tensor, along) <= POSITION_GAP * size);
+  return (/** @type {number[]} */ places, /** @type {number[]} */ beside, /** @type {number} */ along) => {
+    const lengths = tensors(beside).flatMap((tensor) => [lengthOf(tensor, 0), lengthOf(tensor, 1)]);
+    const least = POSITION_GAP * Math.max(0, ...lengths.filter(Number.isFinite));
+    return tensors(places).every((tensor) => lengthOf(tensor, along) <= least);
+  };
 }
 
 /**
  * Whether a surface closes smoothly in a direction: S, what measures length on it, and the first derivatives agree on both edges, and the edges
  * are curves, not points.
- * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls.
- * @param {Sampled} surface @param {Range} range @param {number} size of the surface @param {number} direction 0: u, 1: v
+ * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls. What is small is judged on each line across:
+ * the surface may be far larger elsewhere.
+ * @param {Sampled} surface @param {Range} range @param {number} direction 0: u, 1: v
  */
-function closes({ jets, metrics }, range, size, direction) {
-  const edges = [0, 1].map((side) => edgePlaces(range, direction, side, TEST_FRACTIONS));
+function closes({ jets, metrics }, range, direction) {
+  const edges = [0, 1].map((side) => linePlaces(range, direction, side, TEST_FRACTIONS));
   const [low, high] = edges.map(jets);
-  let [position, derivative, largest, variation] = [0, 0, 0, 0];
-  for (let i = 0; i < TEST_FRACTIONS.length; i++) {
-    position = Math.max(position, gap(vector(low, i, 0), vector(high, i, 0)));
-    variation = Math.max(variation, gap(vector(low, i, 0), vector(low, 0, 0)));
-    for (const offset of [3, 6]) {
-      derivative = Math.max(derivative, gap(vector(low, i, offset), vector(high, i, offset)));
-      largest = Math.max(largest, gap(vector(low, i, offset), [0, 0, 0]), gap(vector(high, i, offset), [0, 0, 0]));
-    }
-  }
   if (!agree(metrics(edges.flat()))) return false;
-  return variation > POSITION_GAP * size && position <= POSITION_GAP * size && derivative <= DERIVATIVE_GAP * largest;
+  const sizes = TEST_FRACTIONS.map((fraction, i) => reach(jets(linePlaces(range, 1 - direction, fraction, FRACTIONS)), vector(low, i, 0)));
+  const meets = sizes.every((size, i) => gap(vector(low, i, 0), vector(high, i, 0)) <= POSITION_GAP * size);
+  return meets && reach(low, vector(low, 0, 0)) > POSITION_GAP * Math.max(...sizes) && [3, 6].every((offset) => agreeIn(low, high, offset));
+}
+
+/** Whether a derivative is the same on both edges. @param {Float64Array} low @param {Float64Array} high jets there @param {number} offset of the derivative */
+function agreeIn(low, high, offset) {
+  const list = (/** @type {Float64Array} */ jets) => TEST_FRACTIONS.map((_, i) => vector(jets, i, offset));
+  return agree([...list(low), ...list(high)]);
 }
 
 /**
@@ -101,9 +129,9 @@ function closes({ jets, metrics }, range, size, direction) {
  * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction
  */
 function checkTurn(jets, range, size, direction) {
-  const low = jets(edgePlaces(range, direction, 0, TEST_FRACTIONS));
+  const low = jets(linePlaces(range, direction, 0, TEST_FRACTIONS));
   const largest = (/** @type {number[]} */ fractions) => {
-    const high = jets(edgePlaces(range, direction, 1, fractions));
+    const high = jets(linePlaces(range, direction, 1, fractions));
     return Math.max(...fractions.map((_, i) => gap(vector(low, i, 0), vector(high, i, 0))));
   };
   if (!(largest(TEST_FRACTIONS.map((fraction) => 1 - fraction)) <= POSITION_GAP * size) || largest(TEST_FRACTIONS) <= POSITION_GAP * size)
@@ -133,12 +161,12 @@ function agree(lists) {
  */
 export function findDomain(asked, surface, { lower, upper }) {
   const range = { lower, upper };
-  const size = diagonal(surface.jets, range);
-  if (asked !== 'auto' && !surface.tensors)
+  if (asked !== 'auto' && !surface.tensors) {
+    const size = diagonal(surface.jets, range);
     for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkTurn(surface.jets, range, size, direction);
-  const periodic =
-    asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, size, direction)) : [asked.u === true, asked.v === true];
-  return { lower, upper, periodic, poles: findPoles(surface, range, size) };
+  }
+  const periodic = asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, direction)) : [asked.u === true, asked.v === true];
+  return { lower, upper, periodic, poles: findPoles(surface, range) };
 }
 
 /**
@@ -178,12 +206,15 @@ export function liftNear({ lower, upper, periodic }, point, near) {
   });
 }
 
+/** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */
+export function isAtPole({ lower, upper }, point, pole) {
+  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  return point[across] === (side ? upper : lower)[across];
+}
+
 /** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
-function freeCoordinate({ lower, upper, poles }, point) {
-  const at = poles.find((pole) => {
-    const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
-    return point[across] === (side ? upper : lower)[across];
-  });
+function freeCoordinate(domain, point) {
+  const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
   return at === undefined ? -1 : 1 - ((at - 1) >> 1);
 }
 

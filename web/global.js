@@ -3,7 +3,8 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { liftNear } from './domain.js';
+import { distinct, estimate } from './distinct.js';
+import { isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
@@ -50,19 +51,12 @@ const MOST_FINE = 4;
 const AGREEMENT = 1e-6;
 /** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
 const MOST_CROSSING = 2;
-/** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
-const APART = 0.01;
-/** Places at which two paths are compared. */
-const SAMPLES = 16;
 
 /** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
 const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
-
-/** The length of the geodesic under a rough polyline, to fourth order. @param {RawPath} path */
-const estimate = (path) => path.length + path.lengthError;
 
 /**
  * All locally shortest paths that are found between two points, shortest first; without any, the one path of a status that says why.
@@ -75,13 +69,29 @@ export function findPaths(problem, options, most) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === STATUS.converged) return [path];
   }
+  const ways = overPoles(problem, options);
+  const found = choosePaths(problem, options, most, ways);
+  const corner = most === 1 && ways.find(({ path }) => path.status === STATUS.stalled)?.path;
+  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length + corner.lengthError)
+    ? [corner]
+    : found;
+}
+
+/**
+ * The paths among all starts; `ways` lead over poles.
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {{ to: number[], path: RawPath }[]} ways
+ * @returns {RawPath[]}
+ */
+function choosePaths(problem, options, most, ways) {
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = tried.flatMap(({ path }, i) => (path.status === STATUS.singular && starts[i].start ? [starts[i]] : []));
+  const crossing = isPointed(problem)
+    ? []
+    : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
-    const [best] = distinct([...acrossCusps(problem, options, crossing), ...overPoles(problem, options, [])]);
+    const [best] = distinct([...acrossCusps(problem, options, crossing), ...shorterOverPole(ways, [])]);
     if (best) return [best.path];
     return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
   }
@@ -100,7 +110,7 @@ export function findPaths(problem, options, most) {
     else failed ??= fine;
   }
   usable.push(...acrossCusps(problem, options, crossing));
-  usable.push(...overPoles(problem, options, usable));
+  usable.push(...shorterOverPole(ways, usable));
   if (usable.length === 0 && failed) return [failed];
   const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
   if (beside) return [beside];
@@ -151,17 +161,23 @@ function straightEnds({ from, to, domain }) {
 }
 
 /**
- * Paths over a pole, which no chart shows as stationary: taken only where they are shorter than all others.
- * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath }[]} others
+ * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
+ * shortest.
+ * @param {Problem} problem @param {SolveOptions} options
  */
-function overPoles({ to, domain, solve }, options, others) {
+function overPoles({ from, to, domain, solve }, options) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
-  const shortest = Math.min(...others.map(({ path }) => path.length));
   return domain.poles
+    .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
     .map((pole) => ({ to, path: solve(to, null, options, pole) }))
-    .filter(({ path }) => holds(path) && path.length < shortest - path.lengthError)
-    .sort((a, b) => a.path.length - b.path.length)
-    .slice(0, 1);
+    .filter(({ path }) => path.status >= STATUS.converged)
+    .sort((a, b) => a.path.length - b.path.length);
+}
+
+/** Of these ways the shortest without a corner, if it is shorter than all others. @param {{ to: number[], path: RawPath }[]} ways @param {{ to: number[], path: RawPath }[]} others */
+function shorterOverPole(ways, others) {
+  const shortest = Math.min(...others.map(({ path }) => path.length));
+  return ways.filter(({ path }) => holds(path) && path.length < shortest - path.lengthError).slice(0, 1);
 }
 
 /**
@@ -190,6 +206,14 @@ function acrossCusps({ solve }, options, crossing) {
     .filter(({ path }) => holds(path));
 }
 
+/**
+ * Whether an end is a pole or an apex, and no other place singular: ways that turn around it are singular there, and lead across nothing.
+ * @param {Problem} problem
+ */
+function isPointed({ from, to, domain, graph }) {
+  return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
+}
+
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
 function solveRoughly(problem, { to, start }) {
   const options = { tolerance: 1e-9, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
@@ -202,49 +226,6 @@ function solveRoughly(problem, { to, start }) {
 function solveWeakly(problem, tried, options) {
   const [best] = tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
   return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
-}
-
-/** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */
-function distinct(found) {
-  const sorted = [...found].sort((a, b) => estimate(a.path) - estimate(b.path));
-  return sorted.filter(({ path }, i) => !sorted.slice(0, i).some((other) => isSame(other.path, path)));
-}
-
-/** @param {RawPath} a @param {RawPath} b */
-function isSame(a, b) {
-  if (Math.abs(estimate(a) - estimate(b)) > APART * estimate(a)) return false;
-  const [p, q] = [samplesOf(a), samplesOf(b)];
-  let [away, size] = [0, 0];
-  for (let i = 0; i < SAMPLES; i++) {
-    away = Math.max(away, distance(p, i, q, i));
-    size += distance(p, i, p, i + 1);
-  }
-  return away <= APART * size;
-}
-
-/**
- * Places along a path of equal chords, three numbers each: points, or u v 0 where it has no positions.
- * @param {RawPath} path @returns {Float64Array}
- */
-function samplesOf({ points, parameters }) {
-  const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
-  const samples = new Float64Array(3 * (SAMPLES + 1));
-  const last = numbers.length / width - 1;
-  for (let i = 0; i <= SAMPLES; i++) {
-    const at = (i / SAMPLES) * last;
-    const before = Math.min(Math.floor(at), last - 1);
-    for (let k = 0; k < width; k++) {
-      const [from, to] = [numbers[width * before + k], numbers[width * (before + 1) + k]];
-      samples[3 * i + k] = from + (at - before) * (to - from);
-    }
-  }
-  return samples;
-}
-
-/** Between sample i of p and sample j of q. @param {Float64Array} p @param {number} i @param {Float64Array} q @param {number} j */
-function distance(p, i, q, j) {
-  const [x, y, z] = [p[3 * i] - q[3 * j], p[3 * i + 1] - q[3 * j + 1], p[3 * i + 2] - q[3 * j + 2]];
-  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /** Turns a path round. @param {RawPath} path @returns {RawPath} */

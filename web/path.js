@@ -39,7 +39,7 @@ export const STATUS = new Map([
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E
  * @property {number} index Morse index; 0: locally shortest; −1: not computed
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
- * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular
+ * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular; with `'singular-metric'`: that is why there is none
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
  * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points.
  *   'elements': energies on the scale of the last discretisation; of a path of arcs the steps before it was cut into them
@@ -148,7 +148,11 @@ export function readOptions(caller, given) {
 export function readStart(caller, start, dimension) {
   if (start === 'straight') return null;
   const path = /** @type {any} */ (start);
-  const isPath = typeof path === 'object' && path !== null && path.points instanceof Float64Array;
+  const isPath = typeof path === 'object' && path !== null && typeof path.status === 'string';
+  if (isPath && !(path.points instanceof Float64Array))
+    throw new TypeError(
+      `${caller}: options.start is a path whose points are no Float64Array, which JSON does not keep; give its points or parameters as a flat array`,
+    );
   const numbers = isPath ? (dimension === 2 ? path.parameters : path.points) : path;
   const what = dimension === 2 ? 'u v' : 'x y z';
   if (isPath && !(numbers?.length > 0))
@@ -157,6 +161,8 @@ export function readStart(caller, start, dimension) {
     throw new TypeError(
       `${caller}: options.start must be 'global', 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
     );
+  if (Array.isArray(numbers) && numbers.some(Array.isArray))
+    throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
   const copy = Float64Array.from(/** @type {ArrayLike<number>} */ (numbers));

@@ -96,9 +96,7 @@ export function passThrough(field, caller, places, options, start) {
   const count = places.length - 1;
   const least = 2 * count - 1;
   if (options.points < least)
-    throw new RangeError(
-      `${caller}: options.points must be at least ${least} for ${count - 1} points of options.via, not ${options.points}`,
-    );
+    throw new RangeError(`${caller}: options.points must be at least ${least} where options.via has ${count - 1}, not ${options.points}`);
   const solve = (/** @type {number[]} */ points) =>
     points.map((own, i) => {
       const [ends, asked] = [places.slice(i, i + 2), { ...options, points: own }];

@@ -1,4 +1,5 @@
-// One measurement of memory.js, in a process of its own: `node --expose-gc memory-child.js OPERATION COUNT`. Prints JSON.
+// One measurement of memory.js, in a process of its own: `node --expose-gc memory-child.js
+// OPERATION COUNT`. Prints JSON.
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
@@ -36,12 +37,15 @@ const OPERATIONS = {
   },
 };
 
+/** Garbage is collected every so many operations: only a full collection lets compiled modules go, which would pile up meanwhile. @type {Record<string, number>} */
+const PAUSE = { solves: 1000, surfaces: 100, instances: 100 };
+
 /** @param {number} first @param {number} last */
 async function run(first, last) {
   for (let i = first; i < last; i++) {
     const done = OPERATIONS[what](i);
     if (what === 'instances') await done;
-    if (i % 1000 === 0) await settle();
+    if (i % PAUSE[what] === 0) await settle();
   }
 }
 
@@ -53,12 +57,14 @@ async function settle() {
 
 /** The least of several looks: the process shrinks a while after its garbage is gone. */
 async function look() {
-  let least = Infinity;
+  let [rss, live] = [Infinity, Infinity];
   for (let i = 0; i < 8; i++) {
     await settle();
-    least = Math.min(least, process.memoryUsage().rss);
+    const usage = process.memoryUsage();
+    rss = Math.min(rss, usage.rss);
+    live = Math.min(live, usage.heapUsed);
   }
-  return { rss: least, bytes: solver.memory.buffer.byteLength };
+  return { rss, live, bytes: solver.memory.buffer.byteLength };
 }
 
 const warm = Math.max(300, Math.ceil(count / 5));
@@ -68,4 +74,5 @@ const start = performance.now();
 await run(warm, warm + count);
 const seconds = (performance.now() - start) / 1000;
 const after = await look();
-console.log(JSON.stringify({ pages: (after.bytes - before.bytes) / 65536, megabytes: (after.rss - before.rss) / 2 ** 20, seconds }));
+const more = (/** @type {'rss' | 'live'} */ kind) => (after[kind] - before[kind]) / 2 ** 20;
+console.log(JSON.stringify({ pages: (after.bytes - before.bytes) / 65536, megabytes: more('rss'), live: more('live'), seconds }));

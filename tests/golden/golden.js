@@ -15,6 +15,7 @@ import { buildGolden, coreSources, hashAllNatively, makeSurfaces } from './nativ
 const NODES = ['20.20.0', '22.23.3'];
 const STRAIGHT = PAIRS.straight;
 const STORED = fileURLToPath(new URL('golden.json', import.meta.url));
+const CHANGELOG = fileURLToPath(new URL('../../CHANGELOG.md', import.meta.url));
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const run = fileURLToPath(new URL('run.js', import.meta.url));
 
@@ -47,6 +48,16 @@ function report(where, groups, expected, hash = '') {
   if (different.length > 0) process.exitCode = 1;
 }
 
+/** Stores the present hashes, and the one over all in the newest entry of the changelog. @param {Golden} golden */
+function store(golden) {
+  writeFileSync(STORED, `${JSON.stringify(golden, null, 2)}\n`);
+  const text = readFileSync(CHANGELOG, 'utf8');
+  writeFileSync(CHANGELOG, text.replace(/golden hash of [\d,]+ solves: [0-9a-f]{16}/, nameOf(golden)));
+}
+
+/** What the changelog says. @param {Golden} golden */
+const nameOf = ({ solves, hash }) => `golden hash of ${solves.toLocaleString('en')} solves: ${hash}`;
+
 /** Builds the module a second time, elsewhere. */
 function rebuildWasm() {
   const copy = `${root}build/golden/again`;
@@ -61,7 +72,7 @@ function rebuildWasm() {
 
 const here = inNode(process.execPath);
 if (process.argv[2] === 'update') {
-  writeFileSync(STORED, `${JSON.stringify(here, null, 2)}\n`);
+  store(here);
   console.log(`${here.solves} solves, ${here.hash}`);
 } else {
   console.log(`${here.solves} solves\nwhere             groups  hash`);

@@ -27,6 +27,30 @@ describe('periodic directions', () => {
     assert.deepEqual(periodic({ ...gallery.cylinder, u: [0, '2*pi - 1e-5'] }), { u: false, v: false });
   });
 
+  // Once the size of the whole surface was what edges were compared with: here they were all points, and y was closed.
+  test('are judged by what lies beside them, however large the surface is elsewhere', () => {
+    const steep = surfpath.graph({ z: 'exp(x)', x: [-5, 25], y: [-1, 1] });
+    assert.deepEqual(steep.domain?.periodic, { u: false, v: false });
+    close(steep.shortestPath([-4, -0.9], [-4, 0.9]).length, 1.8);
+    const peak = surfpath.graph({ z: '0.1/(x^2 + y^2)', x: [-1, 1], y: [-1, 1] });
+    assert.ok(peak.shortestPath([-0.9, -0.9], [0.9, -0.9]).length >= 1.8);
+    const split = surfpath.graph({ z: '1/x', x: [-1, 1], y: [-1, 1] });
+    assert.ok(split.shortestPath([0.1, 0.5], [0.9, -0.5]).length > 8.9);
+    const infinite = surfpath.metric({ E: '1/v^2', F: 0, G: 1, u: [-3, 3], v: [0, 5] });
+    close(infinite.shortestPath([-3, 5], [3, 5]).length, 1.2);
+  });
+
+  test('are found where an edge lies at infinity', () => {
+    const funnel = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 'log(v)', u: [0, '2pi'], v: [0, 1] });
+    assert.deepEqual(funnel.domain?.periodic, { u: true, v: false });
+    assert.ok(funnel.shortestPath([0.1, 0.5], [6.2, 0.5]).length < 0.1);
+  });
+
+  test('a crease counts beside a long direction', () => {
+    const creased = { x: 'sin(u)', y: 'sin(u/2)', z: '1e9 v', u: [0, '2*pi'], v: [0, 1] };
+    assert.deepEqual(periodic(creased), { u: false, v: false });
+  });
+
   test('an explicit answer wins', () => {
     assert.deepEqual(periodic({ ...gallery.parametricTorus, periodic: { v: true } }), { u: false, v: true });
     assert.deepEqual(periodic({ ...gallery.parametricTorus, periodic: {} }), { u: false, v: false });

@@ -192,6 +192,15 @@ test('changed parameters give another graph', () => {
   surface.dispose();
 });
 
+test('from an apex only one path is solved finely, and it goes straight up', (context) => {
+  const cone = surfpath.revolution({ r: 't', z: 't', t: [0, 1] });
+  const solve = context.mock.method(Heap.prototype, 'solve');
+  const path = cone.shortestPath([0, 0], [3, 1]);
+  assert.ok(path.converged && Math.abs(path.length - Math.SQRT2) < 1e-12);
+  const fine = solve.mock.calls.filter((call) => /** @type {any} */ (call.arguments[2]).algorithm === 0);
+  assert.equal(fine.length, 1);
+});
+
 test('ends that coincide', () => {
   for (const [definition, point] of /** @type {const} */ ([
     [torus, [1, 2]],

@@ -61,13 +61,21 @@ describe('options', () => {
           [1, 1],
         ],
       },
-      RangeError,
-      /start\[0\] must be a finite number, not an array of 2/,
+      TypeError,
+      /start must be a flat array of u v, not one of arrays; write points\.flat\(\)/,
     ],
   ];
   for (const [options, kind, message] of bad)
     test(`shortestPath refuses ${JSON.stringify(options)}`, () =>
       refuses(() => saddle.shortestPath([0, 0], [0.5, 0.5], anything(options)), kind, message));
+
+  test('a path out of JSON is no start, and the message says what is', () => {
+    const path = saddle.shortestPath([0, 0], [0.5, 0.5]);
+    const start = JSON.parse(JSON.stringify(path));
+    refuses(() => saddle.shortestPath([0, 0], [0.5, 0.5], { start }), TypeError, /no Float64Array, which JSON does not keep/);
+    const flat = JSON.parse(JSON.stringify(Array.from(/** @type {Float64Array} */ (path.parameters))));
+    assert.equal(saddle.shortestPath([0, 0], [0.5, 0.5], { start: flat }).status, 'converged');
+  });
 
   test('an option that is undefined counts as not given', () => {
     const path = saddle.shortestPath([0, 0], [0.5, 0.5], { algorithm: undefined, points: undefined, start: undefined });

@@ -37,6 +37,9 @@ const LONGEST_NAME = 24;
 
 /** @param {string} symbol a character that no expression contains, or not here */
 export function unexpected(symbol) {
+  const code = /** @type {number} */ (symbol.codePointAt(0));
+  if (/[\p{C}\p{Z}\p{M}]/u.test(symbol))
+    return `here stands an invisible character, U+${code.toString(16).toUpperCase().padStart(4, '0')}; remove it`;
   return (
     ALTERNATIVES.get(symbol) ?? `${JSON.stringify(symbol)} is no part of an expression; write it with + - * / ^ ( ), numbers and names`
   );
@@ -54,10 +57,28 @@ export function unknown(name, isCall, known) {
   const kind = isCall ? 'function' : 'name';
   const translation = TRANSLATIONS.get(name);
   if (translation) return `unknown ${kind} ${name}; write ${translation}`;
-  const near = suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
+  const near = takeApart(name, isCall, known) || suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
   const listed = (isCall ? [...functions.keys()] : known).join(', ');
   const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
   return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : `the ${kind}s here are ${listed}`}`;
+}
+
+/**
+ * What a name may be that was written without the signs between its parts: `sin(x)` for `sinx`, `pi*r` for `pir`, `x^2` for `x2`.
+ * @param {string} name @param {boolean} isCall @param {string[]} known names that may be used as numbers
+ * @returns {string} '' where it is no such thing
+ */
+function takeApart(name, isCall, known) {
+  if (name.length > LONGEST_NAME) return '';
+  for (let i = 1; i < name.length; i++) {
+    const [head, tail] = [name.slice(0, i), name.slice(i)];
+    if (isCall && known.includes(head) && functions.has(tail)) return `${head}*${tail}(…)`;
+    if (isCall) continue;
+    if (functions.has(head) && known.includes(tail)) return `${head}(${tail})`;
+    if (known.includes(head) && known.includes(tail)) return `${head}*${tail}`;
+    if (known.includes(head) && /^\d+$/.test(tail)) return `${head}^${tail} or ${tail}*${head}`;
+  }
+  return '';
 }
 
 /**
@@ -86,7 +107,7 @@ function suggest(name, known) {
  * @param {string} a
  * @param {string} b
  */
-function editDistance(a, b) {
+export function editDistance(a, b) {
   let row = Array.from({ length: b.length + 1 }, (_, j) => j);
   for (let i = 1; i <= a.length; i++) {
     const next = [i];

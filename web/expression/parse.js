@@ -108,10 +108,16 @@ class Parser {
     const rest = this.#source.slice(this.#index + name.length).trimStart();
     const isCall = rest[0] === '(';
     if (functions.has(name)) this.#readFunction(name, rest);
+    else if (!this.#scope.has(name) && this.#isDefined(rest)) this.#fail('write only what stands behind "="; the name is known');
     else if (!this.#scope.has(name)) this.#fail(unknown(name, isCall, [...this.#scope.keys()]));
     else if (isCall) this.#fail(`${name} is not a function; write ${name}*(…) for a product`);
     else this.#emitMeaning(name, name.length);
     return true;
+  }
+
+  /** Whether the formula says what it is for: z = …, f(x, y) = … @param {string} rest the text after its first name */
+  #isDefined(rest) {
+    return this.#last === '' && /^(\([^()]*\)\s*)?=(?!=)/.test(rest);
   }
 
   /** @param {string} name @param {string} rest the text after it */
