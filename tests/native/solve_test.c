@@ -1,4 +1,5 @@
 /* Whole solves through the exported functions: known lengths, reversal to the bit, saddles left, arenas of every size, hostile numbers. */
+#include "start.h"
 #include "surfaces.h"
 #include "surfpath.h"
 #include "testing.h"
@@ -136,7 +137,26 @@ static void check_projection(uint64_t *seed) {
     }
 }
 
+/* The larger |X| of the ends, where no box tells: of an implicit surface their places, of a metric alone u and v, else the positions. */
+static void check_scale(void) {
+    const struct sp_surface sphere = {sphere_jet, sphere_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 0};
+    const struct sp_surface abstract = {saddle_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-9, -9}, {9, 9}, 0};
+    struct sp_request request = {{3, 4, 0}, {2, 3, 6}, NULL, 0, 0}, on_saddle = {{0, 0, 0}, {0.6, 0.8, 0}, NULL, 0, 0};
+    struct {
+        const struct sp_surface *surface;
+        struct sp_request request;
+        double scale;
+    } cases[] = {{&sphere, request, 7}, {&abstract, request, 5}, {&sphere_surface, request, 3.5}};
+    for (int i = 0; i < 3; i++)
+        CHECK(sp_start_scale(cases[i].surface, &cases[i].request) == cases[i].scale, "case %d", i);
+    sp_pair place[2] = {sp_splat(0.6), sp_splat(0.8)}, x[3];
+    saddle_value(1, place, x);
+    double size = sqrt(x[0][0] * x[0][0] + x[1][0] * x[1][0] + x[2][0] * x[2][0]);
+    CHECK(fabs(sp_start_scale(&saddle_surface, &on_saddle) - size) < 1e-15, "a saddle's");
+}
+
 int main(void) {
+    check_scale();
     arena = (struct sp_arena){aligned_alloc(16, 1 << 22), 1 << 22, 0};
     uint64_t seed = 77;
     struct sp_request on_globe = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0}, on_sphere = {{1, 0, 0}, {0, 1, 0}, NULL, 0, 0};

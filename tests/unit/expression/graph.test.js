@@ -125,6 +125,15 @@ test('integer powers are few products', () => {
   assert.deepEqual(products, [1, 2, 2, 3, 6, 6, 2]);
 });
 
+test('powers are products up to the 64th and down to its inverse', () => {
+  const isProduct = [64, 65, -64, -65, 2.5].map((n) => {
+    const g = new Graph(apply);
+    g.power(g.variable(0), g.constant(n));
+    return g.operations.every((operation) => operation < Operation.call);
+  });
+  assert.deepEqual(isProduct, [true, false, true, false, false]);
+});
+
 test('constants fold by IEEE arithmetic, functions by the solver alone', () => {
   const value = (/** @type {string} */ source) => evaluateConstant(source, {}, apply);
   const exact = /** @type {[string, number][]} */ ([
