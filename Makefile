@@ -46,7 +46,7 @@ endif
 ifneq ($(filter tidy,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
-ifneq ($(filter test packages thumbnails,$(MAKECMDGOALS)),)
+ifneq ($(filter test packages thumbnails coverage,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium
 endif
 ifneq ($(filter coverage,$(MAKECMDGOALS)),)
