@@ -308,14 +308,15 @@ test('without WebGL it says the length, and that there is no picture', async () 
 });
 
 test('without WebAssembly it says so', async () => {
-  const plain = await browser.context.newPage();
+  const own = await openBrowser();
+  const plain = await own.context.newPage();
   await plain.addInitScript(() => {
     // @ts-expect-error a browser without it
     delete window.WebAssembly;
   });
   await plain.goto(`${site.address}/page`);
   await plain.waitForFunction(() => /WebAssembly/.test(document.querySelector('#torus')?.shadowRoot?.textContent ?? ''));
-  await plain.close();
+  await own.close();
 });
 
 for (const [title, name] of Object.entries(RELEASES))

@@ -323,15 +323,16 @@ test('without WebGL the page says so, and still computes', async () => {
 });
 
 test('without WebAssembly the page says so', async () => {
-  const plain = await browser.context.newPage();
+  const own = await openBrowser();
+  const plain = await own.context.newPage();
   await plain.addInitScript(() => {
     // @ts-expect-error a browser without it
     delete window.WebAssembly;
   });
-  await plain.goto(browser.address);
+  await plain.goto(own.address);
   await plain.waitForSelector('#notice:not([hidden])');
   assert.match((await plain.textContent('#notice')) ?? '', /WebAssembly/);
-  await plain.close();
+  await own.close();
 });
 
 test('the console stayed silent', () => {
