@@ -67,12 +67,12 @@ export async function openPage(context, address) {
   return { page, complaints };
 }
 
-/** Waits until everything is computed that was asked for. @param {import('playwright-core').Page} page @param {number} [timeout] milliseconds */
-export async function settled(page, timeout = 30000) {
+/** Waits until everything is computed that was asked for; looks by the clock, as a busy machine may not draw for long. @param {import('playwright-core').Page} page @param {number} [timeout] milliseconds */
+export async function settled(page, timeout = 60000) {
   await page.waitForFunction(
     () => document.getElementById('status')?.dataset.status && !document.documentElement.hasAttribute('data-busy'),
     null,
-    { timeout },
+    { timeout, polling: 100 },
   );
 }
 
