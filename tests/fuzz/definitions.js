@@ -11,7 +11,7 @@ const HANG = 60_000;
 const STATUSES = [...STATUS.values()];
 /** An error of this library begins with the function, or says its name. */
 const OWN =
-  /^(surface|parametric|implicit|metric|graph|revolution|tube|sweep|shortestPath|shortestPaths|geodesics|lengths|trace|evaluate|project|mesh|distanceField|set)\b.*:|^surfpath: |^the (parameter|expression) |^[\w.[\]]+ must be/s;
+  /^(surface|parametric|implicit|metric|graph|revolution|tube|sweep|shortestPath|shortestPaths|geodesics|lengths|trace|evaluate|project|mesh|distanceField|set)\b.*:|^periodic\.[uv]: |^surfpath: |^the (parameter|expression) |^[\w.[\]]+ must be/s;
 
 const number = fc.oneof(
   { weight: 4, arbitrary: fc.double({ min: -2, max: 2, noNaN: true }) },
