@@ -48,6 +48,14 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
     return length;
 }
 
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
+    struct sp_reference reference;
+    size_t bottom = arena->used;
+    int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
+    arena->used = bottom;
+    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : __builtin_nan("");
+}
+
 /* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena) {
     struct sp_refined whole = {.outcome = {.status = SP_CONVERGED}, .length = measure(arcs, newton->system.line.surface, arena)};
