@@ -17,6 +17,8 @@ static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL}, {16, 2, NULL}
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
 static const double UNEVEN = 3;
 enum { SPREAD_NODES = 64 };
+/* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
+enum { LEAST_RUNGS = 3 };
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* Why these: MATH.md, "The ladder". */
@@ -218,7 +220,9 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct sp_system before = *first;
     double last = first_length, change = first_length, moved = 0, error = 0, allowed = 0;
     double spread[SP_SPREAD + 1], *present = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
-    int follows = 0, uneven = 0;
+    int follows = 0, uneven = first->elements.spread != NULL;
+    for (int k = 0; uneven && k <= SP_SPREAD; k++)
+        spread[k] = first->elements.spread[k];
     struct start start;
     struct sp_storage storage;
     if (!present || !sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
@@ -315,7 +319,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
     int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
     const struct rung *ladder = graded ? GRADED : LADDER;
     int32_t nodes = from->elements.reference.degree * from->elements.count;
-    while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
+    while (lowest + LEAST_RUNGS < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
         lowest++;
     return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
