@@ -13,7 +13,7 @@ static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL
                                      {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL}, {16, 2, NULL},  {16, 4, NULL},
-                                     {16, 8, NULL}, {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}};
+                                     {16, 8, NULL}, {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
 static const double UNEVEN = 3;
 enum { SPREAD_NODES = 64 };
