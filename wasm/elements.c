@@ -36,14 +36,10 @@ static struct integral integral_of(const struct sp_elements *elements, int32_t e
     const struct sp_reference *plain = &elements->reference;
     const struct sp_graded *graded = &elements->graded;
     if (e == 0 && (elements->singular[0] || elements->singular[1]))
-        return (struct integral){factor_of(elements, e),
-                                 graded->count,
-                                 {graded->weight[0], graded->weight[1]},
-                                 graded->length_weight,
-                                 graded->derivative,
-                                 {graded->stiffness[0], graded->stiffness[1]}};
-    return (struct integral){factor_of(elements, e), plain->degree + 1, {plain->weight, plain->weight}, plain->weight, plain->derivative,
-                             {plain->stiffness, plain->stiffness}};
+        return (struct integral){factor_of(elements, e), graded->count,      {graded->weight[0], graded->weight[1]},
+                                 graded->length_weight,  graded->derivative, {graded->stiffness[0], graded->stiffness[1]}};
+    return (struct integral){factor_of(elements, e), plain->degree + 1, {plain->weight, plain->weight},
+                             plain->weight,          plain->derivative, {plain->stiffness, plain->stiffness}};
 }
 
 static sp_pair stiffness_at(const struct integral *integral, int32_t at) {

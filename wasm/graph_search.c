@@ -2,8 +2,8 @@
  * shortest path". */
 #include "graph_search.h"
 
-/* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that keeps
- * within a fifth of it is taken for the same at first, then within a tenth. */
+/* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
+ * keeps within a fifth of it is taken for the same at first, then within a tenth. */
 static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1}, GROWTH = 1.25, ROUNDING = 1e-6;
 
 enum { MOST_WAYS = 16, ROUNDS = sizeof(APART) / sizeof(APART[0]) };
@@ -13,8 +13,8 @@ struct search {
     const struct sp_graph *graph;
     const double *ends[2];
     struct sp_attachment attached[2];
-    struct sp_front front[2], taken;     /* distances from the ends, and from the ways already found */
-    int32_t *vertices;                   /* those of one way */
+    struct sp_front front[2], taken;              /* distances from the ends, and from the ways already found */
+    int32_t *vertices;                            /* those of one way */
     double longest, best, target[SP_GRAPH_WIDTH]; /* ways of interest, in units of the best; its length; sample at the second end */
 };
 

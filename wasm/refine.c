@@ -12,8 +12,8 @@ struct rung {
 static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL},   {8, 16, NULL}, {12, 16, NULL},
                                      {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL}, {16, 2, NULL},  {16, 4, NULL},
-                                     {16, 8, NULL}, {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
+static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
+                                     {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
 static const double UNEVEN = 3;
 enum { SPREAD_NODES = 64 };
@@ -192,8 +192,8 @@ static double turn(const struct sp_polyline *line, int32_t i) {
     return root(sp_dot(by, by)[0]);
 }
 
-/* Where elements meet if they are to be equally long, the path's parameter and the angle by which it turns taken together: `spread`. Returns
- * 0 if that is nearly even. */
+/* Where elements meet if they are to be equally long, the path's parameter and the angle by which it turns taken together: `spread`.
+ * Returns 0 if that is nearly even. */
 static int spread_elements(const struct sp_system *system, double spread[SP_SPREAD + 1]) {
     const struct sp_polyline *line = &system->line;
     int32_t last = line->fold.inner + 1, k = 1;

@@ -56,7 +56,8 @@ static void element_place(const struct sp_system *system, double t, sp_pair plac
     if (e > elements->count - 1) e = elements->count - 1;
     double weights[SP_MAX_DEGREE + 1], x = t * elements->count - e;
     if (elements->spread) {
-        for (e = 0; 2 * step < elements->count; step *= 2) {}
+        for (e = 0; 2 * step < elements->count; step *= 2) {
+        }
         for (; step > 0; step /= 2)
             if (e + step < elements->count && sp_elements_border(elements, e + step) <= t) e += step;
         x = (t - sp_elements_border(elements, e)) / (sp_elements_border(elements, e + 1) - sp_elements_border(elements, e));
