@@ -168,7 +168,7 @@ dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
-BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -184,7 +184,7 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
@@ -200,7 +200,7 @@ build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefil
 	@echo $(@D)
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
-	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=200 --format=esm --target=es2022 \
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=1000 --format=esm --target=es2022 \
 	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
 	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 
