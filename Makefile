@@ -150,14 +150,28 @@ build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) -c $< -o $@
 
-dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
+BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals
+
+# What the linker made, once more by wasm-opt, and its constants shortened. $(1): -g keeps names.
+define shrink
+@wasm-opt $(BINARYEN) $(1) -Oz -S $@ -o $@.wat
+@node wasm/shorten.js $@.wat
+@wasm-as $(BINARYEN) $(1) $@.wat -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --generate-stack-ir --optimize-stack-ir $@ -o $@
+@rm $@.wat
+endef
+
+dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -Oz $(LINK) $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink)
 
 # The same with the names of its functions, for profiles.
-build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
-	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
+	@$(EMCC) -Oz $(LINK) --profiling-funcs $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink,-g)
 
 # JavaScript and types
 
