@@ -175,8 +175,8 @@ build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Ma
 
 # JavaScript and types
 
-dist/wasm.js: dist/surfpath.wasm
-	@printf "// Generated: surfpath.wasm, gzip in base64.\nexport default '%s';\n" "$$(gzip -9cn <$< | base64 | tr -d '\n')" >$@
+dist/wasm.js: dist/surfpath.wasm wasm/pack.js web/runtime/kinds.js
+	@node wasm/pack.js $< $@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
