@@ -153,11 +153,11 @@ build/wasm/%.o: wasm/%.c Makefile | tools
 dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -Os $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # The same with the names of its functions, for profiles.
 build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
-	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -Os $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
 
 # JavaScript and types
 

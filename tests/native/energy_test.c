@@ -43,7 +43,7 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
                      newton->system.straight + 1, t, newton->trial.places + dimension);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
     sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts);
+    return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts, NULL);
 }
 
 /* x'Hx and r'x as the rows say. */
