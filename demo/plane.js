@@ -109,7 +109,7 @@ const inside = (point, { low, high, periodic }) =>
 /** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
-  if (!gauge) return [];
+  if (gauge?.kind !== 'metric') return [];
   const cells = 9;
   const places = Array.from({ length: cells * cells }, (_, i) =>
     [i % cells, Math.floor(i / cells)].map((x, k) => frame.low[k] + ((x + 0.5) / cells) * (frame.high[k] - frame.low[k])),

@@ -2,9 +2,9 @@
 
 import { sentence } from './definition.js';
 import { create, find } from './dom.js';
-import { askLong, cancelLong } from './flow.js';
 import { plot } from './plot.js';
-import { chosenPath, onRender, state } from './state.js';
+import { chosenPath, state } from './state.js';
+import { askLong } from './workers.js';
 
 /** @typedef {import('./study.js').Series} Series */
 /** @typedef {import('./plot.js').Axis} Axis */
@@ -38,13 +38,6 @@ let mine = 0;
 export function startPlots() {
   find('plot-choice').addEventListener('change', refreshPlot);
   find('plots-card').addEventListener('toggle', refreshPlot);
-  find('cancel').addEventListener('click', () => {
-    cancelLong();
-    mine++;
-  });
-  onRender(({ long }) => {
-    find('progress').hidden = !long;
-  });
 }
 
 const choice = () => /** @type {HTMLSelectElement} */ (find('plot-choice')).value;
@@ -58,10 +51,7 @@ export async function refreshPlot() {
     return explain('This plot is for a path between two ends.');
   const turn = ++mine;
   const { ends, points } = state.sketch;
-  const bar = /** @type {HTMLProgressElement} */ (find('progress-bar'));
-  bar.removeAttribute('value');
-  const show = (/** @type {{ share: number, series: Series[] }} */ { share, series }) => {
-    bar.value = share;
+  const show = (/** @type {{ series: Series[] }} */ { series }) => {
     if (turn === mine) draw(name, series);
   };
   try {

@@ -4,7 +4,7 @@ import { startAnchors } from './anchors.js';
 import { blend, smooth } from './curves.js';
 import { create, find, say, themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
-import { strokes } from './grain.js';
+import { planeStrokes, spaceStrokes } from './grain.js';
 import { chosenPath, lastIterate, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
@@ -76,12 +76,19 @@ function renderLegend(hasStart, hasOthers) {
 
 const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
 
+/** What shows the metric that is measured by. */
+function strokesNow() {
+  const { gauge, drawn, mesh } = state;
+  if (!gauge || !drawn || !mesh) return null;
+  return gauge.kind === 'space' ? spaceStrokes(gauge, drawn, mesh) : planeStrokes(gauge, drawn);
+}
+
 /** @param {View} view */
 function renderShade(view) {
-  const { shade, mesh, sketch, shadeProblem, gauge, drawn } = state;
+  const { shade, mesh, sketch, shadeProblem } = state;
   say(find('colour-problem'), shadeProblem);
   /** @type {HTMLSelectElement} */ (find('colour')).value = sketch.colour;
-  if (mesh !== meshShown) view.setStrokes(gauge && drawn ? strokes(gauge, drawn) : null);
+  if (mesh !== meshShown) view.setStrokes(strokesNow());
   if (shade === shadeShown && mesh === meshShown) return;
   [shadeShown, meshShown] = [shade, mesh];
   const colours = view.setValues(sketch.colour, shade);
