@@ -12,6 +12,8 @@ const PATIENCE = 150;
 const MIXED = ['xy', 'xz', 'yz'];
 
 let timer = 0;
+/** What the reader is changing, while not all that was written has been taken. */
+let written = '';
 /** What the fields were built for. */
 let built = '';
 
@@ -22,23 +24,34 @@ export function startMeasure() {
   });
   find('measure-fields').addEventListener('input', () => {
     clearTimeout(timer);
-    timer = window.setTimeout(readFields, PATIENCE);
+    written = tokenOf(state.sketch);
+    timer = window.setTimeout(takeFields, PATIENCE);
   });
+  // Who leaves a field in a hurry has written all the same.
+  find('measure-fields').addEventListener('change', takeFields);
   onRender(renderMeasure);
 }
 
 /** @param {string} name @returns {HTMLInputElement | null} */
 const field = (name) => /** @type {HTMLInputElement | null} */ (document.getElementById(`field-${name}`));
 
-const textOf = (/** @type {string} */ name) => field(name)?.value.trim() ?? '';
+const textOf = (/** @type {string} */ name) => field(name)?.value ?? '';
 
-function readFields() {
+/** @param {import('./sketch.js').Sketch} sketch */
+const tokenOf = ({ entry, kind, density, tensor }) => JSON.stringify([entry, kind, density, tensor]);
+
+function takeFields() {
+  clearTimeout(timer);
+  // Something else may have been opened meanwhile.
+  const isOurs = written === tokenOf(state.sketch);
+  written = '';
+  if (!isOurs) return;
   const names = tensorNames(state.sketch.kind);
   const texts = names.map((name) => textOf(`metric.${name}`));
-  const some = texts.some(Boolean);
-  const tensor = some ? texts.map((text, i) => text || (MIXED.includes(names[i]) ? '0' : '')) : [];
+  const some = texts.some((text) => text.trim());
+  const tensor = some ? texts.map((text, i) => (text.trim() ? text : MIXED.includes(names[i]) ? '0' : '')) : [];
   const density = textOf('density');
-  change({ density, tensor, colour: density || some ? 'density' : 'plain' }, 'measure');
+  change({ density, tensor, colour: density.trim() || some ? 'density' : 'plain' }, 'measure');
 }
 
 /** @param {import('./state.js').State} state */
@@ -53,14 +66,16 @@ function renderMeasure({ sketch, problem }) {
     built = names.join();
     find('measure-fields').replaceChildren(...fields(names));
   }
-  const values = [['density', density], ...names.map((name, i) => [`metric.${name}`, tensor[i] ?? ''])];
-  for (const [name, value] of values) {
-    const input = field(name);
-    if (input && input !== document.activeElement && input.value !== value) input.value = value;
-  }
   const half = tensor.some((text) => !text.trim());
   const all = names.length === 3 ? 'all three of E, F and G' : 'xx, yy and zz';
   say(find('measure-problem'), half && !problem ? `Write ${all}, or none.` : null);
+  // What the reader is writing is not written over, unless something else is opened.
+  if (written === tokenOf(sketch)) return;
+  const values = [['density', density], ...names.map((name, i) => [`metric.${name}`, tensor[i] ?? ''])];
+  for (const [name, value] of values) {
+    const input = field(name);
+    if (input && input.value !== value) input.value = value;
+  }
 }
 
 /** @param {string[]} names of the entries */

@@ -16,7 +16,7 @@ const PATIENCE = 400;
 /** What a task that was cancelled is rejected with. */
 export class Cancelled extends Error {
   constructor() {
-    super('Cancelled: change anything to compute it anew.');
+    super('Cancelled. Change anything to compute it anew.');
   }
 }
 
@@ -54,6 +54,7 @@ export class Solver {
     for (const job of this.#waiting) job.reject(new Cancelled());
     this.#waiting = [];
     if (this.#running) this.#stop((job) => job.reject(new Cancelled()));
+    this.#tell(null);
   }
 
   /** Whether what runs has been long about a surface that is not this one. @param {Job['request']} request */
