@@ -19,7 +19,7 @@ import { startShow } from './show.js';
 import { sketchOf } from './sketch.js';
 import { startSliders } from './sliders.js';
 import { FIRST, lastIterate, onRender, render, state } from './state.js';
-import { startProgress } from './workers.js';
+import { live, startProgress } from './workers.js';
 
 const player = new Player((moment) => {
   state.moment = moment;
@@ -101,13 +101,22 @@ function openAddress(hash) {
 
 /** @param {boolean} animated */
 function solved(animated) {
+  if (performance.getEntriesByName('first path').length === 0) performance.mark('first path');
   if (animated) player.play(1);
   else player.stop();
   if (state.sketch.colour !== 'plain') recolour();
   refreshPlot();
 }
 
+/** Lets the browser do what waits: nothing on the way to the first picture keeps it for long. */
+const breathe = () => new Promise((resolve) => setTimeout(resolve));
+
 async function start() {
+  live.warm();
+  const loading = load();
+  // Said below, when there is a place for it.
+  loading.catch(() => {});
+  await breathe();
   for (const begin of [
     startResult,
     startFormula,
@@ -120,10 +129,12 @@ async function start() {
     startProgress,
   ])
     begin();
+  await breathe();
   const view = makeView();
   startExports(view);
+  await breathe();
   try {
-    connect(await load(), view, solved);
+    connect(await loading, view, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     find('poster').remove();

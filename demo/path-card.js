@@ -122,8 +122,7 @@ function renderEnds({ kind, ends, via, task }) {
     for (const [i, x] of point.entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
       // What is being written is the number itself, and stays as it is written.
-      if (input && !Object.is(input.valueAsNumber, x))
-        input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
+      if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
     }
 }
 

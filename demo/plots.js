@@ -2,6 +2,7 @@
 
 import { sentence } from './definition.js';
 import { create, find } from './dom.js';
+import { hoverAlong, onHover, setHover } from './hover.js';
 import { plot } from './plot.js';
 import { chosenPath, state } from './state.js';
 import { askLong } from './workers.js';
@@ -34,10 +35,24 @@ const PLOTS = {
 };
 
 let mine = 0;
+/** The plot along the path, if it is the one that is seen. @type {import('./plot.js').Plot | null} */ let along = null;
 
 export function startPlots() {
   find('plot-choice').addEventListener('change', refreshPlot);
   find('plots-card').addEventListener('toggle', refreshPlot);
+  find('plot').addEventListener('pointermove', pointAt);
+  find('plot').addEventListener('pointerleave', () => along && setHover(null));
+  onHover((hover) => along?.guide(hover?.run ?? null));
+}
+
+/** The point of the path that a place of its plot is about. @param {PointerEvent} event */
+function pointAt({ clientX, clientY }) {
+  const path = chosenPath();
+  const picture = /** @type {SVGSVGElement | null} */ (find('plot').querySelector('svg'));
+  if (!along || !path || !picture) return;
+  const { x } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+  const run = along.valueAt(x);
+  setHover(run >= 0 && run <= path.length ? hoverAlong(path, run) : null);
 }
 
 const choice = () => /** @type {HTMLSelectElement} */ (find('plot-choice')).value;
@@ -63,15 +78,20 @@ export async function refreshPlot() {
 }
 
 /** @param {string} words */
-const explain = (words) => find('plot').replaceChildren(create('p', { className: 'hint' }, words));
+function explain(words) {
+  along = null;
+  find('plot').replaceChildren(create('p', { className: 'hint' }, words));
+}
 
 /** @param {string} name @param {Series[]} series */
 function draw(name, series) {
   const { across, up, words } = PLOTS[name];
+  const drawn = plot(series, across, up);
+  along = name === 'curvature' ? drawn : null;
   const keys = series.map(({ label }, i) => create('li', { className: `key key-${i}` }, label));
   find('plot').replaceChildren(
     create('p', { className: 'plot-title' }, up.label),
-    plot(series, across, up),
+    drawn.root,
     ...(series.length > 1 ? [create('ul', { className: 'keys' }, ...keys)] : []),
     create('p', { className: 'hint' }, words),
   );

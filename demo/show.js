@@ -5,6 +5,7 @@ import { blend, smooth } from './curves.js';
 import { create, find, say, themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
+import { startPointing } from './pointing.js';
 import { chosenPath, lastIterate, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
@@ -25,6 +26,7 @@ export function startShow(view) {
   onRender(() => renderShade(view));
   onRender(() => renderCurves(view));
   startAnchors(view);
+  startPointing(view);
 }
 
 /** @param {View} view */

@@ -49,6 +49,11 @@ export class Solver {
     });
   }
 
+  /** Starts the worker before there is anything to do: it takes its time. */
+  warm() {
+    this.#worker ??= this.#start();
+  }
+
   /** Gives up everything: a task that runs is ended with its worker, and the next one gets a new worker. */
   cancel() {
     for (const job of this.#waiting) job.reject(new Cancelled());

@@ -113,11 +113,14 @@ describe('changes that overtake each other', () => {
     await page.fill('#end-0-0', '0.3');
     await page.waitForTimeout(330);
     // The page writes its own address 400 ms after a change: now, before the link has its turn.
-    await page.evaluate((hash) => {
-      location.hash = hash;
-      const end = performance.now() + 150;
-      while (performance.now() < end);
-    }, `1.${Buffer.from('{"entry":"vase"}').toString('base64url')}`);
+    await page.evaluate(
+      (hash) => {
+        location.hash = hash;
+        const end = performance.now() + 150;
+        while (performance.now() < end);
+      },
+      `1.${Buffer.from('{"entry":"vase"}').toString('base64url')}`,
+    );
     await rest();
     assert.equal(await text('#entry-title'), 'Vase');
   });
