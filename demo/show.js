@@ -76,6 +76,8 @@ function renderLegend(hasStart, hasOthers) {
   find('legend').replaceChildren(...rows.map(([className, text]) => create('li', { className }, text)));
 }
 
+/** Curvature of which not more is left than rounding leaves. */
+const NOTHING = 1e-6;
 const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
 
 /** What shows the metric that is measured by. */
@@ -97,8 +99,12 @@ function renderShade(view) {
   const scale = find('scale');
   scale.hidden = !colours;
   if (!colours) return;
-  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < 1e-9 ? '0' : formatNumber(x, 3)));
+  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
   const bar = create('i', {});
   bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
-  scale.replaceChildren(create('span', {}, SCALES[sketch.colour]), bar, create('b', {}, low), create('b', {}, high));
+  scale.replaceChildren(
+    create('span', {}, SCALES[sketch.colour]),
+    bar,
+    ...(low === '0' && high === '0' ? [create('b', {}, '0 everywhere')] : [create('b', {}, low), create('b', {}, high)]),
+  );
 }

@@ -7,8 +7,6 @@ import { surfaceGeometry, surfaceMaterial } from 'surfpath/three';
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('surfpath/three').ColourScale} ColourScale */
 
-/** Keeps large parts of one value, such as a density of 1, from lying on a contour line. */
-const OFF = 1e-3;
 /** Colours are a little brighter than paint: the light takes some away. */
 const PALE = '#ffffff';
 
@@ -73,13 +71,7 @@ export class SurfaceObject extends Mesh {
       const scale =
         quantity === 'curvature' ? curvatureScale(values, size) : bandScale(quantity === 'distance' ? 'distance' : 'values', values);
       geometry.setAttribute('color', new BufferAttribute(colourVertices(values, scale), 3));
-      geometry.setAttribute(
-        'contour',
-        new BufferAttribute(
-          contourLevels(values, scale).map((x) => x + OFF),
-          1,
-        ),
-      );
+      geometry.setAttribute('contour', new BufferAttribute(contourLevels(values, scale), 1));
       geometry.userData.scale = scale;
     }
     this.#dress();
