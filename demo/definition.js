@@ -73,7 +73,7 @@ export function findBadBound(kind, texts) {
 
 /** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
 export function sentence(message) {
-  const text = message.replace(/^(?:[a-z]+(?:\[\d\])?: )+/i, '');
+  const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '');
   return `${text[0].toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 

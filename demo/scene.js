@@ -16,6 +16,15 @@ const MOST_PIXELS = 2;
 /** Radius and ring of the point that is pointed at, in CSS pixels. */
 const DOT = /** @type {const} */ ([4.5, 2]);
 
+/** Width and height that an anchor's element takes, in CSS pixels. */
+const ROOM = [54, 25];
+
+/** The place nearest below a wanted one that no other element has. @param {number} x @param {number} y @param {number[][]} taken */
+function freePlace(x, y, taken) {
+  const near = taken.filter(([other]) => Math.abs(other - x) < ROOM[0]).sort((a, b) => a[1] - b[1]);
+  return near.reduce((place, [, other]) => (Math.abs(other - place) < ROOM[1] ? other + ROOM[1] : place), y);
+}
+
 export class View {
   #renderer;
   #eye;
@@ -80,6 +89,11 @@ export class View {
   get memory() {
     const { memory, programs } = this.#renderer.info;
     return { ...memory, programs: (programs ?? []).map(({ id }) => id) };
+  }
+
+  /** How many strokes show a metric. */
+  get strokes() {
+    return this.#strokes.count;
   }
 
   /** Where the point is that is pointed at; null: nothing is. */
@@ -197,8 +211,11 @@ export class View {
   }
 
   #placeAnchors() {
+    /** @type {number[][]} */ const taken = [];
     for (const { element, point } of this.#anchors) {
-      const [x, y] = this.toScreen(point);
+      const [x, wanted] = this.toScreen(point);
+      const y = freePlace(x, wanted, taken);
+      taken.push([x, y]);
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
   }

@@ -18,7 +18,7 @@ const WORD = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/gu;
  */
 export function shade(opened, { colour, from, resolution }, surfpath) {
   if (colour === 'distance') return distances(opened, from);
-  const mesh = meshOf(opened, resolution);
+  const mesh = meshOf(opened, resolution, surfpath);
   return colour === 'curvature'
     ? gaussianCurvature(/** @type {any} */ (opened.drawn), mesh.parameters ?? mesh.positions)
     : stretches(opened, mesh, surfpath);
