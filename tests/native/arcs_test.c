@@ -266,7 +266,7 @@ static void test_cusps(void) {
         double error = fabs(result.length - length);
         int is_right = error <= result.length_error + 4e-15 * length && error <= 1e-9 * length;
         /* Arcs that did not settle to the tolerance did so to another; MATH.md, "Limits", says what their error is worth. */
-        if (result.status == SP_TOLERANCE_NOT_MET) is_right = error <= 1e-4 * length;
+        if (result.status == SP_TOLERANCE_NOT_MET) is_right = error <= 1e-3 * length;
         CHECK(is_right, "(%.17g, %.17g) to (%.17g, %.17g): error %g, said %g", u, v, to_u, to_v, error, result.length_error);
     }
     CHECK(solved[0] == asked[0] && solved[1] == asked[1] && 2 * solved[2] > asked[2] && solved[3] > 0, "solved: %d, %d, %d, %d", solved[0],
