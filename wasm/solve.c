@@ -128,7 +128,8 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
         refined = sp_refine_run(newton, options, arena);
-        if (refined.outcome.status == SP_CONVERGED && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
+        int solved = refined.outcome.status == SP_CONVERGED || refined.outcome.status == SP_TOLERANCE_NOT_MET;
+        if (solved && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
         if (refined.outcome.status != SP_SINGULAR_METRIC || !may) return refined;
     }
     result->crosses_singularity = 1;
