@@ -29,7 +29,8 @@ FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,addre
     -fno-sanitize-recover=all
 # The analyzer takes a vector of 64-bit lanes for one bit.
 ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
-LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
+# The linker's own passes, to be small: 1.5 KB less, and as fast.
+LINK := -Os -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
@@ -143,7 +144,7 @@ $(NPM): package-lock.json | tools
 
 
 # What a path meets once, not in every step, is compiled to be small.
-COLD := arcs contact cusp functions mesh mesh_vertices piece pole project refine solve start
+COLD := arcs check contact cusp functions graph_sample mesh mesh_vertices piece polar pole project refine solve start trace
 $(COLD:%=build/wasm/%.o): EMCC += -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools

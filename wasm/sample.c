@@ -175,7 +175,7 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
         sp_parametric_clip(surface, count, places);
     else
         sp_implicit_settle(surface, count, places, scale);
-    if (surface->kind == SP_PARAMETRIC && points) surface->value(count, places, positions);
+    if (surface->kind == SP_PARAMETRIC && points) sp_positions(surface, count, places, positions);
     const sp_pair *written = surface->kind == SP_PARAMETRIC ? positions : places;
     for (int32_t i = 0; i < count; i++)
         for (int lane = 0; lane < 2; lane++) {

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "functions.h"
 #include "metric_elements.h"
+#include "polar.h"
 #include "refine.h"
 #include "sample.h"
 #include "start.h"
@@ -130,7 +131,7 @@ static struct sp_refined solve_polyline(struct sp_newton *newton, const struct s
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
-static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->kind->components == 0; }
+static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_INDUCED; }
 
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
 static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
@@ -181,8 +182,7 @@ static int are_finite(const double *numbers, int32_t count) {
 /* What is handed out is a path, however a surface that is not smooth, or NaN in places, has led the stages astray. */
 static int is_sound(const struct sp_result *result, int32_t point_count) {
     int32_t count = point_count + 2;
-    return are_finite(&result->length, 1) && result->length_error >= 0 && are_finite(result->points, 3 * count) &&
-           are_finite(result->parameters, 2 * count);
+    return are_finite(&result->length, 2) && are_finite(result->points, 3 * count) && are_finite(result->parameters, 2 * count);
 }
 
 /* The stages in order; the first that fails decides. */
@@ -208,11 +208,13 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
+    if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0;
     fill(&refined, &newton, options, result);
     if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
     if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
+    if (status == SP_CONVERGED && result->length_error > result->length) status = SP_TOLERANCE_NOT_MET; /* rounding is all there is */
     if (status > 0) return status;
     return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
@@ -224,7 +226,13 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     struct sp_options clean = clamped(options);
     arena->used = 0;
     *result = none;
-    enum sp_status status = solve(surface, request, &clean, arena, result);
+    struct sp_polar polar;
+    struct sp_request around;
+    int is_polar = request->pole > 4 && request->pole <= 8 && request->turn > 0,
+        is_sound = !is_polar || sp_polar_make(&polar, surface, request, &around);
+    enum sp_status status = SP_SINGULAR_METRIC;
+    if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);
+    if (is_polar && status >= 0) sp_polar_return(&polar, request, clean.point_count + 2, result->parameters);
     none.crosses_singularity = status == SP_SINGULAR_METRIC && result->crosses_singularity;
     if (status < 0) *result = none;
     result->status = status;

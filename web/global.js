@@ -19,7 +19,7 @@ import { emptyPath } from './runtime/heap.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
- *   an edge of the rectangle collapses, 1 + 2 · coordinate + side
+ *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
@@ -79,7 +79,7 @@ export function findPaths(problem, options, most) {
 
 /**
  * The paths among all starts; `ways` lead over poles.
- * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {{ to: number[], path: RawPath }[]} ways
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {{ to: number[], path: RawPath, pole: number }[]} ways
  * @returns {RawPath[]}
  */
 function choosePaths(problem, options, most, ways) {
@@ -91,7 +91,8 @@ function choosePaths(problem, options, most, ways) {
   const rough = distinct(tried.filter(({ path }) => holds(path)));
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
   if (rough.length === 0) {
-    const [best] = distinct([...acrossCusps(problem, options, crossing), ...shorterOverPole(ways, [])]);
+    const beside = besidePoles(problem, options, ways, []);
+    const [best] = distinct([...acrossCusps(problem, options, crossing), ...beside, ...shorterOverPole(ways, beside)]);
     if (best) return [best.path];
     return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
   }
@@ -110,10 +111,12 @@ function choosePaths(problem, options, most, ways) {
     else failed ??= fine;
   }
   usable.push(...acrossCusps(problem, options, crossing));
+  const beside = besidePoles(problem, options, ways, usable);
+  usable.push(...beside.filter(({ path }) => holds(path)));
   usable.push(...shorterOverPole(ways, usable));
   if (usable.length === 0 && failed) return [failed];
-  const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
-  if (beside) return [beside];
+  const weak = most === 1 && usable.length > 0 ? stalledBeside(problem, tried, options, distinct(usable)[0].path) : null;
+  if (weak) return [weak];
   return distinct(usable)
     .slice(0, most)
     .map(({ path }) => path);
@@ -169,9 +172,8 @@ function overPoles({ from, to, domain, solve }, options) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   return domain.poles
     .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
-    .map((pole) => ({ to, path: solve(to, null, options, pole) }))
-    .filter(({ path }) => path.status >= STATUS.converged)
-    .sort((a, b) => a.path.length - b.path.length);
+    .map((pole) => ({ to, pole, path: solve(to, null, options, pole) }))
+    .sort((a, b) => (a.path.length || Number.MAX_VALUE) - (b.path.length || Number.MAX_VALUE));
 }
 
 /** Of these ways the shortest without a corner, if it is shorter than all others. @param {{ to: number[], path: RawPath }[]} ways @param {{ to: number[], path: RawPath }[]} others */
@@ -181,10 +183,25 @@ function shorterOverPole(ways, others) {
 }
 
 /**
+ * Paths that pass a pole nearby, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
+ * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath, pole: number }[]} ways @param {{ path: RawPath }[]} others
+ */
+function besidePoles({ from, to, domain, solve }, options, ways, others) {
+  const shortest = Math.min(...[...others, ...ways].map(({ path }) => path.length || Infinity));
+  return ways
+    .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
+    .map(({ pole }) => {
+      const end = liftNear(/** @type {any} */ (domain), to, from);
+      return { to: end, path: solve(end, null, options, pole + 4) };
+    })
+    .filter(({ path }) => path.status >= STATUS.converged);
+}
+
+/**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
  * @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options @param {RawPath} best
  */
-function besidePole({ domain, solve }, tried, options, best) {
+function stalledBeside({ domain, solve }, tried, options, best) {
   if (!domain || domain.poles.length === 0) return null;
   const [weak] = tried
     .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))

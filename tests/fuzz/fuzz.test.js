@@ -29,7 +29,14 @@ describe('fuzz', { concurrency: 2 }, () => {
   test('the C functions, under sanitizers', async () => {
     const corpus = mkdtempSync(join(tmpdir(), 'surfpath-fuzz-'));
     cpSync(path('corpus/core'), corpus, { recursive: true });
-    const options = [`-max_total_time=${SECONDS}`, '-timeout=250', '-max_len=400', '-len_control=0', `-seed=${SEED}`, `-artifact_prefix=${corpus}/`];
+    const options = [
+      `-max_total_time=${SECONDS}`,
+      '-timeout=250',
+      '-max_len=400',
+      '-len_control=0',
+      `-seed=${SEED}`,
+      `-artifact_prefix=${corpus}/`,
+    ];
     const said = await complaint(path('../../build/fuzz/core'), [...options, corpus]);
     rmSync(corpus, { recursive: true });
     assert.equal(said, '');
