@@ -144,7 +144,7 @@ $(NPM): package-lock.json | tools
 
 
 # What a path meets once, not in every step, is compiled to be small.
-COLD := arcs check contact cusp functions graph_sample mesh mesh_vertices piece polar pole project refine solve start trace
+COLD := arcs check contact cusp functions graph_attach graph_field graph_sample mesh mesh_vertices piece polar pole project refine solve start trace
 $(COLD:%=build/wasm/%.o): EMCC += -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools

@@ -386,14 +386,15 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
         if (!sp_storage_take(&storage[i % 3][i / 3], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     for (int32_t i = 0; i <= bridge.count; i++)
         bridge.piece[i].storage = storage[0][i];
+    /* Else a rung without room would look like one that does not settle. */
+    if ((double)(arena->size - arena->used) < sp_refine_bytes()) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     int found = find_bridge(newton, options, &bridge, storage, arena);
     int converged = found && finish(newton, options, &bridge, storage[1], arena);
-    int limited = found && !converged && newton->steps_left <= 0;
     int settled = converged || (found && finish_loosely(newton, options, &bridge, storage[1], arena));
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (!settled && !limited) return refined;
+    if (!found) return refined;
     refined = cross(newton, options, &bridge, arena, arcs);
-    if (settled && !converged) refined.outcome.status = SP_TOLERANCE_NOT_MET;
-    if (limited) refined.outcome.status = SP_ITERATION_LIMIT, refined.outcome.index = -1;
+    if (!converged) refined.outcome.status = settled || newton->steps_left > 0 ? SP_TOLERANCE_NOT_MET : SP_ITERATION_LIMIT;
+    if (!settled) refined.outcome.index = -1, refined.length_error += ROUGH * refined.length;
     return refined;
 }

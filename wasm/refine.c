@@ -264,7 +264,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
     int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
     const struct rung *ladder = graded ? GRADED : LADDER;
     int32_t nodes = from->elements.reference.degree * from->elements.count;
-    while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
+    while (lowest + 3 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
         lowest++;
     return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
