@@ -171,8 +171,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
                                    const struct sp_system *first, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
-    double last = first_length, change = first_length, moved = 0;
-    int settled = 0;
+    double last = first_length, change = first_length, moved = 0, error = 0;
+    int follows = 0;
     struct start start;
     struct sp_storage storage;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
@@ -193,12 +193,12 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         }
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, distance(now.length, last));
-        settled = !astray && from_elements && change <= allowed;
+        follows = !astray && from_elements;
         double previous = change;
         change = distance(now.length, last);
         last = now.length;
-        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed))
-            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
+        error = larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous));
+        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed)) return finish(newton, now, error);
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
@@ -207,8 +207,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
     double enough = LENGTH_ALONE * tolerance_of(newton, options, now.length) * now.length;
-    if (now.outcome.status == SP_CONVERGED && !(settled && change <= enough)) now.outcome.status = SP_TOLERANCE_NOT_MET;
-    return finish(newton, now, change);
+    if (now.outcome.status == SP_CONVERGED && (!follows || error > enough)) now.outcome.status = SP_TOLERANCE_NOT_MET;
+    return finish(newton, now, error);
 }
 
 /* The largest rung, two stored paths. */
