@@ -29,8 +29,7 @@ FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,addre
     -fno-sanitize-recover=all
 # The analyzer takes a vector of 64-bit lanes for one bit.
 ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
-# The linker's own passes, to be small: 1.5 KB less, and as fast.
-LINK := -Os -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
+LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
@@ -144,32 +143,46 @@ $(NPM): package-lock.json | tools
 
 
 # What a path meets once, not in every step, is compiled to be small.
-COLD := arcs check contact cusp functions graph_attach graph_field graph_sample mesh mesh_vertices piece polar pole project refine solve start trace
+COLD := arcs contact cusp functions mesh mesh_vertices piece polar pole project refine solve start
 $(COLD:%=build/wasm/%.o): EMCC += -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) -c $< -o $@
 
-dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
+BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals
+
+# What the linker made, once more by wasm-opt, and its constants shortened. $(1): -g keeps names.
+define shrink
+@wasm-opt $(BINARYEN) $(1) -Oz -S $@ -o $@.wat
+@node wasm/shorten.js $@.wat
+@wasm-as $(BINARYEN) $(1) $@.wat -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --generate-stack-ir --optimize-stack-ir $@ -o $@
+@rm $@.wat
+endef
+
+dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -Oz $(LINK) $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink)
 
 # The same with the names of its functions, for profiles.
-build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
-	@$(EMCC) $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
+	@$(EMCC) -Oz $(LINK) --profiling-funcs $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink,-g)
 
 # JavaScript and types
 
-dist/wasm.js: dist/surfpath.wasm
-	@printf "// Generated: surfpath.wasm, gzip in base64.\nexport default '%s';\n" "$$(gzip -9cn <$< | base64 | tr -d '\n')" >$@
+dist/wasm.js: dist/surfpath.wasm wasm/pack.js web/runtime/kinds.js
+	@node wasm/pack.js $< $@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
-BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -185,7 +198,7 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
@@ -201,7 +214,7 @@ build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefil
 	@echo $(@D)
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
-	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=200 --format=esm --target=es2022 \
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=1000 --format=esm --target=es2022 \
 	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
 	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 

@@ -54,6 +54,9 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
  * the joints' coordinates. It is the last entry of the history. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena);
 
+/* Length of a piece of an edge; NaN if the arena is full. */
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena);
+
 /* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs. Returns 0 if the arena is full. */
 int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
                    double *parameters, struct sp_arena *arena);

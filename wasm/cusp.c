@@ -1,13 +1,13 @@
 /* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: free arcs that meet in points of it. One unknown
  * each, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
 #include "check.h"
+#include "contact.h"
 #include "metric.h"
-#include "piece.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
                     TOUCHING = 1e-3;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3 };
+enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -94,6 +94,7 @@ struct bridge {
     int32_t count; /* crossings */
     struct crossing crossing[MOST];
     struct sp_piece piece[MOST + 1];
+    struct sp_contact *beyond[2]; /* the whole of which the first, last, arc is the part from a wall to the crossing; NULL: it meets none */
     double length, slope[MOST], inverse[MOST][MOST];
     double reach[MOST]; /* how far, in its coordinate, a crossing is from the nearer end of its arcs */
     double gain;        /* what moving the crossings on would still gain */
@@ -126,6 +127,26 @@ static void place_joint(const struct crossing *crossing, const struct sp_joint *
     joint->aside[other] += ASIDE * (far->place[other] - crossing->place[other]);
 }
 
+/* The part of a path beyond a wall that the first, last, arc of a bridge is. */
+static struct sp_piece *part_beyond(const struct bridge *bridge, int side) {
+    struct sp_contact *beyond = bridge->beyond[side];
+    return beyond->pieces + (side ? 0 : beyond->made - 1);
+}
+
+/* Length of the piece of an edge that an arc from a wall leaves; NaN if it would run backwards. */
+static double edge_beside(const struct bridge *bridge, int side, const struct sp_surface *surface, struct sp_arena *arena) {
+    struct sp_contact *beyond = bridge->beyond[side];
+    *part_beyond(bridge, side) = bridge->piece[side ? bridge->count : 0];
+    if (!sp_contact_assemble(beyond)) return __builtin_nan("");
+    return sp_arcs_edge_length(surface, beyond->arcs.arc + (side ? 1 : beyond->arcs.count - 2), arena);
+}
+
+static int solve_arc(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
+                     struct sp_arena *arena) {
+    int slides = piece->joint[0].slides || piece->joint[1].slides;
+    return slides ? sp_contact_fit(newton, options, checked, piece, arena) : sp_piece_solve(newton, options, checked, piece, arena);
+}
+
 /* Solves all arcs to the crossings. Returns 0 where one fails. */
 static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
                         struct sp_arena *arena) {
@@ -136,13 +157,15 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         struct sp_piece *piece = bridge->piece + i;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
-        if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
+        if (!solve_arc(newton, options, checked, piece, arena)) return 0;
         bridge->length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
         sp_piece_keep(newton, piece);
     }
-    return 1;
+    for (int side = 0; side < 2; side++)
+        if (bridge->beyond[side]) bridge->length += edge_beside(bridge, side, newton->system.line.surface, arena);
+    return bridge->length - bridge->length == 0;
 }
 
 /* A first guess: steps of FIRST_STEP. */
@@ -214,7 +237,7 @@ static int descend(struct sp_newton *newton, const struct sp_options *options, d
         for (int32_t i = 0; i <= bridge->count; i++)
             sp_piece_move(&next.piece[i], spare + i);
         if (!move_crossings(surface, &next, step) || !solve_bridge(newton, options, 0, &next, arena) ||
-            next.length > bridge->length * (1 + SLACK)) {
+            !(next.length <= bridge->length * (1 + SLACK))) {
             most = 0.5 * largest_part(bridge, step);
             continue;
         }
@@ -319,6 +342,28 @@ static int find_bridge(struct sp_newton *newton, const struct sp_options *option
     return found;
 }
 
+/* Cuts the first or last arc of a bridge, solved with nodes on walls, where it leaves them: what is beyond is solved once, the rest becomes
+ * the arc. Returns 0, the bridge as it was, where that fails. */
+static int meet_wall(struct sp_newton *newton, const struct sp_options *options, int side, struct bridge *bridge, struct sp_arena *arena) {
+    struct sp_piece *arc = bridge->piece + (side ? bridge->count : 0);
+    struct sp_contact *beyond = sp_arena_take(arena, 1, sizeof(struct sp_contact));
+    if (!beyond) return 0;
+    sp_contact_cut(&arc->system, beyond);
+    int32_t count = beyond->arcs.count;
+    if (beyond->made < 1 || count < 2 || count > MOST_BEYOND || beyond->arcs.arc[side ? 0 : count - 1].on_edge) return 0;
+    bridge->beyond[side] = beyond;
+    struct sp_piece *part = part_beyond(bridge, side);
+    part->joint[1 - side] = arc->joint[1 - side], part->storage = arc->storage;
+    for (int32_t i = 0; i < beyond->made; i++) {
+        struct sp_piece *piece = beyond->pieces + i;
+        if (piece == part) continue;
+        if (!sp_storage_take(&piece->storage, 2, SP_REFINE_INNER, arena) || !sp_contact_fit(newton, options, 1, piece, arena))
+            return bridge->beyond[side] = NULL, 0;
+    }
+    *arc = *part;
+    return 1;
+}
+
 /* Solves the arcs to the tolerance, and moves the crossings as long as that gains something. */
 static int finish(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct sp_storage spare[MOST + 1],
                   struct sp_arena *arena) {
@@ -345,15 +390,19 @@ static int finish_loosely(struct sp_newton *newton, const struct sp_options *opt
 static struct sp_refined cross(struct sp_newton *newton, const struct sp_options *options, const struct bridge *bridge,
                                struct sp_arena *arena, struct sp_arcs *arcs) {
     double slopes = 0;
-    for (int32_t i = 0; i <= bridge->count; i++)
-        arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
+    for (int32_t i = 0; i <= bridge->count; i++) {
+        const struct sp_contact *beyond = i == 0 ? bridge->beyond[0] : i == bridge->count ? bridge->beyond[1] : NULL;
+        for (int32_t k = 0; beyond && k < beyond->arcs.count; k++)
+            arcs->arc[arcs->count++] = beyond->arcs.arc[k];
+        if (!beyond) arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
+    }
     for (int32_t i = 0; i < bridge->count; i++)
         slopes += bridge->slope[i] * bridge->slope[i];
     struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
     whole.length_error += bridge->gain;
     for (int32_t i = 0; i <= bridge->count; i++)
         whole.outcome.active |= bridge->piece[i].solved.outcome.active;
-    if (!whole.outcome.active) return whole;
+    if (!whole.outcome.active) return whole.outcome.active = bridge->beyond[0] || bridge->beyond[1], whole;
     whole.length_error += TOUCHING * whole.length; /* an element that spans a contact is not smooth */
     if (TOUCHING > options->tolerance) whole.outcome.status = SP_TOLERANCE_NOT_MET;
     return whole;
@@ -389,6 +438,8 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
     /* Else a rung without room would look like one that does not settle. */
     if ((double)(arena->size - arena->used) < sp_refine_bytes()) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     int found = find_bridge(newton, options, &bridge, storage, arena);
+    for (int side = 0; found && side < 2; side++)
+        if (bridge.piece[side ? bridge.count : 0].solved.outcome.active) meet_wall(newton, options, side, &bridge, arena);
     int converged = found && finish(newton, options, &bridge, storage[1], arena);
     int settled = converged || (found && finish_loosely(newton, options, &bridge, storage[1], arena));
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;

@@ -77,7 +77,8 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     struct sp_iterate *history = newton->history;
     int32_t *singular = newton->system.elements.singular;
     singular[0] = piece->joint[0].singular, singular[1] = piece->joint[1].singular;
-    int has_elements = piece->system.elements.reference.degree > 1, is_graded = singular[0] || singular[1], ready = 1;
+    int has_elements = piece->system.elements.reference.degree > 1 && piece->first == 0 && piece->last == 1,
+        is_graded = singular[0] || singular[1], ready = 1;
     newton->history = NULL; /* a piece is not the path */
     if (has_elements)
         start = piece->system, move_ends(piece, &start);

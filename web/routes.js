@@ -67,7 +67,7 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
           watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole, turn: turnOf(domain, pole) }, asked)),
         graph: (level) => watch(graphs.find(heap, record, place, level)),
         flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
-        search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points)),
+        search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points, most > 1)),
       },
       options,
       most,
