@@ -206,12 +206,6 @@ export function liftNear({ lower, upper, periodic }, point, near) {
   });
 }
 
-/** Once around a pole, of the coordinate along its edge. @param {Range | null} range @param {number} [pole] 1 + 2 · coordinate + side, or 4 more */
-export function turnOf(range, pole = 0) {
-  const along = (pole - 1) & 2 ? 0 : 1;
-  return range ? range.upper[along] - range.lower[along] : 0;
-}
-
 /** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */
 export function isAtPole({ lower, upper }, point, pole) {
   const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];

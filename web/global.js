@@ -11,6 +11,8 @@ import { emptyPath } from './runtime/heap.js';
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
+/** @typedef {{ to: number[], path: RawPath }} Found a path, and where its second end is lifted to */
+/** @typedef {Found & { pole: number }} Way over a pole, 1 + 2 · coordinate + side */
 
 /**
  * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
@@ -18,8 +20,9 @@ import { emptyPath } from './runtime/heap.js';
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
- * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
- *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, turn?: number) => RawPath} solve from `from`; pole: through the point to which
+ *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it,
+ *   turn: once around, of the coordinate along that edge
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
@@ -79,7 +82,7 @@ export function findPaths(problem, options, most) {
 
 /**
  * The paths among all starts; `ways` lead over poles.
- * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {{ to: number[], path: RawPath, pole: number }[]} ways
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {Way[]} ways
  * @returns {RawPath[]}
  */
 function choosePaths(problem, options, most, ways) {
@@ -89,37 +92,34 @@ function choosePaths(problem, options, most, ways) {
     ? []
     : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(({ path }) => holds(path)));
-  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
-  if (rough.length === 0) {
-    const beside = besidePoles(problem, options, ways, []);
-    const [best] = distinct([...acrossCusps(problem, options, crossing), ...beside, ...shorterOverPole(ways, beside)]);
-    if (best) return [best.path];
-    return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
-  }
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
-  const limit = most === 1 ? estimate(rough[0].path) + doubt(rough[0].path) : Infinity;
-  const wanted = most === 1 ? rough.filter(({ path }) => estimate(path) - doubt(path) <= limit).slice(0, MOST_FINE) : rough;
-  /** @type {{ to: number[], path: RawPath }[]} */
+  const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
+    i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
+  /** @type {Found[]} */
   let usable = [];
-  /** @type {RawPath | null} */
-  let failed = null;
-  for (const { to, path } of wanted) {
+  /** @type {RawPath | undefined} */
+  let failed;
+  for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
-    const fine = problem.solve(to, path.parameters ?? path.points, options);
-    if (holds(fine)) usable = distinct([...usable, { to, path: fine }]);
-    else failed ??= fine;
+    const path = refine(problem, found, options);
+    if (holds(path)) usable = distinct([...usable, { to: found.to, path }]);
+    else failed ??= path;
   }
   usable.push(...acrossCusps(problem, options, crossing));
   const beside = besidePoles(problem, options, ways, usable);
   usable.push(...beside.filter(({ path }) => holds(path)));
   usable.push(...shorterOverPole(ways, usable));
+  failed ??= beside[0]?.path;
   if (usable.length === 0 && failed) return [failed];
-  const weak = most === 1 && usable.length > 0 ? stalledBeside(problem, tried, options, distinct(usable)[0].path) : null;
-  if (weak) return [weak];
-  return distinct(usable)
-    .slice(0, most)
-    .map(({ path }) => path);
+  if (usable.length === 0 && status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status)) return [emptyPath(status)];
+  const [best] = distinct(usable);
+  const weak = best ? most === 1 && stalledBeside(problem, tried, options, best.path) : solveWeakly(problem, tried, options);
+  return weak
+    ? [weak]
+    : distinct(usable)
+        .slice(0, most)
+        .map(({ path }) => path);
 }
 
 /**
@@ -176,7 +176,7 @@ function overPoles({ from, to, domain, solve }, options) {
     .sort((a, b) => (a.path.length || Number.MAX_VALUE) - (b.path.length || Number.MAX_VALUE));
 }
 
-/** Of these ways the shortest without a corner, if it is shorter than all others. @param {{ to: number[], path: RawPath }[]} ways @param {{ to: number[], path: RawPath }[]} others */
+/** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
 function shorterOverPole(ways, others) {
   const shortest = Math.min(...others.map(({ path }) => path.length));
   return ways.filter(({ path }) => holds(path) && path.length < shortest - path.lengthError).slice(0, 1);
@@ -184,31 +184,39 @@ function shorterOverPole(ways, others) {
 
 /**
  * Paths that pass a pole nearby, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
- * @param {Problem} problem @param {SolveOptions} options @param {{ to: number[], path: RawPath, pole: number }[]} ways @param {{ path: RawPath }[]} others
+ * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
 function besidePoles({ from, to, domain, solve }, options, ways, others) {
   const shortest = Math.min(...[...others, ...ways].map(({ path }) => path.length || Infinity));
   return ways
-    .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
+    .filter(({ path }) => domain && !(path.length * (1 - MARGIN) > shortest))
     .map(({ pole }) => {
+      const { lower, upper } = /** @type {import('./domain.js').Domain} */ (domain);
       const end = liftNear(/** @type {any} */ (domain), to, from);
-      return { to: end, path: solve(end, null, options, pole + 4) };
+      const along = (pole - 1) & 2 ? 0 : 1;
+      return { to: end, path: solve(end, null, options, pole + 4, upper[along] - lower[along]) };
     })
     .filter(({ path }) => path.status >= STATUS.converged);
 }
 
+/** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
+const shortestWeak = (tried) =>
+  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
+
+/** Solves from a path found roughly. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+const refine = ({ solve }, { to, path }, options) => solve(to, path.parameters ?? path.points, options);
+
 /**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
- * @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options @param {RawPath} best
+ * @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options @param {RawPath} best
  */
-function stalledBeside({ domain, solve }, tried, options, best) {
-  if (!domain || domain.poles.length === 0) return null;
-  const [weak] = tried
-    .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))
-    .sort((a, b) => estimate(a.path) - estimate(b.path));
-  const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
-  if (!path || !(Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length)) return null;
-  return path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
+function stalledBeside(problem, tried, options, best) {
+  const weak = problem.domain?.poles.length && shortestWeak(tried.filter(({ path }) => path.status === STATUS.stalled));
+  const least = best.length * (1 - options.tolerance);
+  if (!weak || !(estimate(weak.path) < least)) return null;
+  const path = refine(problem, weak, options);
+  const isMeant = Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length;
+  return isMeant && path.length + path.lengthError < least - best.lengthError ? path : null;
 }
 
 /**
@@ -239,10 +247,10 @@ function solveRoughly(problem, { to, start }) {
   return { to, path };
 }
 
-/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options */
+/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */
 function solveWeakly(problem, tried, options) {
-  const [best] = tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
-  return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
+  const best = shortestWeak(tried);
+  return best ? refine(problem, best, options) : problem.solve(tried[0].to, null, options);
 }
 
 /** Turns a path round. @param {RawPath} path @returns {RawPath} */

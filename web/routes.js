@@ -1,6 +1,6 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
-import { facePoles, liftEnds, turnOf } from './domain.js';
+import { facePoles, liftEnds } from './domain.js';
 import { findPaths, reverse } from './global.js';
 import { makePath } from './path.js';
 import { emptyPath, OUT_OF_MEMORY } from './runtime/heap.js';
@@ -63,8 +63,8 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
         to: b,
         isPlain,
         domain,
-        solve: (end, start, asked, pole) =>
-          watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole, turn: turnOf(domain, pole) }, asked)),
+        solve: (end, start, asked, pole, turn) =>
+          watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole, turn }, asked)),
         graph: (level) => watch(graphs.find(heap, record, place, level)),
         flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
         search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points, most > 1)),
