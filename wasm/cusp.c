@@ -5,9 +5,9 @@
 #include "metric.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
-                    TOUCHING = 1e-3;
+                    TOUCHING = 1e-3, DOUBT = 2e-3;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5 };
+enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5, SETS = 4 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -133,12 +133,17 @@ static struct sp_piece *part_beyond(const struct bridge *bridge, int side) {
     return beyond->pieces + (side ? 0 : beyond->made - 1);
 }
 
-/* Length of the piece of an edge that an arc from a wall leaves; NaN if it would run backwards. */
-static double edge_beside(const struct bridge *bridge, int side, const struct sp_surface *surface, struct sp_arena *arena) {
+/* Length of what is beyond the wall from which the first, last, arc leaves; NaN if the piece of edge would run backwards. */
+static double length_beyond(const struct bridge *bridge, int side, const struct sp_surface *surface, struct sp_arena *arena) {
     struct sp_contact *beyond = bridge->beyond[side];
+    double length = 0;
     *part_beyond(bridge, side) = bridge->piece[side ? bridge->count : 0];
     if (!sp_contact_assemble(beyond)) return __builtin_nan("");
-    return sp_arcs_edge_length(surface, beyond->arcs.arc + (side ? 1 : beyond->arcs.count - 2), arena);
+    for (int32_t i = side; i < beyond->arcs.count - 1 + side; i++) {
+        const struct sp_arc *arc = beyond->arcs.arc + i;
+        length += arc->on_edge ? sp_arcs_edge_length(surface, arc, arena) : arc->length;
+    }
+    return length;
 }
 
 static int solve_arc(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
@@ -164,7 +169,7 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         sp_piece_keep(newton, piece);
     }
     for (int side = 0; side < 2; side++)
-        if (bridge->beyond[side]) bridge->length += edge_beside(bridge, side, newton->system.line.surface, arena);
+        if (bridge->beyond[side]) bridge->length += length_beyond(bridge, side, newton->system.line.surface, arena);
     return bridge->length - bridge->length == 0;
 }
 
@@ -323,23 +328,30 @@ static int approach(struct sp_newton *newton, const struct sp_options *rough, st
     return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
 }
 
-/* Finds the crossings roughly: of one the best of some seeds, of several those that are given. Returns 0 where that fails. */
-static int find_bridge(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
-                       struct sp_storage storage[3][MOST + 1], struct sp_arena *arena) {
+/* Finds the crossings roughly: those that are given, or, of one, where two of some seeds lead, if as far as can be told by now both may be
+ * the shortest. Returns how many ways, the shorter first. */
+static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given,
+                            struct sp_storage storage[SETS][MOST + 1], struct bridge found[2], struct sp_arena *arena) {
     struct sp_options rough = *options;
     struct crossing seeds[2];
-    struct bridge work = *bridge;
+    struct bridge work = *given;
+    int32_t count = 0;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
-    int found = 0, count = bridge->count == 1 ? rank_seeds(newton, &rough, bridge, &work, seeds, arena) : 0;
-    if (count == 0) return approach(newton, &rough, bridge, storage[1], arena);
-    for (int i = 0; i < count; i++) {
+    int32_t tried = given->count == 1 ? rank_seeds(newton, &rough, given, &work, seeds, arena) : 0;
+    found[0] = *given;
+    if (tried == 0) return approach(newton, &rough, found, storage[1], arena);
+    for (int32_t i = 0; i < tried; i++) {
         work.crossing[0] = seeds[i];
-        if (!approach(newton, &rough, &work, storage[1], arena) || (found && bridge->length <= work.length)) continue;
-        *bridge = work, found = 1;
+        if (!approach(newton, &rough, &work, storage[1], arena)) continue;
+        found[count] = work;
         for (int32_t k = 0; k <= work.count; k++)
-            sp_piece_move(&bridge->piece[k], storage[2] + k);
+            sp_piece_move(&found[count].piece[k], storage[2 + count] + k);
+        count++;
     }
-    return found;
+    if (count < 2 || found[1].length > (1 + DOUBT) * found[0].length) return count;
+    if (found[0].length <= found[1].length) return 2;
+    work = found[0], found[0] = found[1], found[1] = work;
+    return found[1].length > (1 + DOUBT) * found[0].length ? 1 : 2;
 }
 
 /* Cuts the first or last arc of a bridge, solved with nodes on walls, where it leaves them: what is beyond is solved once, the rest becomes
@@ -424,28 +436,39 @@ int sp_cusp_divides(const struct sp_newton *newton) {
     return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
 }
 
+/* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */
+static enum sp_status settle(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
+                             struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
+    for (int side = 0; side < 2; side++)
+        if (bridge->piece[side ? bridge->count : 0].solved.outcome.active) meet_wall(newton, options, side, bridge, arena);
+    if (finish(newton, options, bridge, spare, arena)) return SP_CONVERGED;
+    if (newton->steps_left <= 0) return SP_ITERATION_LIMIT;
+    return finish_loosely(newton, options, bridge, spare, arena) ? SP_TOLERANCE_NOT_MET : SP_SINGULAR_METRIC;
+}
+
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct bridge bridge = {0};
-    struct sp_storage storage[3][MOST + 1];
+    struct bridge bridge = {0}, found[2];
+    struct sp_storage storage[SETS][MOST + 1];
+    enum sp_status status = SP_SINGULAR_METRIC;
     arcs->count = 0;
     if (!scan(given, &bridge)) return refined;
-    for (int32_t i = 0; i < 3 * (bridge.count + 1); i++)
-        if (!sp_storage_take(&storage[i % 3][i / 3], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
+    for (int32_t i = 0; i <= bridge.count; i++)
+        for (int32_t set = 0; set < (bridge.count == 1 ? SETS : 2); set++)
+            if (!sp_storage_take(&storage[set][i], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     for (int32_t i = 0; i <= bridge.count; i++)
         bridge.piece[i].storage = storage[0][i];
-    /* Else a rung without room would look like one that does not settle. */
-    if ((double)(arena->size - arena->used) < sp_refine_bytes()) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
-    int found = find_bridge(newton, options, &bridge, storage, arena);
-    for (int side = 0; found && side < 2; side++)
-        if (bridge.piece[side ? bridge.count : 0].solved.outcome.active) meet_wall(newton, options, side, &bridge, arena);
-    int converged = found && finish(newton, options, &bridge, storage[1], arena);
-    int settled = converged || (found && finish_loosely(newton, options, &bridge, storage[1], arena));
+    int32_t count = find_bridges(newton, options, &bridge, storage, found, arena);
+    for (int32_t i = 0; i < count; i++) {
+        enum sp_status now = settle(newton, options, found + i, storage[1], arena);
+        if (now == SP_SINGULAR_METRIC || (status != SP_SINGULAR_METRIC && found[i].length >= bridge.length)) continue;
+        bridge = found[i], status = now;
+    }
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (!found) return refined;
+    if (status == SP_SINGULAR_METRIC) return refined;
     refined = cross(newton, options, &bridge, arena, arcs);
-    if (!converged) refined.outcome.status = settled || newton->steps_left > 0 ? SP_TOLERANCE_NOT_MET : SP_ITERATION_LIMIT;
-    if (!settled) refined.outcome.index = -1, refined.length_error += ROUGH * refined.length;
+    if (status != SP_CONVERGED) refined.outcome.status = status;
+    if (status == SP_ITERATION_LIMIT) refined.outcome.index = -1;
     return refined;
 }

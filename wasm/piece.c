@@ -47,7 +47,7 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
 /* Chords between the joints, to be solved. Returns 0 if the arena is full. */
 static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, struct sp_arena *arena) {
     if (!sp_reference_make(&newton->system.elements.reference, 1, arena)) return 0;
-    newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST);
+    newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST), newton->system.elements.spread = NULL;
     fill(piece, &newton->system);
     return 1;
 }

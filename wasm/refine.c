@@ -302,7 +302,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     double error = 0;
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
-    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0;
+    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0, newton->system.elements.spread = NULL;
     first = find_first(newton, options, &storage, &error);
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
