@@ -69,7 +69,7 @@ static void polar_charts(const struct sp_surface *surface, int32_t pair_count, c
 
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved) {
     int32_t pole = request->pole - 5, across = pole >> 1;
-    double open = __builtin_inf(), edge = (pole & 1 ? surface->upper : surface->lower)[across], turn = request->turn;
+    double open = __builtin_inf(), edge = (pole & 1 ? surface->upper : surface->lower)[across], turn = request->to[2];
     double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
     if (surface->kind != SP_PARAMETRIC || surface->metric == SP_TENSOR) return 0;
     double angle = sp_pole_angle(surface, across, edge, from, from + turn);

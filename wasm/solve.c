@@ -228,7 +228,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     *result = none;
     struct sp_polar polar;
     struct sp_request around;
-    int is_polar = request->pole > 4 && request->pole <= 8 && request->turn > 0,
+    int is_polar = request->pole > 4 && request->pole <= 8 && request->to[2] > 0,
         is_sound = !is_polar || sp_polar_make(&polar, surface, request, &around);
     enum sp_status status = SP_SINGULAR_METRIC;
     if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);

@@ -40,8 +40,8 @@ struct sp_request {
                             exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
     int32_t pole;        /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; any other
-                            number: none. 4 more: in a chart around that point, from the straight line in it */
-    double turn;         /* with such a pole: once around it, of the coordinate along the edge */
+                            number: none. 4 more: in a chart around that point, from the straight line in it; to[2], > 0, is then what the
+                            coordinate        along the edge changes by once around */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are
@@ -155,13 +155,12 @@ SP_AT(sp_options, algorithm, 16);
 SP_AT(sp_options, point_count, 20);
 SP_AT(sp_options, max_iterations, 24);
 SP_AT(sp_options, record, 28);
-SP_SIZE(sp_request, 72);
+SP_SIZE(sp_request, 64);
 SP_AT(sp_request, from, 0);
 SP_AT(sp_request, to, 24);
 SP_AT(sp_request, start, 48);
 SP_AT(sp_request, start_count, 52);
 SP_AT(sp_request, pole, 56);
-SP_AT(sp_request, turn, 64);
 SP_SIZE(sp_iterate, 32);
 SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);

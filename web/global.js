@@ -20,9 +20,9 @@ import { emptyPath } from './runtime/heap.js';
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
- * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, turn?: number) => RawPath} solve from `from`; pole: through the point to which
- *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it,
- *   turn: once around, of the coordinate along that edge
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
+ *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it, and a third
+ *   number of the end is what the coordinate along that edge changes by once around
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
@@ -110,16 +110,12 @@ function choosePaths(problem, options, most, ways) {
   const beside = besidePoles(problem, options, ways, usable);
   usable.push(...beside.filter(({ path }) => holds(path)));
   usable.push(...shorterOverPole(ways, usable));
-  failed ??= beside[0]?.path;
-  if (usable.length === 0 && failed) return [failed];
-  if (usable.length === 0 && status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status)) return [emptyPath(status)];
-  const [best] = distinct(usable);
-  const weak = best ? most === 1 && stalledBeside(problem, tried, options, best.path) : solveWeakly(problem, tried, options);
-  return weak
-    ? [weak]
-    : distinct(usable)
-        .slice(0, most)
-        .map(({ path }) => path);
+  const chosen = distinct(usable);
+  const weak = most === 1 && chosen.length > 0 && stalledBeside(problem, tried, options, chosen[0].path);
+  if (weak) return [weak];
+  if (chosen.length > 0) return chosen.slice(0, most).map(({ path }) => path);
+  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
+  return [failed ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
 }
 
 /**
@@ -137,16 +133,15 @@ function findStarts(problem) {
     return status;
   };
   let status = STATUS.offSurface;
-  for (let level = 0, graph = problem.graph(0); graph; graph = problem.graph(++level)) {
-    status = search(graph);
-    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-  }
-  if (status !== STATUS.offSurface) return { starts, status };
-  for (let level = 0, graph = problem.flood(0); graph; graph = problem.flood(++level)) {
-    status = search(graph);
-    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-    if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
-    status = STATUS.disconnected;
+  for (const find of [problem.graph, problem.flood]) {
+    for (let level = 0, graph = find(0); graph; graph = find(++level)) {
+      status = search(graph);
+      if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+      if (find === problem.graph) continue;
+      if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
+      status = STATUS.disconnected;
+    }
+    if (status !== STATUS.offSurface) break;
   }
   return { starts, status };
 }
@@ -189,12 +184,12 @@ function shorterOverPole(ways, others) {
 function besidePoles({ from, to, domain, solve }, options, ways, others) {
   const shortest = Math.min(...[...others, ...ways].map(({ path }) => path.length || Infinity));
   return ways
-    .filter(({ path }) => domain && !(path.length * (1 - MARGIN) > shortest))
+    .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
     .map(({ pole }) => {
-      const { lower, upper } = /** @type {import('./domain.js').Domain} */ (domain);
-      const end = liftNear(/** @type {any} */ (domain), to, from);
-      const along = (pole - 1) & 2 ? 0 : 1;
-      return { to: end, path: solve(end, null, options, pole + 4, upper[along] - lower[along]) };
+      const range = /** @type {import('./domain.js').Domain} */ (domain);
+      const along = pole > 2 ? 0 : 1;
+      const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
+      return { to: end, path: solve(end, null, options, pole + 4) };
     })
     .filter(({ path }) => path.status >= STATUS.converged);
 }

@@ -7,7 +7,7 @@
 export const LAYOUT = {
   sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, metric: 12, lower: 16, upper: 32, extent: 48 },
   sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
-  sp_request: { bytes: 72, from: 0, to: 24, start: 48, start_count: 52, pole: 56, turn: 64 },
+  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52, pole: 56 },
   sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
   sp_result: {
     bytes: 72,
@@ -172,7 +172,7 @@ export class Heap {
   /**
    * Runs sp_solve_path.
    * @param {number} surface address of its record
-   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number, turn?: number }} request
+   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request
    * @param {SolveOptions} options
    * @returns {RawPath}
    */
@@ -189,7 +189,6 @@ export class Heap {
     this.#writePoint(requestAt, request.from);
     this.#writePoint(requestAt + LAYOUT.sp_request.to, request.to);
     this.#writeWords(requestAt + LAYOUT.sp_request.start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
-    this.writeDoubles(requestAt + LAYOUT.sp_request.turn, [request.turn ?? 0]);
     this.#writeWords(arena, this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0);
     this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
     return this.#readResult(options.points + 2);
