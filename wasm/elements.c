@@ -106,7 +106,7 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct s
     const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     sp_row_assemble(chart, pull, weight, *straight, row);
     held[0] = held[1] = (sp_mask){0, 0};
-    if (line->surface->kind != SP_PARAMETRIC || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
+    if (!line->touches || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
     *straight |= held[0] | held[1];
     sp_row_assemble(chart, pull, weight, *straight, row);
     sp_row_hold(row, held);
@@ -119,6 +119,7 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
     sp_pair squares = sp_splat(0.0), carried_weight = squares;
+    held[0] = held[1] = (sp_mask){0, 0}; /* the ends': couplings with them are filled in, though no unknown is theirs */
     for (int32_t e = 0; e < pairs; e++) {
         struct integral integral = integral_of(elements, e);
         squares += differentiate(&integral, p, element_charts(elements, line->nodes.charts, e), elements->velocity).squares;

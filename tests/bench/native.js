@@ -1,6 +1,6 @@
 /** The native rival: the solver's C compiled by gcc, the surfaces written as C from the same graph, one process a sample. */
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { compile } from '../../web/expression/compile.js';
 import { instantiate } from '../helpers/wasm.js';
@@ -31,6 +31,13 @@ export function compileEntry(entry, apply = instantiate().apply) {
   return { compiled, variableCount: variables.length };
 }
 
+/** Whether a file is missing, or older than the solver's sources. @param {string} file */
+function isStale(file) {
+  const changed = (/** @type {string} */ name) => statSync(name, { throwIfNoEntry: false })?.mtimeMs ?? 0;
+  const sources = readdirSync(path('../../wasm')).filter((name) => /\.[ch]$/.test(name));
+  return changed(file) < Math.max(...sources.map((name) => changed(path(`../../wasm/${name}`))));
+}
+
 /**
  * Builds the native program with some surfaces.
  * @param {string} program its name: each benchmark has its own
@@ -39,17 +46,11 @@ export function compileEntry(entry, apply = instantiate().apply) {
  */
 export function buildNative(program, surfaces, build = 'native') {
   const core = path(`../../build/${build}/core.o`);
-  if (!existsSync(core)) throw new Error(`${core} is missing; it is built by: make build/${build}/core.o`);
+  if (isStale(core)) throw new Error(`${core} is missing, or older than wasm/; it is built by: make build/${build}/core.o`);
   const folder = path(`../../build/bench/${program}-${build}/`);
-  mkdirSync(folder, { recursive: true });
-  const sources = Object.entries(surfaces).map(([name, { entry }]) => {
-    const { compiled, variableCount } = compileEntry(entry);
-    writeFileSync(`${folder}${name}.c`, writeC(compiled, name, variableCount));
-    return `${folder}${name}.c`;
-  });
-  writeFileSync(`${folder}table.c`, writeTable(surfaces));
+  const sources = writeSources(folder, surfaces);
   const binary = `${folder}native`;
-  execFileSync('gcc', [...flags, ...MARCH[build], ...includes, path('native.c'), `${folder}table.c`, ...sources, core, '-o', binary]);
+  execFileSync('gcc', [...flags, ...MARCH[build], ...includes, path('native.c'), ...sources, core, '-o', binary]);
   return {
     /** @param {string} name @param {[number[], number[]][]} pairs @param {number} points or, below 1, tolerance @param {number} repetitions @returns {NativeSample} */
     solve: (name, pairs, points, repetitions) =>
@@ -76,8 +77,25 @@ function sample(binary, parameters, numbers) {
   return JSON.parse(execFileSync(binary, parameters.map(String), { input, encoding: 'utf8' }));
 }
 
+/**
+ * Writes surfaces as C, one file each, and the table of them.
+ * @param {string} folder made if it is missing; ends in a slash @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces by C name
+ * @returns {string[]} the files
+ */
+export function writeSources(folder, surfaces) {
+  mkdirSync(folder, { recursive: true });
+  const texts = Object.entries(surfaces).map(([name, { entry }]) => {
+    const { compiled, variableCount } = compileEntry(entry);
+    return [name, writeC(compiled, name, variableCount)];
+  });
+  return [...texts, ['table', writeTable(surfaces)]].map(([name, text]) => {
+    writeFileSync(`${folder}${name}.c`, text);
+    return `${folder}${name}.c`;
+  });
+}
+
 /** @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces */
-export function writeTable(surfaces) {
+function writeTable(surfaces) {
   const names = Object.keys(surfaces);
   const declarations = names.map(
     (name) => `void ${name}_jet(int32_t, const sp_pair *, sp_pair *);\nvoid ${name}_value(int32_t, const sp_pair *, sp_pair *);`,
