@@ -55,8 +55,8 @@ const AGREEMENT = 1e-6;
 /** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
 const MOST_CROSSING = 2;
 
-/** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
-const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
+/** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
+const holds = ({ path }) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
@@ -91,7 +91,7 @@ function choosePaths(problem, options, most, ways) {
   const crossing = isPointed(problem)
     ? []
     : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
-  const rough = distinct(tried.filter(({ path }) => holds(path)));
+  const rough = distinct(tried.filter(holds));
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
@@ -102,13 +102,13 @@ function choosePaths(problem, options, most, ways) {
   let failed;
   for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
-    const path = refine(problem, found, options);
-    if (holds(path)) usable = distinct([...usable, { to: found.to, path }]);
-    else failed ??= path;
+    const fine = { to: found.to, path: refine(problem, found, options) };
+    if (holds(fine)) usable = distinct([...usable, fine]);
+    else failed ??= fine.path;
   }
   usable.push(...acrossCusps(problem, options, crossing));
   const beside = besidePoles(problem, options, ways, usable);
-  usable.push(...beside.filter(({ path }) => holds(path)));
+  usable.push(...beside.filter(holds));
   usable.push(...shorterOverPole(ways, usable));
   const chosen = distinct(usable);
   const weak = most === 1 && chosen.length > 0 && stalledBeside(problem, tried, options, chosen[0].path);
@@ -174,7 +174,7 @@ function overPoles({ from, to, domain, solve }, options) {
 /** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
 function shorterOverPole(ways, others) {
   const shortest = Math.min(...others.map(({ path }) => path.length));
-  return ways.filter(({ path }) => holds(path) && path.length < shortest - path.lengthError).slice(0, 1);
+  return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
 }
 
 /**
@@ -223,7 +223,7 @@ function acrossCusps({ solve }, options, crossing) {
   return crossing
     .slice(0, MOST_CROSSING)
     .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
-    .filter(({ path }) => holds(path));
+    .filter(holds);
 }
 
 /**
