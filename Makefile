@@ -143,7 +143,7 @@ $(NPM): package-lock.json | tools
 
 
 # What a path meets once, not in every step, is compiled to be small.
-COLD := arcs contact cusp functions mesh mesh_vertices piece pole project refine solve start
+COLD := arcs contact cusp functions mesh mesh_vertices piece polar pole project refine solve start
 $(COLD:%=build/wasm/%.o): EMCC += -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools

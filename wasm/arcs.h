@@ -32,6 +32,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
+/* The angle on the surface at a pole between the lines along which the coordinate around it is `from` and `to`: the directions in between,
+ * turned through. `across`, `value`: the coordinate that is constant on its edge. */
+double sp_pole_angle(const struct sp_surface *surface, int32_t across, double value, double from, double to);
+
 /* How often the normal turns over along a polyline on a parametric surface, from one node to the next. Its charts are computed. */
 int32_t sp_cusp_turns(const struct sp_polyline *line);
 

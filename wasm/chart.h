@@ -27,6 +27,7 @@ struct sp_kind {
 };
 
 extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
+extern const struct sp_kind sp_polar_kind, sp_polar_density_kind;
 extern const struct sp_kind sp_implicit_kind, sp_implicit_density_kind, sp_implicit_tensor_kind;
 
 const struct sp_kind *sp_kind_of(const struct sp_surface *surface);
@@ -43,6 +44,9 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
 /* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
+
+/* Positions of places of a surface that has any: its `value`, over whatever its places are. */
+void sp_positions(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *positions);
 
 /* Parametric: places moved into the closed rectangle. Returns whether some now lie on its walls. */
 int sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);

@@ -22,8 +22,8 @@ struct integral {
     const double *weight[2], *length_weight, *derivative, *stiffness[2];
 };
 
-static sp_pair factor_of(const struct sp_elements *elements, int32_t e) {
-    if (!elements->spread) return sp_splat(1.0);
+sp_pair sp_elements_stretch(const struct sp_elements *elements, int32_t e) {
+    if (!elements->spread || elements->reference.degree == 1) return sp_splat(1.0);
     sp_pair factor;
     for (int lane = 0; lane < 2; lane++) {
         int32_t at = lane ? elements->count - 1 - e : e;
@@ -36,10 +36,15 @@ static struct integral integral_of(const struct sp_elements *elements, int32_t e
     const struct sp_reference *plain = &elements->reference;
     const struct sp_graded *graded = &elements->graded;
     if (e == 0 && (elements->singular[0] || elements->singular[1]))
-        return (struct integral){factor_of(elements, e), graded->count,      {graded->weight[0], graded->weight[1]},
-                                 graded->length_weight,  graded->derivative, {graded->stiffness[0], graded->stiffness[1]}};
-    return (struct integral){factor_of(elements, e), plain->degree + 1, {plain->weight, plain->weight},
-                             plain->weight,          plain->derivative, {plain->stiffness, plain->stiffness}};
+        return (struct integral){sp_elements_stretch(elements, e),
+                                 graded->count,
+                                 {graded->weight[0], graded->weight[1]},
+                                 graded->length_weight,
+                                 graded->derivative,
+                                 {graded->stiffness[0], graded->stiffness[1]}};
+    return (struct integral){
+        sp_elements_stretch(elements, e),    plain->degree + 1, {plain->weight, plain->weight}, plain->weight, plain->derivative,
+        {plain->stiffness, plain->stiffness}};
 }
 
 static sp_pair stiffness_at(const struct integral *integral, int32_t at) {
@@ -175,7 +180,7 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
                                   sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_metric_element element;
-    sp_metric_open(&elements->reference, line, line->nodes, e, &element);
+    sp_metric_open(elements, line, line->nodes, e, &element);
     for (int32_t rank = 0; rank <= p; rank++)
         for (int32_t other = 0; other < rank; other++) {
             sp_pair block[4], *row = matrix + 2 * rank * order + 2 * other;

@@ -27,6 +27,9 @@ struct sp_elements {
  * in twos. */
 static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 2); }
 
+/* How many times shorter than the mean the elements of pair e are, which their share in the energy is multiplied by. */
+sp_pair sp_elements_stretch(const struct sp_elements *elements, int32_t e);
+
 /* sum_e sum_ij K_ij X_i.X_j, the path's energy over m; and, where `length` is not NULL, the path's length. */
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length);
 

@@ -20,10 +20,11 @@ static int32_t pairs_of(const struct sp_reference *reference, const struct sp_po
 }
 
 /* V_q = sum_j D_qj (X_j - X_q) */
-void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
                     struct sp_metric_element *element) {
+    const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, first = e * p;
-    element->reference = reference, element->components = line->kind->components;
+    element->reference = reference, element->factor = sp_elements_stretch(elements, e), element->components = line->kind->components;
     element->charts = nodes.charts + SP_CHART * first;
     element->metrics = nodes.metrics + SP_METRIC_PARTS * element->components * first;
     for (int32_t q = 0; q <= p; q++)
@@ -44,18 +45,19 @@ static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_
     return sp_metric_product(element->components, metric_at(element, i, part), a, element->velocity + 3 * i);
 }
 
-double sp_metric_squares(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
+double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
+    const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, count = count_of(reference, line);
     sp_pair squares = sp_splat(0.0), along = squares;
     struct sp_metric_element element;
     for (int32_t e = 0; 2 * e < count; e++) {
         sp_pair once = {1, 2 * e + 1 < count};
-        sp_metric_open(reference, line, nodes, e, &element);
+        sp_metric_open(elements, line, nodes, e, &element);
         for (int32_t q = 0; q <= p; q++) {
             struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
             if (e + q > 0 && sp_any(~sp_form_positive(form))) return __builtin_nan("");
             sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q), weight = reference->weight[q] * once;
-            squares += weight * squared;
+            squares += element.factor * weight * squared;
             along += weight * sp_square_root(squared);
         }
     }
@@ -68,9 +70,10 @@ static void add_terms(const struct sp_metric_element *element, int32_t i, sp_pai
     const struct sp_reference *reference = element->reference;
     int32_t size = reference->degree + 1;
     const sp_pair *chart = element->charts + SP_CHART * i, *velocity = element->velocity + 3 * i;
-    double weight = reference->weight[i], own = weight * reference->derivative[i * size + i];
+    sp_pair weight = element->factor * reference->weight[i], own = weight * reference->derivative[i * size + i];
     for (int32_t q = 0; q < size; q++) {
-        double slope = reference->derivative[q * size + i], factor = reference->weight[q] * slope;
+        double slope = reference->derivative[q * size + i];
+        sp_pair factor = element->factor * (reference->weight[q] * slope);
         const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
         for (int32_t c = 0; c < element->components; c++)
             terms[MASS + c] += factor * slope * metric[c];
@@ -126,12 +129,12 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp
 }
 
 /* Degree 1: -H between every pair of nodes and the next. */
-static void assemble_couplings(const struct sp_reference *reference, const struct sp_polyline *line, const sp_mask *held,
+static void assemble_couplings(const struct sp_elements *elements, const struct sp_polyline *line, const sp_mask *held,
                                struct sp_row *rows) {
     struct sp_metric_element element;
     for (int32_t k = 1; k <= line->fold.both; k++) {
         sp_pair block[4];
-        sp_metric_open(reference, line, line->nodes, k, &element);
+        sp_metric_open(elements, line, line->nodes, k, &element);
         sp_metric_couple(&element, 0, 1, held + 2 * k, block);
         rows[k].q11 = -block[0], rows[k].q12 = -block[1], rows[k].q21 = -block[2], rows[k].q22 = -block[3];
     }
@@ -144,14 +147,15 @@ static void complete_held(struct sp_fold fold, sp_mask *held) {
         held[2 * (fold.both + 1) + j] = sp_swap_mask(held[2 * fold.both + j]);
 }
 
-struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const struct sp_polyline *line, enum sp_hessian hessian,
+struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held) {
+    const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, pairs = pairs_of(reference, line), unknown = sp_fold_unknown(line->fold);
-    struct sp_energy energy = {.squares = sp_metric_squares(reference, line, line->nodes, NULL)};
+    struct sp_energy energy = {.squares = sp_metric_squares(elements, line, line->nodes, NULL)};
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
     for (int32_t e = 0; e < pairs; e++) {
-        sp_metric_open(reference, line, line->nodes, e, &element);
+        sp_metric_open(elements, line, line->nodes, e, &element);
         for (int32_t i = 0; i <= p; i++) {
             int32_t k = e * p + i, shared = i == p && e < pairs - 1;
             for (int j = 0; j < TERMS && i > 0; j++)
@@ -166,7 +170,7 @@ struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const 
         }
     }
     complete_held(line->fold, held);
-    if (p == 1) assemble_couplings(reference, line, held, rows);
+    if (p == 1) assemble_couplings(elements, line, held, rows);
     energy.gradient_squared = sp_rows_gradient_squared(line->fold, rows);
     return energy;
 }
@@ -189,14 +193,14 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
                       *there = element->charts + SP_CHART * j + SP_CHART_1 + 3 * b;
         sp_pair value = sp_metric_product(element->components, sum, here, there) + ij * moment(element, i, SP_METRIC_T1 + a, there) +
                         ji * moment(element, j, SP_METRIC_T1 + b, here);
-        block[k] = sp_select(held[2 * i + a] | held[2 * j + b], sp_splat(0.0), value);
+        block[k] = sp_select(held[2 * i + a] | held[2 * j + b], sp_splat(0.0), element->factor * value);
     }
 }
 
-void sp_metric_end_pull(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair pull[2]) {
+void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]) {
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
-    sp_metric_open(reference, line, line->nodes, 0, &element);
+    sp_metric_open(elements, line, line->nodes, 0, &element);
     add_terms(&element, 0, terms);
     pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
 }

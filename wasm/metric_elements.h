@@ -8,22 +8,23 @@
 
 /* sum_e sum_q weight_q V_q' T V_q, the path's energy over m; NaN where T is not positive definite at a node between the ends. And, where
  * `length` is not NULL, the path's length. */
-double sp_metric_squares(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, double *length);
+double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, double *length);
 
 /* As sp_elements_assemble, for all degrees; the couplings, too, of degree 1. The curvature term is covariant in the metric in use. */
-struct sp_energy sp_metric_assemble(const struct sp_reference *reference, const struct sp_polyline *line, enum sp_hessian hessian,
+struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held);
 
 /* An element with the velocities at its nodes. */
 struct sp_metric_element {
     const struct sp_reference *reference;
+    sp_pair factor; /* sp_elements_stretch */
     int32_t components;
     const sp_pair *charts, *metrics; /* of its first node */
     sp_pair velocity[3 * (SP_MAX_DEGREE + 1)];
 };
 
 /* Reads element pair e. */
-void sp_metric_open(const struct sp_reference *reference, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
                     struct sp_metric_element *element);
 
 /* Writes the 2 x 2 block of H between nodes i != j of an element, row by row; zero in coordinates that are held (`held`: two masks a pair,
@@ -31,7 +32,7 @@ void sp_metric_open(const struct sp_reference *reference, const struct sp_polyli
 void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]);
 
 /* As sp_elements_end_pull: B_a' times the pull of space, and the force of T itself. */
-void sp_metric_end_pull(const struct sp_reference *reference, const struct sp_polyline *line, sp_pair pull[2]);
+void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]);
 
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric. */
 double sp_metric_size(const struct sp_polyline *line);

@@ -24,9 +24,7 @@ static double extrapolated(const struct sp_system *system, int32_t j) {
     return value;
 }
 
-/* The angle on the surface at a pole between the lines along which the coordinate around it is `from` and `to`: the directions in between,
- * turned through. */
-static double angle_between(const struct sp_surface *surface, int32_t across, double value, double from, double to) {
+double sp_pole_angle(const struct sp_surface *surface, int32_t across, double value, double from, double to) {
     double angle = 0;
     struct sp_vector before = {{0}, {0}, {0}};
     for (int i = 0; i <= SWEEP; i++) {
@@ -47,7 +45,7 @@ static double angle_between(const struct sp_surface *surface, int32_t across, do
  * no turn into the rectangle. Of a tensor that is not known. */
 static int passes_straight(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
     if (surface->metric == SP_TENSOR) return 1;
-    double angle = angle_between(surface, across, value, around[0], around[1]);
+    double angle = sp_pole_angle(surface, across, value, around[0], around[1]);
     if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle >= PI - STRAIGHT;
     while (angle > 2 * PI && angle < 100)
         angle -= 2 * PI;

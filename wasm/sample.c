@@ -231,7 +231,7 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
         sp_parametric_clip(surface, count, places);
     else
         sp_implicit_settle(surface, count, places, scale);
-    if (surface->kind == SP_PARAMETRIC && sheet->points) surface->value(count, places, positions);
+    if (surface->kind == SP_PARAMETRIC && sheet->points) sp_positions(surface, count, places, positions);
     const sp_pair *written = surface->kind == SP_PARAMETRIC ? positions : places;
     for (int32_t i = 0; i < count; i++)
         write_pair(sheet, first + i, written + 3 * i, places + 2 * i);

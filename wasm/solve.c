@@ -3,6 +3,7 @@
 #include "check.h"
 #include "functions.h"
 #include "metric_elements.h"
+#include "polar.h"
 #include "refine.h"
 #include "sample.h"
 #include "start.h"
@@ -61,7 +62,7 @@ static enum sp_status write_points(const struct sp_newton *newton, const struct 
     double *last = newton->record ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
     for (int32_t i = 0; last && i < 3 * count; i++)
         last[i] = result->points[i];
-    return result->length - result->length == 0 && result->length_error >= 0 ? status : SP_NOT_FINITE;
+    return result->length - result->length == 0 && result->length_error - result->length_error == 0 ? status : SP_NOT_FINITE;
 }
 
 /* The ends in the order in which they are solved: without a given start the lexicographically smaller first. */
@@ -112,7 +113,7 @@ static void measure(struct sp_refined *refined, const struct sp_newton *newton, 
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
-static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->kind->components == 0; }
+static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_INDUCED; }
 
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
 static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
@@ -185,10 +186,12 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale, elements ? NULL : &sums);
+    if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
     fill(&refined, &newton, options, result);
     enum sp_status written = write_points(&newton, &arcs, options->point_count, arena, result);
+    if (status == SP_CONVERGED && result->length_error > result->length) status = SP_TOLERANCE_NOT_MET; /* rounding is all there is */
     if (written < 0 || status > 0) return written < 0 ? written : status;
     return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
@@ -200,7 +203,13 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     struct sp_options clean = clamped(options);
     arena->used = 0;
     *result = none;
-    enum sp_status status = solve(surface, request, &clean, arena, result);
+    struct sp_polar polar;
+    struct sp_request around;
+    int is_polar = request->pole > 4 && request->pole <= 8 && request->to[2] > 0,
+        is_sound = !is_polar || sp_polar_make(&polar, surface, request, &around);
+    enum sp_status status = SP_SINGULAR_METRIC;
+    if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);
+    if (is_polar && status >= 0) sp_polar_return(&polar, request, clean.point_count + 2, result->parameters);
     none.crosses_singularity = status == SP_SINGULAR_METRIC && result->crosses_singularity;
     if (status < 0) *result = none;
     result->status = status;

@@ -10,7 +10,7 @@ static void locate_place(const struct sp_surface *surface, const double *point, 
     for (int j = 0; j < dimension; j++)
         place[j] = sp_splat(point[j]);
     if (surface->kind == SP_PARAMETRIC && surface->value)
-        surface->value(1, place, position);
+        sp_positions(surface, 1, place, position);
     else
         sp_store(sp_load(place), position);
     for (int j = 0; j < 3; j++)

@@ -8,7 +8,7 @@ static int is_polyline(const struct sp_system *system) { return system->elements
 static int has_metric(const struct sp_system *system) { return system->line.kind->components > 0; }
 
 double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, double *gradient_squared) {
-    if (has_metric(system)) return sp_metric_squares(&system->elements.reference, &system->line, nodes, NULL);
+    if (has_metric(system)) return sp_metric_squares(&system->elements, &system->line, nodes, NULL);
     if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes.charts, gradient_squared);
     return sp_elements_squares(&system->elements, nodes.charts, NULL);
 }
@@ -16,7 +16,7 @@ double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, 
 double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
     double length;
     if (has_metric(system))
-        sp_metric_squares(&system->elements.reference, &system->line, nodes, &length);
+        sp_metric_squares(&system->elements, &system->line, nodes, &length);
     else if (is_polyline(system))
         length = sp_polyline_length(system->line.fold, nodes.charts);
     else
@@ -26,8 +26,7 @@ double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
 
 struct sp_energy sp_system_rows(struct sp_system *system, enum sp_hessian hessian) {
     const struct sp_polyline *line = &system->line;
-    if (has_metric(system))
-        return sp_metric_assemble(&system->elements.reference, line, hessian, system->rows, system->straight, system->held);
+    if (has_metric(system)) return sp_metric_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
     return sp_elements_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
 }
 
@@ -63,7 +62,7 @@ double sp_system_conditioning(const struct sp_system *system) {
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     const sp_pair *chart = system->line.nodes.charts;
     if (has_metric(system)) {
-        sp_metric_end_pull(&system->elements.reference, &system->line, pull);
+        sp_metric_end_pull(&system->elements, &system->line, pull);
         return;
     }
     struct sp_vector force = sp_elements_end_pull(&system->elements, chart);

@@ -138,7 +138,7 @@ function checkTurn(jets, range, size, direction) {
     return;
   const name = 'uv'[direction];
   throw new RangeError(
-    `periodic.${name}: the surface meets itself turned over at the ends of ${name} (as a Möbius strip does), and such a seam cannot be closed; leave ${name} open, or double its range: the surface is then covered twice and closes`,
+    `periodic.${name}: the surface meets itself turned over at the ends of ${name}, as a Möbius strip does; leave ${name} open, or double its range`,
   );
 }
 

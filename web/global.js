@@ -11,6 +11,8 @@ import { emptyPath } from './runtime/heap.js';
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
+/** @typedef {{ to: number[], path: RawPath }} Found a path, and where its second end is lifted to */
+/** @typedef {Found & { pole: number }} Way over a pole, 1 + 2 · coordinate + side */
 
 /**
  * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
@@ -19,7 +21,8 @@ import { emptyPath } from './runtime/heap.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
- *   an edge of the rectangle collapses, 1 + 2 · coordinate + side
+ *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it, and a third
+ *   number of the end is what the coordinate along that edge changes by once around
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
@@ -52,8 +55,8 @@ const AGREEMENT = 1e-6;
 /** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
 const MOST_CROSSING = 2;
 
-/** @param {RawPath} path @returns {boolean} locally shortest, as far as can be told */
-const holds = (path) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
+/** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
+const holds = ({ path }) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
@@ -79,7 +82,7 @@ export function findPaths(problem, options, most) {
 
 /**
  * The paths among all starts; `ways` lead over poles.
- * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {{ to: number[], path: RawPath }[]} ways
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {Way[]} ways
  * @returns {RawPath[]}
  */
 function choosePaths(problem, options, most, ways) {
@@ -88,35 +91,31 @@ function choosePaths(problem, options, most, ways) {
   const crossing = isPointed(problem)
     ? []
     : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
-  const rough = distinct(tried.filter(({ path }) => holds(path)));
-  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
-  if (rough.length === 0) {
-    const [best] = distinct([...acrossCusps(problem, options, crossing), ...shorterOverPole(ways, [])]);
-    if (best) return [best.path];
-    return [apart ? emptyPath(status) : solveWeakly(problem, tried, options)];
-  }
+  const rough = distinct(tried.filter(holds));
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
-  const limit = most === 1 ? estimate(rough[0].path) + doubt(rough[0].path) : Infinity;
-  const wanted = most === 1 ? rough.filter(({ path }) => estimate(path) - doubt(path) <= limit).slice(0, MOST_FINE) : rough;
-  /** @type {{ to: number[], path: RawPath }[]} */
+  const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
+    i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
+  /** @type {Found[]} */
   let usable = [];
-  /** @type {RawPath | null} */
-  let failed = null;
-  for (const { to, path } of wanted) {
+  /** @type {RawPath | undefined} */
+  let failed;
+  for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
-    const fine = problem.solve(to, path.parameters ?? path.points, options);
-    if (holds(fine)) usable = distinct([...usable, { to, path: fine }]);
-    else failed ??= fine;
+    const fine = { to: found.to, path: refine(problem, found, options) };
+    if (holds(fine)) usable = distinct([...usable, fine]);
+    else failed ??= fine.path;
   }
   usable.push(...acrossCusps(problem, options, crossing));
+  const beside = besidePoles(problem, options, ways, usable);
+  usable.push(...beside.filter(holds));
   usable.push(...shorterOverPole(ways, usable));
-  if (usable.length === 0 && failed) return [failed];
-  const beside = most === 1 && usable.length > 0 ? besidePole(problem, tried, options, distinct(usable)[0].path) : null;
-  if (beside) return [beside];
-  return distinct(usable)
-    .slice(0, most)
-    .map(({ path }) => path);
+  const chosen = distinct(usable);
+  const weak = most === 1 && chosen.length > 0 && stalledBeside(problem, tried, options, chosen[0].path);
+  if (weak) return [weak];
+  if (chosen.length > 0) return chosen.slice(0, most).map(({ path }) => path);
+  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
+  return [failed ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
 }
 
 /**
@@ -134,16 +133,15 @@ function findStarts(problem) {
     return status;
   };
   let status = STATUS.offSurface;
-  for (let level = 0, graph = problem.graph(0); graph; graph = problem.graph(++level)) {
-    status = search(graph);
-    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-  }
-  if (status !== STATUS.offSurface) return { starts, status };
-  for (let level = 0, graph = problem.flood(0); graph; graph = problem.flood(++level)) {
-    status = search(graph);
-    if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
-    if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
-    status = STATUS.disconnected;
+  for (const find of [problem.graph, problem.flood]) {
+    for (let level = 0, graph = find(0); graph; graph = find(++level)) {
+      status = search(graph);
+      if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+      if (find === problem.graph) continue;
+      if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
+      status = STATUS.disconnected;
+    }
+    if (status !== STATUS.offSurface) break;
   }
   return { starts, status };
 }
@@ -169,29 +167,51 @@ function overPoles({ from, to, domain, solve }, options) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   return domain.poles
     .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
-    .map((pole) => ({ to, path: solve(to, null, options, pole) }))
-    .filter(({ path }) => path.status >= STATUS.converged)
-    .sort((a, b) => a.path.length - b.path.length);
+    .map((pole) => ({ to, pole, path: solve(to, null, options, pole) }))
+    .sort((a, b) => (a.path.length || Number.MAX_VALUE) - (b.path.length || Number.MAX_VALUE));
 }
 
-/** Of these ways the shortest without a corner, if it is shorter than all others. @param {{ to: number[], path: RawPath }[]} ways @param {{ to: number[], path: RawPath }[]} others */
+/** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
 function shorterOverPole(ways, others) {
   const shortest = Math.min(...others.map(({ path }) => path.length));
-  return ways.filter(({ path }) => holds(path) && path.length < shortest - path.lengthError).slice(0, 1);
+  return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
 }
 
 /**
- * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
- * @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options @param {RawPath} best
+ * Paths that pass a pole nearby, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
+ * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
-function besidePole({ domain, solve }, tried, options, best) {
-  if (!domain || domain.poles.length === 0) return null;
-  const [weak] = tried
-    .filter(({ path }) => path.status === STATUS.stalled && path.index === 0 && estimate(path) < best.length * (1 - options.tolerance))
-    .sort((a, b) => estimate(a.path) - estimate(b.path));
-  const path = weak && solve(weak.to, weak.path.parameters ?? weak.path.points, options);
-  if (!path || !(Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length)) return null;
-  return path.length + path.lengthError < best.length * (1 - options.tolerance) - best.lengthError ? path : null;
+function besidePoles({ from, to, domain, solve }, options, ways, others) {
+  const shortest = Math.min(...[...others, ...ways].map(({ path }) => path.length || Infinity));
+  return ways
+    .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
+    .map(({ pole }) => {
+      const range = /** @type {import('./domain.js').Domain} */ (domain);
+      const along = pole > 2 ? 0 : 1;
+      const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
+      return { to: end, path: solve(end, null, options, pole + 4) };
+    })
+    .filter(({ path }) => path.status >= STATUS.converged);
+}
+
+/** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
+const shortestWeak = (tried) =>
+  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
+
+/** Solves from a path found roughly. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+const refine = ({ solve }, { to, path }, options) => solve(to, path.parameters ?? path.points, options);
+
+/**
+ * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
+ * @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options @param {RawPath} best
+ */
+function stalledBeside(problem, tried, options, best) {
+  const weak = problem.domain?.poles.length && shortestWeak(tried.filter(({ path }) => path.status === STATUS.stalled));
+  const least = best.length * (1 - options.tolerance);
+  if (!weak || !(estimate(weak.path) < least)) return null;
+  const path = refine(problem, weak, options);
+  const isMeant = Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length;
+  return isMeant && path.length + path.lengthError < least - best.lengthError ? path : null;
 }
 
 /**
@@ -203,7 +223,7 @@ function acrossCusps({ solve }, options, crossing) {
   return crossing
     .slice(0, MOST_CROSSING)
     .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
-    .filter(({ path }) => holds(path));
+    .filter(holds);
 }
 
 /**
@@ -222,10 +242,10 @@ function solveRoughly(problem, { to, start }) {
   return { to, path };
 }
 
-/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {{ to: number[], path: RawPath }[]} tried @param {SolveOptions} options */
+/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */
 function solveWeakly(problem, tried, options) {
-  const [best] = tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
-  return best ? problem.solve(best.to, best.path.parameters ?? best.path.points, options) : problem.solve(tried[0].to, null, options);
+  const best = shortestWeak(tried);
+  return best ? refine(problem, best, options) : problem.solve(tried[0].to, null, options);
 }
 
 /** Turns a path round. @param {RawPath} path @returns {RawPath} */

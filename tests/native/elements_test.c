@@ -36,15 +36,7 @@ static void check_reference(int32_t degree) {
     CHECK(fabs(interpolated - pow(at, degree)) <= 1e-14, "degree %d: interpolation", degree);
 }
 
-/* Elements that get longer from the first to the last. */
-static const double *growing(void) {
-    static double spread[SP_SPREAD + 1];
-    for (int k = 0; k <= SP_SPREAD; k++)
-        spread[k] = k * (k + 20.0) / (SP_SPREAD * (SP_SPREAD + 20.0));
-    return spread;
-}
-
-/* A random path of `count` elements of a degree, evenly long or growing, and room for one step. */
+/* A random path of `count` elements of a degree, evenly long or growing_elements, and room for one step. */
 static struct sp_newton random_elements(const struct sp_surface *surface, int32_t degree, int32_t count, uint64_t *seed) {
     struct sp_newton newton = {0};
     struct sp_options options = {.point_count = 1, .max_iterations = 10};
@@ -54,7 +46,7 @@ static struct sp_newton random_elements(const struct sp_surface *surface, int32_
     arena.used = 0;
     CHECK(sp_newton_take(&newton, surface, &options, last - 1, &arena) && sp_reference_make(&elements->reference, degree, &arena), "arena");
     elements->count = count;
-    elements->spread = count > 2 ? growing() : NULL;
+    elements->spread = count > 2 ? growing_elements() : NULL;
     elements->matrices = sp_arena_take(&arena, order * order * (size_t)count / 2, sizeof(sp_pair));
     elements->velocity = sp_arena_take(&arena, 3 * ((size_t)degree + 1), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(&arena, (size_t)count / 2 + 1, sizeof(struct sp_row));

@@ -80,6 +80,8 @@ static void check_solves(void) {
     check_solve("cusp", &cusp_surface, over_cusp, elements, 1);
     check_solve("wall", &cap, at_wall, elements, 0);
     check_solve("pole", &whole_globe_surface, past_pole, elements, 1);
+    past_pole.pole = 8, past_pole.to[2] = 2 * HALF_TURN, past_pole.to[0] -= 1e-4;
+    check_solve("beside a pole", &whole_globe_surface, past_pole, elements, 0);
 }
 
 static void check_traces(void) {

@@ -74,6 +74,7 @@ static void take_elements(struct sp_elements *elements, int32_t degree, int32_t 
     size_t order = (size_t)sp_elements_order(degree);
     CHECK(sp_reference_make(&elements->reference, degree, &arena), "arena");
     elements->count = count;
+    elements->spread = count > 2 ? growing_elements() : NULL;
     elements->matrices = sp_arena_take(&arena, order * order * (size_t)count / 2, sizeof(sp_pair));
     elements->velocity = sp_arena_take(&arena, 3 * ((size_t)degree + 1), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(&arena, (size_t)count / 2 + 1, sizeof(struct sp_row));

@@ -103,6 +103,26 @@ describe('poles', () => {
     assert.deepEqual(Array.from(/** @type {Float64Array} */ (path.parameters).subarray(0, 2)), [-1, 1]);
   });
 
+  /* Unrolled, the shortest path between two places of a cone is straight. Closed, or a sector hardly wider than the path, which then bends in space as
+   * sharply as it passes the apex closely, unless the cone is flat. */
+  for (const steepness of [0, 0.2, 1, 5])
+    test(`beside the apex of a cone of steepness ${steepness}`, () => {
+      const slope = Math.sqrt(1 + steepness ** 2);
+      const cone = (/** @type {number[]} */ [low, high]) =>
+        surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: 'k*v', u: [low, high], v: [0, 2], parameters: { k: steepness } });
+      const [closed, sector] = [cone([-Math.PI, Math.PI]), cone([0, 3.2 * slope])];
+      for (const away of [0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+        for (const [surface, angle] of /** @type {const} */ ([
+          [closed, (Math.PI - away) / slope],
+          [sector, Math.PI - away],
+        ])) {
+          const [a, b] = [0.6 * slope, 1.3 * slope];
+          const path = surface.shortestPath([0.02, 0.6], [0.02 + angle * slope, 1.3]);
+          const length = Math.sqrt((a - b) ** 2 + 4 * a * b * Math.sin(angle / 2) ** 2);
+          if (surface === closed || steepness === 0 || path.converged || (steepness <= 1 && away >= 0.1)) assertLength(path, length, 1e-9);
+        }
+    });
+
   test('a density: as on the same surface without poles', () => {
     const density = '1 + 0.2*x + 0.1*y*z';
     const chart = surfpath.parametric({
@@ -123,6 +143,10 @@ describe('poles', () => {
       [
         [1, 0.05],
         [1.1 + Math.PI, 0.06],
+      ],
+      [
+        [1, 0.7],
+        [1.001 + Math.PI, 0.4],
       ],
     ]) {
       const [from, to] = [a, b].map(([u, v]) => [2 * Math.cos(u) * Math.sin(v), 2 * Math.sin(u) * Math.sin(v), Math.cos(v)]);

@@ -29,7 +29,7 @@ describe(`random pairs, seed ${SEED}`, () => {
         answers.filter(({ verdict }) => verdict === 'wrong'),
         [],
       );
-      assert.ok(answers.filter(({ verdict }) => verdict === 'right').length >= 0.9 * PAIRS);
+      assert.ok(answers.filter(({ verdict }) => verdict === 'right').length >= 0.95 * PAIRS);
     });
 });
 
@@ -39,6 +39,6 @@ test('paths that pass a pole closely', () => {
     const [a, b] = [from, to].map(([latitude, longitude]) => ({ latitude, longitude }));
     const answer = solvePair(name, surface, a, b);
     surface.dispose();
-    assert.notEqual(answer.verdict, 'wrong', JSON.stringify(answer));
+    assert.equal(answer.verdict, 'right', JSON.stringify(answer));
   }
 });

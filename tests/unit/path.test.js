@@ -205,6 +205,20 @@ describe('statuses', () => {
     }
   });
 
+  test('a place so far away that rounding is all there is: not converged, and its squares no numbers: not-finite', () => {
+    const sheet = (/** @type {string} */ z) => surfpath.graph({ z, x: [-1, 1], y: [-1, 1] }).shortestPath([-0.5, -0.5], [0.6, 0.5]);
+    for (const [z, status] of [
+      ['1e3 + x*y', 'converged'],
+      ['1e18 + x*y', 'tolerance-not-met'],
+      ['1e100', 'tolerance-not-met'],
+    ]) {
+      const path = sheet(z);
+      assert.equal(path.status, status);
+      assert.ok(Number.isFinite(path.length) && Number.isFinite(path.lengthError) && path.lengthError > 2e-16 * Number.parseFloat(z));
+    }
+    assertNoPath(sheet('e^700'), 'not-finite');
+  });
+
   test('sheet-jump: two components, from a straight start; searched from everywhere, they are disconnected', () => {
     const two = surfpath.implicit({ f: '((x-2)^2+y^2+z^2-1)*((x+2)^2+y^2+z^2-1)' });
     for (const options of [STRAIGHT, { start: STRAIGHT.start }])

@@ -227,10 +227,9 @@ export class Heap {
       lengthError,
       iterations: steps,
       touchesBoundary: touches !== 0,
-      crossesSingularity: false,
       conjugate: Number.isNaN(conjugate) ? null : conjugate,
-      points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
-      parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
+      points: pointsAt ? this.#copyDoubles(pointsAt, 3 * count) : new Float64Array(0),
+      parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
     };
   }
 
@@ -241,8 +240,7 @@ export class Heap {
    */
   project(surface, point, place) {
     const at = this.#structs.numbers;
-    this.writeDoubles(at, point);
-    this.writeDoubles(at + 24, place);
+    this.writeDoubles(at, [...point, ...place]);
     const status = this.#exports.sp_project_point(surface, at, at + 24);
     return { status, place: Array.from(this.#doubles(at + 24, place.length)) };
   }
@@ -271,8 +269,8 @@ export class Heap {
       if (status !== 0) return emptyMesh(status);
       return {
         status,
-        positions: this.#doubles(positionsAt, 3 * vertexCount).slice(),
-        normals: this.#doubles(normalsAt, 3 * vertexCount).slice(),
+        positions: this.#copyDoubles(positionsAt, 3 * vertexCount),
+        normals: this.#copyDoubles(normalsAt, 3 * vertexCount),
         indices: new Uint32Array(this.#words(indicesAt, 3 * triangleCount)),
       };
     }
@@ -286,8 +284,7 @@ export class Heap {
   buildGraph(surface, kind, { box, cell, resolution }) {
     const { graphOptions, arena } = this.#structs;
     const at = this.allocate(LAYOUT.sp_graph.bytes);
-    this.writeDoubles(graphOptions, [...box, 0, 0].slice(0, 6));
-    this.writeDoubles(graphOptions + LAYOUT.sp_graph_options.cell, [cell]);
+    this.writeDoubles(graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
     this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
     let status = OUT_OF_MEMORY;
     for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
@@ -299,22 +296,19 @@ export class Heap {
     const block = status === 0 ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
-    if (!block)
-      return {
-        status: status || OUT_OF_MEMORY,
-        at: 0,
-        block,
-        bytes,
-        vertices: 0,
-        edges: 0,
-        spacing: 0,
-        unique: false,
-        singular: false,
-        flooded: false,
-      };
-    const [vertices, edges, unique, singular] = this.#words(at + LAYOUT.sp_graph.vertex_count, 4);
-    const spacing = this.#doubles(at, 1)[0];
-    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0, flooded: cell > 0 };
+    const [vertices, edges, unique, singular] = block ? this.#words(at + LAYOUT.sp_graph.vertex_count, 4) : [0, 0, 0, 0];
+    return {
+      status: block ? 0 : status || OUT_OF_MEMORY,
+      at: block && at,
+      block,
+      bytes,
+      vertices,
+      edges,
+      spacing: block && this.#doubles(at, 1)[0],
+      unique: unique !== 0,
+      singular: singular !== 0,
+      flooded: cell > 0,
+    };
   }
 
   /** @param {Graph} graph */
@@ -327,22 +321,21 @@ export class Heap {
    * Runs sp_graph_search.
    * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {number[]} to @param {number} points of a candidate
    * @param {boolean} all not only ways that may become the shortest path
-   * @returns {{ status: number, distance: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
+   * @returns {{ status: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
    */
   searchGraph(surface, graph, from, to, points, all) {
     const { numbers, arena, answer } = this.#structs;
     const dimension = from.length;
-    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
-      return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
+    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points))) return { status: OUT_OF_MEMORY, candidates: [] };
     this.#writePoint(numbers, from);
     this.#writePoint(numbers + 24, to);
     this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
     const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), arena, answer);
     const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
     const candidates = Array.from({ length: count }, (_, i) =>
-      this.#doubles(places + 8 * dimension * written * i, dimension * written).slice(),
+      this.#copyDoubles(places + 8 * dimension * written * i, dimension * written),
     );
-    return { status, distance: this.#doubles(answer, 1)[0], candidates };
+    return { status, candidates };
   }
 
   /**
@@ -362,7 +355,7 @@ export class Heap {
     this.#words(fieldRequest + LAYOUT.sp_field_request.places, 3).set([base, lengths, count]);
     this.#writeWords(arena, base + own, this.#arenaSize - own, 0);
     const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, arena);
-    return { status, lengths: this.#doubles(lengths, count).slice() };
+    return { status, lengths: this.#copyDoubles(lengths, count) };
   }
 
   /** @param {SolveOptions} options */

@@ -1,0 +1,121 @@
+/* Surfaces over the plane around a pole: their charts from those over u and v, by the chain rule. MATH.md, "Arcs". */
+#include "polar.h"
+#include "arcs.h"
+#include "functions.h"
+#include "metric.h"
+
+/* Of the first path: what is near a pole or an apex is small. */
+enum { POINTS = 129 };
+static const double TURN = 6.28318530717958647693, SMOOTH = 1e-5;
+/* Of the range: nearer than that derivatives lose more to rounding than they change. */
+static const double LEAST = 1e-8;
+
+static const struct sp_polar *polar_of(const struct sp_surface *surface) { return (const struct sp_polar *)surface; }
+
+/* u v at the distance r from the pole, in the direction of p, q. */
+static void place_at(const struct sp_polar *polar, sp_pair r, sp_pair angle, sp_pair place[2]) {
+    place[polar->across] = polar->edge + polar->side * r;
+    place[1 - polar->across] = polar->middle + angle / polar->rate;
+}
+
+void sp_polar_leave(const struct sp_polar *polar, int32_t pair_count, const sp_pair *places, sp_pair *left) {
+    for (int32_t k = 0; k < pair_count; k++) {
+        sp_pair p = places[2 * k], q = places[2 * k + 1];
+        place_at(polar, sp_square_root(p * p + q * q), sp_atan2(q, p), left + 2 * k);
+    }
+}
+
+void sp_positions(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *positions) {
+    for (int32_t k = 0; surface->metric >= SP_POLAR && k < pair_count; k++) {
+        sp_pair place[2];
+        sp_polar_leave(polar_of(surface), 1, places + 2 * k, place);
+        surface->value(1, place, positions + SP_PARAMETRIC_VALUES * k);
+    }
+    if (surface->metric < SP_POLAR) surface->value(pair_count, places, positions);
+}
+
+/* Values and derivatives by p and q of `count` functions, 6 count numbers. Nearer to the pole than `least` it is continued linearly. */
+static void polar_jet(const struct sp_polar *polar, int32_t count, const sp_pair *place, sp_pair *jet) {
+    sp_pair p = place[0], q = place[1], r = sp_square_root(p * p + q * q), angle = sp_atan2(q, p), at[2], c;
+    sp_pair s = sp_sincos(angle, &c), radius = sp_select(r > sp_splat(polar->least), r, sp_splat(polar->least)), over = 1.0 / radius;
+    double side = polar->side, slower = 1 / polar->rate;
+    int32_t across = polar->across;
+    place_at(polar, radius, angle, at);
+    polar->whole->jet(1, at, jet);
+    for (sp_pair *f = jet; f < jet + count; f++) {
+        sp_pair *first = f + count, *second = f + 3 * count;
+        sp_pair outwards = side * first[count * across], around = slower * over * first[count * (1 - across)];
+        sp_pair rr = second[2 * count * across], mixed = (side * slower * second[count] - around) * over;
+        sp_pair bent = (slower * slower * over * second[2 * count * (1 - across)] + outwards) * over;
+        f[0] += outwards * (r - radius);
+        first[0] = c * outwards - s * around, first[count] = s * outwards + c * around;
+        second[0] = c * c * rr - 2.0 * c * s * mixed + s * s * bent;
+        second[count] = c * s * (rr - bent) + (c * c - s * s) * mixed;
+        second[2 * count] = s * s * rr + 2.0 * c * s * mixed + c * c * bent;
+    }
+}
+
+static void polar_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics) {
+    int32_t count = surface->metric == SP_POLAR ? 3 : 4;
+    for (int32_t k = 0; k < pair_count; k++) {
+        sp_pair jet[SP_PARAMETRIC_DENSITY_JET];
+        polar_jet(polar_of(surface), count, places + 2 * k, jet);
+        for (int32_t i = 0; i < SP_METRIC_PARTS; i++) {
+            sp_store(sp_load(jet + count * i), charts + 3 * (SP_METRIC_PARTS * k + i));
+            if (count == 4) metrics[SP_METRIC_PARTS * k + i] = jet[4 * i + 3];
+        }
+    }
+}
+
+int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved) {
+    int32_t pole = request->pole - 5, across = pole >> 1;
+    double open = __builtin_inf(), edge = (pole & 1 ? surface->upper : surface->lower)[across], turn = request->to[2];
+    double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
+    if (surface->kind != SP_PARAMETRIC || surface->metric == SP_TENSOR) return 0;
+    double angle = sp_pole_angle(surface, across, edge, from, from + turn);
+    if (angle > TURN - SMOOTH && angle < TURN + SMOOTH) angle = TURN;
+    *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, angle / turn, turn, 0};
+    polar->surface.metric += SP_POLAR;
+    *moved = *request, moved->pole = 0, moved->start = NULL, moved->start_count = POINTS;
+    for (int j = 0; j < 2; j++) {
+        const double *end = j ? request->to : request->from;
+        double r = polar->side * (end[across] - edge), theta = polar->rate * (end[1 - across] - middle),
+               *written = j ? moved->to : moved->from;
+        sp_pair c, s = sp_sincos(sp_splat(theta), &c);
+        if (!(2 * theta < TURN / 2 + SMOOTH && 2 * theta > -TURN / 2 - SMOOTH)) return 0;
+        written[0] = r * c[0], written[1] = r * s[0];
+        polar->least += LEAST * r;
+        polar->surface.lower[j] = -open, polar->surface.upper[j] = open;
+    }
+    return 1;
+}
+
+int sp_polar_holds(const struct sp_polyline *line) {
+    const struct sp_surface *whole = polar_of(line->surface)->whole;
+    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
+        sp_pair place[2];
+        sp_polar_leave(polar_of(line->surface), 1, line->nodes.places + 2 * k, place);
+        for (int j = 0; j < 2; j++)
+            if (sp_any((place[j] < sp_splat(whole->lower[j])) | (place[j] > sp_splat(whole->upper[j])))) return 0;
+    }
+    return 1;
+}
+
+void sp_polar_return(const struct sp_polar *polar, const struct sp_request *request, int32_t count, double *parameters) {
+    int32_t along = 1 - polar->across;
+    for (int32_t i = 0; i < count; i++) {
+        double *place = parameters + 2 * i;
+        sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
+        const double *end = i == 0 ? request->from : request->to;
+        sp_polar_leave(polar, 1, at, at);
+        for (int j = 0; j < 2; j++)
+            place[j] = i == 0 || i == count - 1 ? end[j] : at[j][0];
+        for (int turns = -1; i && turns <= 1; turns++) {
+            double step = at[along][0] + turns * polar->turn - place[along - 2];
+            if (step >= -polar->turn / 2 && step < polar->turn / 2) place[along] += turns * polar->turn;
+        }
+    }
+}
+
+const struct sp_kind sp_polar_kind = {SP_PARAMETRIC_INPUTS, 0, polar_charts, sp_parametric_move};
+const struct sp_kind sp_polar_density_kind = {SP_PARAMETRIC_INPUTS, 1, polar_charts, sp_parametric_move};
