@@ -31,7 +31,7 @@ FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,addre
     -fno-sanitize-recover=all
 # The analyzer takes a vector of 64-bit lanes for one bit.
 ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
-LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
+LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
@@ -144,7 +144,7 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs contact cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric mesh mesh_vertices piece pole project \
+COLD := arcs contact cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric memory mesh mesh_vertices piece pole project \
     reference refine solve start trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 

@@ -32,12 +32,8 @@ test('the JavaScript without the wasm is at most 28 KB gzipped', async () => {
   assert.ok(bytes <= 28 * 1024, `${bytes} bytes`);
 });
 
-test('surfpath.wasm imports nothing but the news of memory growth', () => {
-  const imports = WebAssembly.Module.imports(module).map((entry) => `${entry.module}.${entry.name}`);
-  assert.deepEqual(
-    imports.filter((name) => name !== 'env.emscripten_notify_memory_growth'),
-    [],
-  );
+test('surfpath.wasm imports nothing', () => {
+  assert.deepEqual(WebAssembly.Module.imports(module), []);
 });
 
 test('surfpath.wasm exports the names in surfpath.exports, its memory and its table', () => {
