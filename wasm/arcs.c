@@ -48,6 +48,14 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
     return length;
 }
 
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
+    struct sp_reference reference;
+    size_t bottom = arena->used;
+    int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
+    arena->used = bottom;
+    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : __builtin_nan("");
+}
+
 /* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena) {
     struct sp_refined whole = {.outcome = {.status = SP_CONVERGED}, .length = measure(arcs, newton->system.line.surface, arena)};
@@ -86,10 +94,11 @@ static void arc_end(const struct sp_arc *arc, int end, double place[3]) {
         place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end != arc->reversed ? line->fold.inner + 1 : 0, j);
 }
 
-int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
-                   double *parameters, struct sp_arena *arena) {
+enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,
+                              int32_t reversed, double *points, double *parameters, struct sp_arena *arena) {
     struct sp_reference reference;
-    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return 0;
+    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return SP_OUT_OF_MEMORY;
+    int finite = 1;
     double total = 0, behind = 0, edge = 0, edge_at = 0;
     for (int32_t i = 0; i < arcs->count; i++)
         total += arcs->arc[i].length;
@@ -108,12 +117,14 @@ int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface,
             sp_sample_place(&arc->system, arc->reversed ? 1 - t : t, place);
         }
         if (i == 0 || i == point_count + 1) arc_end(arcs->arc + (i ? arcs->count - 1 : 0), i > 0, place);
-        sp_sample_point(surface, scale, place, points ? points + 3 * i : NULL, parameters + 2 * i);
+        int32_t at = reversed ? point_count + 1 - i : i;
+        finite &= sp_sample_point(surface, scale, place, points ? points + 3 * at : NULL, parameters + 2 * at);
     }
-    return 1;
+    return finite ? SP_CONVERGED : SP_NOT_FINITE;
 }
 
 double sp_arcs_bytes(void) {
-    double pairs = SP_REFINE_INNER / 2 + 3, stored = 2 * pairs * sizeof(sp_pair) + 2 * (SP_MAX_DEGREE + 1) * sizeof(double) + 3 * 16;
+    double pairs = SP_REFINE_INNER / 2 + 3,
+           stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
     return (SP_MAX_ARCS + 2) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

@@ -100,7 +100,7 @@ static void drop(struct fixture *fixture) {
 static int32_t search(struct fixture *fixture, const double from[3], const double to[3]) {
     double ends[6] = {from[0], from[1], from[2], to[0], to[1], to[2]};
     struct sp_graph_answer *answer = &fixture->answer;
-    int32_t status = sp_graph_search(fixture->surface, &fixture->graph, ends, 65, &fixture->arena, answer);
+    int32_t status = sp_graph_search(fixture->surface, &fixture->graph, ends, 65, 1, &fixture->arena, answer);
     int dimension = fixture->surface->kind == SP_IMPLICIT ? 3 : 2;
     CHECK((status == SP_CONVERGED) == (answer->candidate_count > 0), "status %d, %d candidates", status, answer->candidate_count);
     for (int32_t c = 0; c < answer->candidate_count; c++) {
@@ -241,7 +241,7 @@ static void test_tiny_arenas(void) {
         refused = 0;
         for (double part = 0; part <= 1; part += 0.0625) {
             struct sp_arena arena = allocate_arena(part * needed + 16);
-            int32_t status = sp_graph_search(whole.surface, &whole.graph, ends, 65, &arena, &whole.answer);
+            int32_t status = sp_graph_search(whole.surface, &whole.graph, ends, 65, 1, &arena, &whole.answer);
             CHECK(status == SP_OUT_OF_MEMORY || status == SP_CONVERGED, "status %d", status);
             refused += status == SP_OUT_OF_MEMORY;
             CHECK(part < 1 || status == SP_CONVERGED, "status %d with all its memory", status);

@@ -127,7 +127,7 @@ static void check_questions(const struct sp_surface *surface, const struct sp_gr
     struct sp_field_request field = {{ends[0], ends[1], ends[2]}, ends + 3, &length, 1, 0};
     for (int i = 0; i <= SIZES / 4; i++) {
         arena.size = (size_t)(searching * 4 * i / SIZES) & ~(size_t)15;
-        int32_t status = sp_graph_search(surface, graph, ends, 65, &arena, &answer);
+        int32_t status = sp_graph_search(surface, graph, ends, 65, 1, &arena, &answer);
         CHECK(status == SP_CONVERGED || (status == SP_OUT_OF_MEMORY && i < SIZES / 4), "search: %zu bytes: status %d", arena.size, status);
         CHECK((status == SP_CONVERGED) == (answer.candidate_count > 0), "search: %d candidates", answer.candidate_count);
         arena.size = (size_t)(spreading * 4 * i / SIZES) & ~(size_t)15;
@@ -229,11 +229,11 @@ static void check_graph_options(void) {
     struct sp_arena rest = allocate(1 << 24);
     const double ends[6] = {-0.9, -1, 0, 0.9, 1, 0}, nowhere[6] = {-0.9, -1, 0, NAN, 1, 0};
     for (int32_t points = 0; points < 6000; points += 3000) {
-        int32_t status = sp_graph_search(&saddle_surface, &graph, ends, points, &rest, &answer);
+        int32_t status = sp_graph_search(&saddle_surface, &graph, ends, points, 1, &rest, &answer);
         CHECK(status == SP_CONVERGED && answer.point_count == (points ? SP_GRAPH_MAX_POINTS : 3), "%d points: status %d, %d", points,
               status, answer.point_count);
     }
-    CHECK(sp_graph_search(&saddle_surface, &graph, nowhere, 9, &rest, &answer) == SP_NOT_FINITE, "an end that is not a number");
+    CHECK(sp_graph_search(&saddle_surface, &graph, nowhere, 9, 1, &rest, &answer) == SP_NOT_FINITE, "an end that is not a number");
     free(rest.base), free(arena.base);
 }
 
