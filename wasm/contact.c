@@ -204,6 +204,7 @@ static int take_storage(struct sp_piece *pieces, int32_t made, struct sp_arena *
 static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *contact,
                                    struct sp_arena *arena) {
     struct sp_refined chords = sp_refine_chords(newton, options, FALLBACK_CHORDS, contact, arena);
+    chords.length_error *= 3; /* what twice as long ones differ by: round a corner the error falls no faster than they do */
     if (chords.outcome.status == SP_CONVERGED && chords.length_error > options->tolerance * chords.length)
         chords.outcome.status = SP_TOLERANCE_NOT_MET;
     return chords;
@@ -238,8 +239,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
     if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
     struct sp_system walled = sp_storage_keep(&storage, &newton->system);
-    int32_t count = walled.line.fold.inner + 1;
-    struct sp_refined chords = sp_refine_chords(newton, options, count < CONTACT_NODES ? CONTACT_NODES : count, &walled, arena);
+    int32_t count = walled.line.fold.inner + 1, chosen = count < CONTACT_NODES     ? CONTACT_NODES
+                                                         : count > FALLBACK_CHORDS ? FALLBACK_CHORDS
+                                                                                   : count;
+    struct sp_refined chords = sp_refine_chords(newton, options, chosen, &walled, arena);
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     sp_contact_cut(&walled, &contact);
