@@ -35,7 +35,7 @@ LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB 
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
-TOOLS := emcc:emscripten
+TOOLS := emcc:emscripten wasm-opt:binaryen
 ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
