@@ -20,8 +20,10 @@ NPM := node_modules/.package-lock.json
 
 # One set of flags for every compiler. No contraction into fused operations: the same bits everywhere.
 CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP
-# -O2, without what makes code longer but not faster here.
-EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -inline-threshold=20 -msimd128 -mbulk-memory -DNDEBUG
+# -O2, without what makes code longer but not faster here: unrolled and vectorised loops, inlining, expressions computed ahead on every way.
+EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -enable-pre=0 -mllvm -enable-gvn-hoist -msimd128 \
+    -mbulk-memory -DNDEBUG
+HOT := -mllvm -inline-threshold=20
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
@@ -29,11 +31,11 @@ FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,addre
     -fno-sanitize-recover=all
 # The analyzer takes a vector of 64-bit lanes for one bit.
 ANALYZER := gcc $(CFLAGS) -O1 -fanalyzer -Wno-analyzer-shift-count-overflow
-LINK := -sSTANDALONE_WASM --no-entry -sMALLOC=emmalloc -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
+LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB -sTOTAL_STACK=128KB \
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
-TOOLS := emcc:emscripten
+TOOLS := emcc:emscripten wasm-opt:binaryen
 ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
@@ -141,14 +143,14 @@ $(NPM): package-lock.json | tools
 
 # WebAssembly
 
-
-# What a path meets once, not in every step, is compiled to be small.
-COLD := arcs contact cusp functions mesh mesh_vertices piece polar pole project refine solve start
-$(COLD:%=build/wasm/%.o): EMCC += -Os
+# What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
+COLD := arcs contact cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric memory mesh mesh_vertices normal piece polar pole project \
+    reference refine solve start trace
+$(COLD:%=build/wasm/%.o): HOT := -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(EMCC) -c $< -o $@
+	@$(EMCC) $(HOT) -c $< -o $@
 
 EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
 BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals

@@ -2,6 +2,7 @@
 #include "check.h"
 #include "energy.h"
 #include "metric_check.h"
+#include "normal.h"
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
@@ -46,31 +47,15 @@ static enum sp_status check_implicit(const struct sp_polyline *line, const struc
     return distance(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }
 
-/* The chart of one point of a parametric surface, and its normal. */
-static void chart_at(const struct sp_polyline *line, double u, double v, sp_pair *chart, double normal[3]) {
-    sp_pair place[2] = {sp_splat(u), sp_splat(v)}, metric[SP_METRIC_LARGEST];
-    line->kind->charts(line->surface, 1, place, chart, metric);
-    struct sp_vector n = sp_chart_normal(chart);
-    normal[0] = n.x[0], normal[1] = n.y[0], normal[2] = n.z[0];
-}
-
-/* The normal turns over between two nodes: is it zero where it does? Bisection on the sign of N . N_0. */
+/* The normal turns over between two nodes: is it zero where it does, or at one of them? */
 static enum sp_status check_fold(const struct sp_polyline *line, const struct chord *chord) {
-    double low = 0, high = 1, first = root(dot(chord->normal[0], chord->normal[0])), second = root(dot(chord->normal[1], chord->normal[1]));
-    double least = first < second ? first : second, largest = first > second ? first : second;
-    for (int i = 0; i < BISECTIONS; i++) {
-        double t = 0.5 * (low + high), normal[3];
-        sp_pair chart[SP_CHART];
-        chart_at(line, chord->place[0][0] + t * (chord->place[1][0] - chord->place[0][0]),
-                 chord->place[0][1] + t * (chord->place[1][1] - chord->place[0][1]), chart, normal);
-        double length = root(dot(normal, normal));
-        if (length < least) least = length;
-        if (dot(normal, chord->normal[0]) > 0)
-            low = t;
-        else
-            high = t;
+    struct sp_turn turn;
+    if (!sp_normal_turn(line->surface, chord->place[0], chord->place[1], BISECTIONS, &turn)) return SP_STALLED;
+    for (int end = 0; end < 2; end++) {
+        double squared = dot(chord->normal[end], chord->normal[end]);
+        if (squared < turn.least) turn.least = squared;
     }
-    return least <= VANISHING * largest ? SP_SINGULAR_METRIC : SP_STALLED;
+    return root(turn.least) <= VANISHING * root(turn.largest) ? SP_SINGULAR_METRIC : SP_STALLED;
 }
 
 /* |S_u u + S_v v|^2 in one lane of a chart. */
@@ -96,9 +81,11 @@ static int is_degenerate(const struct sp_polyline *line, int32_t i, const struct
 static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i, const struct chord *chord, double scale) {
     if (is_degenerate(line, i, chord)) return SP_SINGULAR_METRIC;
     if (dot(chord->normal[0], chord->normal[1]) < 0) return check_fold(line, chord);
-    double u = chord->place[1][0] - chord->place[0][0], v = chord->place[1][1] - chord->place[0][1], normal[3], half[3], middle[3];
-    sp_pair chart[SP_CHART];
-    chart_at(line, 0.5 * (chord->place[0][0] + chord->place[1][0]), 0.5 * (chord->place[0][1] + chord->place[1][1]), chart, normal);
+    double u = chord->place[1][0] - chord->place[0][0], v = chord->place[1][1] - chord->place[0][1], half[3], middle[3];
+    sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    for (int j = 0; j < 2; j++)
+        place[j] = sp_splat(0.5 * (chord->place[0][j] + chord->place[1][j]));
+    line->kind->charts(line->surface, 1, place, chart, metric);
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
     double length = distance(chord->at[0], chord->at[1]), rounding = 1e-14 * scale;

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "contact.h"
 #include "metric.h"
+#include "normal.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
                     TOUCHING = 1e-3, DOUBT = 2e-3;
@@ -17,13 +18,6 @@ static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a
 static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
     sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
     sp_parametric_kind.charts(surface, 1, at, chart, NULL);
-}
-
-static void normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
-    sp_pair chart[SP_CHART];
-    chart_at(surface, place, chart);
-    struct sp_vector n = sp_chart_normal(chart);
-    normal[0] = n.x[0], normal[1] = n.y[0], normal[2] = n.z[0];
 }
 
 /* The singular curve near a place: h = N . nu and its gradient, nu the direction in which N leaves zero. */
@@ -67,22 +61,9 @@ static int correct(const struct sp_surface *surface, struct crossing *crossing) 
 
 /* Where the normal turns over between two places, found by bisection; 0 if it does not vanish there (a fold too sharp to see). */
 static int find_crossing(const struct sp_surface *surface, const double from[2], const double to[2], struct crossing *crossing) {
-    double low = 0, high = 1, first[3], normal[3], last[3];
-    normal_at(surface, from, first), normal_at(surface, to, last);
-    double largest = root(dot(first, first)) > root(dot(last, last)) ? root(dot(first, first)) : root(dot(last, last)), least = largest;
-    for (int i = 0; i < BISECTIONS; i++) {
-        double t = 0.5 * (low + high);
-        for (int j = 0; j < 2; j++)
-            crossing->place[j] = from[j] + t * (to[j] - from[j]);
-        normal_at(surface, crossing->place, normal);
-        double length = root(dot(normal, normal));
-        if (length < least) least = length;
-        if (dot(normal, first) > 0)
-            low = t;
-        else
-            high = t;
-    }
-    if (!(least <= VANISHING * largest)) return 0;
+    struct sp_turn turn;
+    if (!sp_normal_turn(surface, from, to, BISECTIONS, &turn) || !(root(turn.least) <= VANISHING * root(turn.largest))) return 0;
+    crossing->place[0] = turn.place[0], crossing->place[1] = turn.place[1];
     struct curve at = curve_at(surface, crossing->place, crossing->nu, 1);
     crossing->along = absolute(at.slope[1]) >= absolute(at.slope[0]) ? 0 : 1;
     return correct(surface, crossing);
@@ -269,10 +250,10 @@ static int scan(const struct sp_system *given, struct bridge *bridge) {
     double before[2], here[2], first[3], normal[3], from = 0;
     bridge->count = 0;
     given_place(given, 0, before);
-    normal_at(surface, before, first);
+    sp_normal_at(surface, before, first);
     for (int i = 1; i <= SCAN; i++) {
         given_place(given, (double)i / SCAN, here);
-        normal_at(surface, here, normal);
+        sp_normal_at(surface, here, normal);
         if (dot(first, normal) < 0) {
             if (bridge->count == MOST || !find_crossing(surface, before, here, bridge->crossing + bridge->count)) return 0;
             double parameter = (i - 0.5) / SCAN;

@@ -40,10 +40,12 @@ static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
 
 sp_pair sp_exp(sp_pair x) { return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(0.0)); }
 
-/* Out of line, as three functions share it. */
-__attribute__((noinline)) static sp_pair half_exponential(sp_pair x) {
-    return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(-1.0));
+/* exp(x + x_low) 2^shift. Out of line, as four functions share it. */
+__attribute__((noinline)) static sp_pair wide_exponential(sp_pair x, sp_pair x_low, sp_pair shift) {
+    return exponential((struct sp_wide){x, x_low}, shift);
 }
+
+static inline sp_pair half_exponential(sp_pair x) { return wide_exponential(x, sp_splat(0.0), sp_splat(-1.0)); }
 
 sp_pair sp_cosh(sp_pair x) {
     sp_pair half = half_exponential(sp_absolute(x));
@@ -175,7 +177,7 @@ sp_pair sp_pow(sp_pair x, sp_pair y) {
     struct sp_wide exponent = wide_logarithm(magnitude);
     struct sp_wide product = sp_multiply_exactly(power, exponent.high);
     product.low += power * exponent.low;
-    sp_pair value = exponential(product, sp_splat(0.0));
+    sp_pair value = wide_exponential(product.high, product.low, sp_splat(0.0));
 
     sp_mask whole = is_integer(y), odd = whole & ~is_integer(0.5 * y);
     sp_mask extreme = (magnitude == 0.0) | (magnitude == infinity);

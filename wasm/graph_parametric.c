@@ -3,6 +3,7 @@
  * middles of all edges. */
 #include "graph_build.h"
 #include "metric.h"
+#include "normal.h"
 
 enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
@@ -83,31 +84,10 @@ static double inspect(const struct grid *grid, int32_t offset) {
     return largest;
 }
 
-/* S_u x S_v at a place. */
-static void normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
-    struct sp_point point;
-    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
-    sp_kind_of(surface)->charts(surface, 1, at, point.chart, point.metric);
-    struct sp_vector both = sp_chart_normal(point.chart);
-    normal[0] = both.x[0], normal[1] = both.y[0], normal[2] = both.z[0];
-}
-
 /* Whether the normal turns round between two places by vanishing. */
 static int crosses_singular(const struct sp_surface *surface, const double a[2], const double b[2]) {
-    double start[3], end[3], middle[3], low = 0, high = 1;
-    normal_at(surface, a, start);
-    normal_at(surface, b, end);
-    if (!(sp_dot3(start, end) < 0)) return 0;
-    for (int i = 0; i < BISECTIONS; i++) {
-        double t = 0.5 * (low + high), place[2] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
-        normal_at(surface, place, middle);
-        if (sp_dot3(middle, start) > 0)
-            low = t;
-        else
-            high = t;
-    }
-    double larger = sp_dot3(start, start) > sp_dot3(end, end) ? sp_dot3(start, start) : sp_dot3(end, end);
-    return sp_dot3(middle, middle) < VANISHING * VANISHING * larger;
+    struct sp_turn turn;
+    return sp_normal_turn(surface, a, b, BISECTIONS, &turn) && sp_dot3(turn.normal, turn.normal) < VANISHING * VANISHING * turn.largest;
 }
 
 /* Whether the normal vanishes between a vertex and the one before it in a direction. A vertex at which it vanishes tells nothing: it is

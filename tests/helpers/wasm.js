@@ -12,7 +12,7 @@ const BUILT = new URL('../../dist/surfpath.wasm', import.meta.url);
  */
 export function instantiate(path = BUILT) {
   const module = new WebAssembly.Module(readFileSync(path));
-  const { exports } = new WebAssembly.Instance(module, { env: { emscripten_notify_memory_growth() {} } });
+  const { exports } = new WebAssembly.Instance(module);
   const solver = /** @type {Record<string, any>} */ (exports);
   solver._initialize?.();
   return {

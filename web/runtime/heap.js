@@ -89,8 +89,10 @@ const MOST_TRACE_STEPS = 200_000;
 
 export class Heap {
   /** @type {any} */ #exports;
-  /** Addresses of one of each struct that a call needs, kept for the life of the instance. */
+  /** Addresses of one of each struct, kept for the life of the instance. */
   #structs;
+  /** Address of eight numbers. */
+  #numbers;
   #arenaBase = 0;
   #arenaSize = 0;
   #float64 = new Float64Array(0);
@@ -99,20 +101,9 @@ export class Heap {
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
     this.#exports = exports;
-    this.#structs = {
-      options: this.allocate(LAYOUT.sp_options.bytes),
-      request: this.allocate(LAYOUT.sp_request.bytes),
-      result: this.allocate(LAYOUT.sp_result.bytes),
-      arena: this.allocate(LAYOUT.sp_arena.bytes),
-      mesh: this.allocate(LAYOUT.sp_mesh.bytes),
-      traceRequest: this.allocate(LAYOUT.sp_trace_request.bytes),
-      traceOptions: this.allocate(LAYOUT.sp_trace_options.bytes),
-      traceResult: this.allocate(LAYOUT.sp_trace_result.bytes),
-      numbers: this.allocate(64),
-      graphOptions: this.allocate(LAYOUT.sp_graph_options.bytes),
-      answer: this.allocate(LAYOUT.sp_graph_answer.bytes),
-      fieldRequest: this.allocate(LAYOUT.sp_field_request.bytes),
-    };
+    const blocks = Object.entries(LAYOUT).map(([name, { bytes }]) => [name, this.allocate(bytes)]);
+    this.#structs = /** @type {Record<keyof typeof LAYOUT, number>} */ (Object.fromEntries(blocks));
+    this.#numbers = this.allocate(64);
   }
 
   /** A block aligned to 16 bytes; 0 if memory is exhausted. Free it with {@link release}. @param {number} bytes @returns {number} */
@@ -177,7 +168,7 @@ export class Heap {
    * @returns {RawPath}
    */
   solve(surface, request, options) {
-    const { options: optionsAt, request: requestAt, result: resultAt, arena } = this.#structs;
+    const { sp_options: optionsAt, sp_request: requestAt, sp_result: resultAt } = this.#structs;
     this.#writeOptions(options);
     const dimension = request.kind === 1 ? 3 : 2;
     const start = request.start;
@@ -189,8 +180,7 @@ export class Heap {
     this.#writePoint(requestAt, request.from);
     this.#writePoint(requestAt + LAYOUT.sp_request.to, request.to);
     this.#writeWords(requestAt + LAYOUT.sp_request.start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
-    this.#writeWords(arena, this.#arenaBase + startBytes, this.#arenaSize - startBytes, 0);
-    this.#exports.sp_solve_path(surface, requestAt, optionsAt, arena, resultAt);
+    this.#exports.sp_solve_path(surface, requestAt, optionsAt, this.#openArena(startBytes), resultAt);
     return this.#readResult(options.points + 2);
   }
 
@@ -202,21 +192,20 @@ export class Heap {
    * @returns {RawPath | null} null: the direction is normal to the surface
    */
   trace(surface, request, options) {
-    const { traceRequest, traceOptions, traceResult, arena } = this.#structs;
+    const { sp_trace_request: traceRequest, sp_trace_options: traceOptions, sp_trace_result: traceResult } = this.#structs;
     this.writeDoubles(traceOptions, [options.tolerance]);
     this.#words(traceOptions + LAYOUT.sp_trace_options.point_count, 2).set([options.points, MOST_TRACE_STEPS]);
     if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, traceOptions))) return emptyPath(OUT_OF_MEMORY);
     this.#writePoint(traceRequest, request.from);
     this.#writePoint(traceRequest + LAYOUT.sp_trace_request.direction, request.direction);
     this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.length, [request.length]);
-    this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
-    this.#exports.sp_trace_path(surface, traceRequest, traceOptions, arena, traceResult);
+    this.#exports.sp_trace_path(surface, traceRequest, traceOptions, this.#openArena(), traceResult);
     return this.#readTrace(options.points + 2);
   }
 
   /** Copies the result struct of a trace and its arrays. @param {number} count points of the path @returns {RawPath | null} */
   #readTrace(count) {
-    const at = this.#structs.traceResult;
+    const at = this.#structs.sp_trace_result;
     const [length, lengthError, conjugate] = this.#doubles(at, 3);
     const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
     if (normal) return null;
@@ -239,8 +228,9 @@ export class Heap {
    * @returns {{ status: number, place: number[] }}
    */
   project(surface, point, place) {
-    const at = this.#structs.numbers;
-    this.writeDoubles(at, [...point, ...place]);
+    const at = this.#numbers;
+    this.writeDoubles(at, point);
+    this.writeDoubles(at + 24, place);
     const status = this.#exports.sp_project_point(surface, at, at + 24);
     return { status, place: Array.from(this.#doubles(at + 24, place.length)) };
   }
@@ -252,15 +242,15 @@ export class Heap {
    * @returns {{ status: number, positions: Float64Array, normals: Float64Array, indices: Uint32Array }}
    */
   meshImplicit(value, box, resolution) {
-    const { numbers, arena, mesh } = this.#structs;
+    const numbers = this.#numbers;
+    const mesh = this.#structs.sp_mesh;
     this.writeDoubles(numbers, box);
     let vertices = 0;
     let triangles = 0;
     for (let attempt = 0; ; attempt++) {
       const bytes = this.#exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.#reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
-      this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
-      const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, arena, mesh);
+      const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, this.#openArena(), mesh);
       const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.#words(mesh, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
         [vertices, triangles] = [vertexCount, triangleCount];
@@ -282,15 +272,14 @@ export class Heap {
    * @returns {Graph} of status 0; any other: nothing is kept
    */
   buildGraph(surface, kind, { box, cell, resolution }) {
-    const { graphOptions, arena } = this.#structs;
+    const graphOptions = this.#structs.sp_graph_options;
     const at = this.allocate(LAYOUT.sp_graph.bytes);
     this.writeDoubles(graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
     this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
     let status = OUT_OF_MEMORY;
     for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
-      this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
-      status = this.#exports.sp_graph_build(surface, graphOptions, arena, at);
+      status = this.#exports.sp_graph_build(surface, graphOptions, this.#openArena(), at);
     }
     const bytes = status === 0 ? this.#exports.sp_graph_bytes(at) : 0;
     const block = status === 0 ? this.allocate(bytes) : 0;
@@ -324,13 +313,13 @@ export class Heap {
    * @returns {{ status: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
    */
   searchGraph(surface, graph, from, to, points, all) {
-    const { numbers, arena, answer } = this.#structs;
+    const numbers = this.#numbers;
+    const answer = this.#structs.sp_graph_answer;
     const dimension = from.length;
     if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points))) return { status: OUT_OF_MEMORY, candidates: [] };
     this.#writePoint(numbers, from);
     this.#writePoint(numbers + 24, to);
-    this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
-    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), arena, answer);
+    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.#openArena(), answer);
     const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
     const candidates = Array.from({ length: count }, (_, i) =>
       this.#copyDoubles(places + 8 * dimension * written * i, dimension * written),
@@ -344,7 +333,7 @@ export class Heap {
    * @returns {{ status: number, lengths: Float64Array }} of the shortest way to each; infinite where there is none
    */
   measureField(surface, graph, from, places) {
-    const { fieldRequest, arena } = this.#structs;
+    const fieldRequest = this.#structs.sp_field_request;
     const count = places.length / from.length;
     const own = (8 * (places.length + count) + 15) & ~15;
     if (!this.#reserve(own + this.#exports.sp_graph_field_bytes(graph.at))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
@@ -353,14 +342,13 @@ export class Heap {
     this.writeDoubles(base, places);
     this.#writePoint(fieldRequest, from);
     this.#words(fieldRequest + LAYOUT.sp_field_request.places, 3).set([base, lengths, count]);
-    this.#writeWords(arena, base + own, this.#arenaSize - own, 0);
-    const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, arena);
+    const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, this.#openArena(own));
     return { status, lengths: this.#copyDoubles(lengths, count) };
   }
 
   /** @param {SolveOptions} options */
   #writeOptions(options) {
-    const at = this.#structs.options;
+    const at = this.#structs.sp_options;
     const doubles = this.#allDoubles();
     doubles[at >> 3] = options.tolerance;
     doubles[(at >> 3) + 1] = options.gradientTolerance;
@@ -391,7 +379,7 @@ export class Heap {
   /** Copies the result struct and its arrays. @param {number} count points of a polyline @returns {RawPath} */
   #readResult(count) {
     const { sp_result: layout } = LAYOUT;
-    const at = this.#structs.result;
+    const at = this.#structs.sp_result;
     const words = this.#allWords();
     const word = (/** @type {number} */ offset) => words[(at + offset) >> 2];
     const doubles = this.#allDoubles();
@@ -438,6 +426,12 @@ export class Heap {
     this.#arenaBase = this.allocate(rounded);
     if (this.#arenaBase) this.#arenaSize = rounded;
     return this.#arenaBase !== 0;
+  }
+
+  /** An arena for the next call, all but its first bytes; the address of its struct. */
+  #openArena(taken = 0) {
+    this.#writeWords(this.#structs.sp_arena, this.#arenaBase + taken, this.#arenaSize - taken, 0);
+    return this.#structs.sp_arena;
   }
 
   /** All memory; made anew where it grew, which detaches the last view. */

@@ -144,8 +144,7 @@ export class Solver {
   }
 
   #instantiate() {
-    const env = { emscripten_notify_memory_growth() {} };
-    const exports = /** @type {any} */ (new WebAssembly.Instance(this.#module, { env }).exports);
+    const exports = /** @type {any} */ (new WebAssembly.Instance(this.#module).exports);
     exports._initialize();
     this.#freeSlots = [];
     return { exports, heap: new Heap(exports) };

@@ -1,0 +1,33 @@
+/* Normals of parametric surfaces: see the header. */
+#include "normal.h"
+#include "metric.h"
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void sp_normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
+    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])}, chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    sp_kind_of(surface)->charts(surface, 1, at, chart, metric);
+    struct sp_vector both = sp_chart_normal(chart);
+    normal[0] = both.x[0], normal[1] = both.y[0], normal[2] = both.z[0];
+}
+
+int sp_normal_turn(const struct sp_surface *surface, const double from[2], const double to[2], int rounds, struct sp_turn *turn) {
+    double low = 0, high = 1, first[3], last[3];
+    sp_normal_at(surface, from, first), sp_normal_at(surface, to, last);
+    if (!(dot(first, last) < 0)) return 0;
+    turn->largest = dot(first, first) > dot(last, last) ? dot(first, first) : dot(last, last);
+    turn->least = turn->largest;
+    for (int i = 0; i < rounds; i++) {
+        double t = 0.5 * (low + high), squared;
+        for (int j = 0; j < 2; j++)
+            turn->place[j] = from[j] + t * (to[j] - from[j]);
+        sp_normal_at(surface, turn->place, turn->normal);
+        squared = dot(turn->normal, turn->normal);
+        if (squared < turn->least) turn->least = squared;
+        if (dot(turn->normal, first) > 0)
+            low = t;
+        else
+            high = t;
+    }
+    return 1;
+}

@@ -1,0 +1,20 @@
+/* The normal of a parametric surface, and where it turns over: it vanishes on a singular curve, or only seems to turn, in a fold between
+ * two places. */
+#ifndef SURFPATH_NORMAL_H
+#define SURFPATH_NORMAL_H
+
+#include "surface.h"
+
+/* S_u x S_v at a place. */
+void sp_normal_at(const struct sp_surface *surface, const double place[2], double normal[3]);
+
+/* What a bisection found: the place and the normal that it looked at last; squares of lengths of normals, the least that it met and the
+ * larger one of the ends. */
+struct sp_turn {
+    double place[2], normal[3], least, largest;
+};
+
+/* Bisects between two places on the sign of N . N_from. Returns 0 where the normal does not turn over between them. */
+int sp_normal_turn(const struct sp_surface *surface, const double from[2], const double to[2], int rounds, struct sp_turn *turn);
+
+#endif
