@@ -3,6 +3,7 @@
 import { checkNames, describe, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
 import { OUT_OF_MEMORY } from './runtime/heap.js';
+import { EXHAUSTED } from './runtime/solver.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -52,8 +53,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
       return graph && heap.measureField(record, graph, from, wanted);
     });
     if (!found) break;
-    if (found.status === OUT_OF_MEMORY)
-      throw new RangeError(`${caller}: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed`);
+    if (found.status === OUT_OF_MEMORY) throw new RangeError(`${caller}: ${EXHAUSTED}`);
     if (found.status !== CONVERGED) continue;
     for (const [k, i] of missing.entries()) lengths[i] = found.lengths[k];
     missing = missing.filter((i) => lengths[i] === Infinity);

@@ -29,7 +29,7 @@ async function measure() {
     const { gc, surfpathView, performance } = /** @type {any} */ (window);
     gc();
     return {
-      card: surfpathView.memory,
+      card: { ...surfpathView.memory, programs: surfpathView.memory.programs.length },
       elements: document.querySelectorAll('*:not(#scale *)').length,
       heap: performance.memory.usedJSHeapSize,
     };

@@ -82,8 +82,10 @@ export async function openEntry(page, name) {
   await page.evaluate((hash) => {
     // The same address again would change nothing; in one go, as the page rewrites the address by itself.
     history.replaceState(null, '', '#');
-    delete document.getElementById('status')?.dataset.status;
+    // Once the page has heard of it, it is busy.
+    const heard = new Promise((resolve) => addEventListener('hashchange', resolve, { once: true }));
     location.hash = hash;
+    return heard.then(() => {});
   }, `1.${sketch}`);
   await settled(page);
 }

@@ -11,7 +11,8 @@ const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
-const EXHAUSTED = 'surfpath: WebAssembly memory is exhausted; dispose() surfaces that are no longer needed';
+/** What is said where the memory has run out, after who says it. */
+export const EXHAUSTED = 'WebAssembly memory is exhausted; dispose() surfaces that are no longer needed';
 
 /** @typedef {URL | string | Response | BufferSource | WebAssembly.Module} WasmSource */
 
@@ -107,7 +108,7 @@ export class Solver {
     const { heap, exports } = this.#present;
     const blocks = { data: heap.allocate(dataBytes), record: heap.allocate(LAYOUT.sp_surface.bytes) };
     try {
-      if (!blocks.data || !blocks.record) throw new RangeError(EXHAUSTED);
+      if (!blocks.data || !blocks.record) throw new RangeError(`surfpath: ${EXHAUSTED}`);
       heap.writeDoubles(blocks.data, data);
       const env = { ...exports, data: new WebAssembly.Global({ value: 'i32' }, blocks.data) };
       const instance = new WebAssembly.Instance(new WebAssembly.Module(/** @type {BufferSource} */ (bytes)), { env });
