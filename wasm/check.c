@@ -113,13 +113,15 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
 static void look_at_middles(const struct sp_polyline *line, int32_t first, int32_t count, sp_pair *seen) {
     int32_t dimension = line->kind->dimension;
     const sp_pair *places = line->nodes.places + dimension * first;
-    sp_pair middles[3 * BLOCK], metrics[SP_METRIC_LARGEST * BLOCK];
+    sp_pair middles[3 * BLOCK];
     for (int32_t j = 0; j < dimension * count; j++)
         middles[j] = 0.5 * (places[j] + places[j + dimension]);
-    if (line->surface->kind == SP_IMPLICIT)
+    if (line->surface->kind == SP_IMPLICIT) {
         line->surface->value(count, middles, seen);
-    else
+    } else {
+        sp_pair metrics[SP_METRIC_LARGEST * BLOCK];
         line->kind->charts(line->surface, count, middles, seen, metrics);
+    }
 }
 
 static struct sp_vector chord_of(const sp_pair *chart) {

@@ -235,7 +235,7 @@ static int move_crossings(const struct sp_surface *surface, struct bridge *bridg
 static int descend(struct sp_newton *newton, const struct sp_options *options, double enough, struct bridge *bridge,
                    struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
-    double step[MOST], change[MOST], most = LARGEST_STEP;
+    double step[MOST] = {0}, change[MOST] = {0}, most = LARGEST_STEP;
     for (int round = 0; round < ROUNDS && most > LEAST_STEP; round++) {
         if (downhill(bridge, most, step) <= enough * bridge->length) return 1;
         struct bridge next = *bridge;
