@@ -201,10 +201,11 @@ $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@$(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
-dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
+dist/types/index.d.ts: $(WEB) tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
 	@echo $(@D)
 	@rm -rf $(@D)
 	@$(BIN)/tsc -p .
+	@node tests/helpers/prune-types.js $(@D)
 	@touch $@
 
 # The page: one bundle for the window and its worker, which share most of it; what is asked for later is a file of its own. Everything is named

@@ -94,10 +94,11 @@ static void arc_end(const struct sp_arc *arc, int end, double place[3]) {
         place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end != arc->reversed ? line->fold.inner + 1 : 0, j);
 }
 
-int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
-                   double *parameters, struct sp_arena *arena) {
+enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,
+                              int32_t reversed, double *points, double *parameters, struct sp_arena *arena) {
     struct sp_reference reference;
-    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return 0;
+    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return SP_OUT_OF_MEMORY;
+    int finite = 1;
     double total = 0, behind = 0, edge = 0, edge_at = 0;
     for (int32_t i = 0; i < arcs->count; i++)
         total += arcs->arc[i].length;
@@ -116,9 +117,10 @@ int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface,
             sp_sample_place(&arc->system, arc->reversed ? 1 - t : t, place);
         }
         if (i == 0 || i == point_count + 1) arc_end(arcs->arc + (i ? arcs->count - 1 : 0), i > 0, place);
-        sp_sample_point(surface, scale, place, points ? points + 3 * i : NULL, parameters + 2 * i);
+        int32_t at = reversed ? point_count + 1 - i : i;
+        finite &= sp_sample_point(surface, scale, place, points ? points + 3 * at : NULL, parameters + 2 * at);
     }
-    return 1;
+    return finite ? SP_CONVERGED : SP_NOT_FINITE;
 }
 
 double sp_arcs_bytes(void) {

@@ -32,7 +32,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
                               struct sp_arcs *arcs);
 
-/* How often the normal turns over along a polyline on a parametric surface, from one node to the next. Computes its charts. */
+/* How often the normal turns over along a polyline on a parametric surface, from one node to the next. Its charts are computed. */
 int32_t sp_cusp_turns(const struct sp_polyline *line);
 
 /* Whether a path leads from one side of such a curve to the other (sp_cusp_run), so that no smooth path can be near it. newton->system.line
@@ -53,9 +53,10 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
 /* Length of a piece of an edge; NaN if the arena is full. */
 double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena);
 
-/* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs. Returns 0 if the arena is full. */
-int sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count, double *points,
-                   double *parameters, struct sp_arena *arena);
+/* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs, `reversed` from their end on.
+ * SP_OUT_OF_MEMORY if the arena is full, SP_NOT_FINITE if some number is not, else SP_CONVERGED. */
+enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,
+                              int32_t reversed, double *points, double *parameters, struct sp_arena *arena);
 
 /* Bytes of arena that all of these take besides sp_refine_bytes. */
 double sp_arcs_bytes(void);

@@ -21,7 +21,7 @@ struct sp_kind {
 
     /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
      * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
-     * then not to be used. */
+     * then not to be used; 2 where some lane of it lies on a wall of the rectangle, else 1. */
     int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *steps,
                 const sp_mask *straight, double scale, sp_pair *moved);
 };
@@ -44,7 +44,7 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 
-/* Parametric: places moved into the closed rectangle. */
-void sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);
+/* Parametric: places moved into the closed rectangle. Returns whether some now lie on its walls. */
+int sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places);
 
 #endif

@@ -5,7 +5,7 @@
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
-static const double PLAIN_SAGITTA = 0.05;
+static const double PLAIN_SAGITTA = 0.05, PLAIN_DEPARTURE = 0.25;
 enum { BISECTIONS = 60, BLOCK = 16 };
 
 /* Two neighbouring nodes, scalar: their places, positions and normals. */
@@ -109,50 +109,48 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     return SP_CONVERGED;
 }
 
-/* The middles of `count` pairs of chords from pair `first` on: of their places and, implicit, f and its gradient there; else the charts. */
+/* f and its gradient in the middles of `count` pairs of chords from pair `first` on. */
 static void look_at_middles(const struct sp_polyline *line, int32_t first, int32_t count, sp_pair *seen) {
-    int32_t dimension = line->kind->dimension;
-    const sp_pair *places = line->nodes.places + dimension * first;
+    const sp_pair *places = line->nodes.places + 3 * first;
     sp_pair middles[3 * BLOCK];
-    for (int32_t j = 0; j < dimension * count; j++)
-        middles[j] = 0.5 * (places[j] + places[j + dimension]);
-    if (line->surface->kind == SP_IMPLICIT) {
-        line->surface->value(count, middles, seen);
-    } else {
-        sp_pair metrics[SP_METRIC_LARGEST * BLOCK];
-        line->kind->charts(line->surface, count, middles, seen, metrics);
-    }
+    for (int32_t j = 0; j < 3 * count; j++)
+        middles[j] = 0.5 * (places[j] + places[j + 3]);
+    line->surface->value(count, middles, seen);
 }
 
-static struct sp_vector chord_of(const sp_pair *chart) {
+static inline __attribute__((always_inline)) struct sp_vector chord_of(const sp_pair *chart) {
     return sp_subtract(sp_load(chart + SP_CHART + SP_CHART_X), sp_load(chart + SP_CHART_X));
 }
 
+/* A pair of chords: its two ends, and their normals. */
+struct chord_pair {
+    const sp_pair *chart;
+    struct sp_vector from, to, chord;
+    sp_pair squared; /* |chord|^2 */
+};
+
 /* Normals less than LEAST_COSINE apart, and the middle nearer to f = 0 than a small part of the chord, by f over its gradient. */
-static sp_mask is_plain_implicit(const sp_pair *chart, const sp_pair *seen) {
-    struct sp_vector from = sp_chart_normal(chart), to = sp_chart_normal(chart + SP_CHART), chord = chord_of(chart);
+static inline __attribute__((always_inline)) sp_mask is_plain_implicit(const struct chord_pair *pair, const sp_pair *seen) {
     struct sp_vector gradient = sp_load(seen + 1);
-    sp_pair cosine = sp_dot(from, to), squares = sp_dot(from, from) * sp_dot(to, to);
-    sp_pair allowed = PLAIN_SAGITTA * PLAIN_SAGITTA * sp_dot(chord, chord) * sp_dot(gradient, gradient);
+    sp_pair cosine = sp_dot(pair->from, pair->to), squares = sp_dot(pair->from, pair->from) * sp_dot(pair->to, pair->to);
+    sp_pair allowed = PLAIN_SAGITTA * PLAIN_SAGITTA * pair->squared * sp_dot(gradient, gradient);
     return (cosine > sp_splat(0.0)) & (cosine * cosine > LEAST_COSINE * LEAST_COSINE * squares) & (seen[0] * seen[0] < allowed);
 }
 
-/* |S_u u + S_v v|^2 */
-static inline __attribute__((always_inline)) sp_pair pair_speed_squared(const sp_pair *chart, const sp_pair step[2]) {
+/* |S_u u + S_v v - chord|^2 */
+static inline __attribute__((always_inline)) sp_pair departure(const sp_pair *chart, const sp_pair step[2], struct sp_vector chord) {
     struct sp_vector velocity = sp_add(sp_scale(sp_load(chart + SP_CHART_1), step[0]), sp_scale(sp_load(chart + SP_CHART_2), step[1]));
-    return sp_dot(velocity, velocity);
+    struct sp_vector aside = sp_subtract(velocity, chord);
+    return sp_dot(aside, aside);
 }
 
-/* What check_parametric asks for, in squares: the mean of speeds is at most their root mean square. */
-static sp_mask is_plain_parametric(const sp_pair *chart, const sp_pair *place, const sp_pair *seen) {
-    const sp_pair *next = chart + SP_CHART, step[2] = {place[2] - place[0], place[3] - place[1]};
-    struct sp_vector from = sp_chart_normal(chart), to = sp_chart_normal(next), chord = chord_of(chart);
+/* The normal does not turn over, and the parameter segment leaves and arrives as the chord runs. */
+static inline __attribute__((always_inline)) sp_mask is_plain_parametric(const struct chord_pair *pair, const sp_pair *place) {
+    const sp_pair *next = pair->chart + SP_CHART, step[2] = {place[2] - place[0], place[3] - place[1]};
     struct sp_vector b1 = sp_load(next + SP_CHART_1), b2 = sp_load(next + SP_CHART_2);
-    struct sp_vector aside = sp_subtract(sp_subtract(sp_load(seen), sp_load(chart)), sp_scale(chord, sp_splat(0.5)));
-    sp_pair length = sp_dot(chord, chord);
-    sp_pair along = pair_speed_squared(chart, step) + 4.0 * pair_speed_squared(seen, step) + pair_speed_squared(next, step);
-    return (sp_dot(to, to) > DEGENERATE * sp_dot(b1, b1) * sp_dot(b2, b2)) & (sp_dot(from, to) > sp_splat(0.0)) &
-           (sp_dot(aside, aside) < LARGEST_SAGITTA * LARGEST_SAGITTA * length) & (along < 6 * LARGEST_STRETCH * LARGEST_STRETCH * length);
+    sp_pair allowed = PLAIN_DEPARTURE * PLAIN_DEPARTURE * pair->squared;
+    return (sp_dot(pair->to, pair->to) > DEGENERATE * sp_dot(b1, b1) * sp_dot(b2, b2)) & (sp_dot(pair->from, pair->to) > sp_splat(0.0)) &
+           (departure(pair->chart, step, pair->chord) < allowed) & (departure(next, step, pair->chord) < allowed);
 }
 
 /* Chord i alone. */
@@ -162,61 +160,49 @@ static enum sp_status check_chord(const struct sp_polyline *line, int32_t i, dou
     return line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
 }
 
-/* Chords that are not plainly in order, of pairs `first` on, are looked at one by one. */
-static enum sp_status check_block(const struct sp_polyline *line, int32_t first, int32_t count, double scale) {
-    int implicit = line->surface->kind == SP_IMPLICIT;
+/* 1/|n|; zero where there is no normal. */
+static inline __attribute__((always_inline)) sp_pair unit_of(struct sp_vector normal) {
+    sp_pair zero = sp_splat(0.0), squared = sp_dot(normal, normal);
+    return sp_select(squared > zero, 1.0 / sp_square_root(squared), zero);
+}
+
+/* (2 a^2 - a b + 2 b^2)/30 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md. */
+static inline __attribute__((always_inline)) void measure(const struct chord_pair *pair, sp_pair unit_from, sp_pair unit_to,
+                                                          sp_mask counted, sp_pair *lengths, sp_pair *errors) {
+    sp_pair zero = sp_splat(0.0), length = sp_square_root(pair->squared);
+    sp_pair a = sp_dot(pair->chord, pair->from) * unit_from, b = sp_dot(pair->chord, pair->to) * unit_to;
+    sp_pair error = (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * length);
+    *lengths += sp_select(counted, length, zero), *errors += sp_select(counted & (length > zero), error, zero);
+}
+
+/* Chords that are not plainly in order are looked at one by one. */
+enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, struct sp_chord_sums *sums) {
     enum sp_status worst = SP_CONVERGED;
-    sp_pair seen[SP_CHART * BLOCK];
-    look_at_middles(line, first, count, seen);
-    for (int32_t k = first; k < first + count; k++) {
+    int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
+    sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, unit_from, unit_to = lengths;
+    struct chord_pair pair = {.to = sp_chart_normal(line->nodes.charts)};
+    if (sums) unit_to = unit_of(pair.to);
+    for (int32_t k = 0; k < chords; k++) {
         const sp_pair *chart = line->nodes.charts + SP_CHART * k;
-        sp_mask plain = implicit ? is_plain_implicit(chart, seen + SP_IMPLICIT_VALUES * (k - first))
-                                 : is_plain_parametric(chart, line->nodes.places + 2 * k, seen + SP_CHART * (k - first));
-        for (int lane = 0; lane < 2; lane++) {
+        struct sp_vector chord = chord_of(chart);
+        pair = (struct chord_pair){chart, pair.to, sp_chart_normal(chart + SP_CHART), chord, sp_dot(chord, chord)};
+        if (implicit && k % BLOCK == 0) look_at_middles(line, k, chords - k < BLOCK ? chords - k : BLOCK, seen);
+        sp_mask plain = implicit ? is_plain_implicit(&pair, seen + SP_IMPLICIT_VALUES * (k % BLOCK))
+                                 : is_plain_parametric(&pair, line->nodes.places + 2 * k);
+        for (int lane = 0; lane < 2 && sp_any(~plain); lane++) {
             if (plain[lane]) continue;
             enum sp_status status = check_chord(line, lane ? line->fold.inner - k : k, scale);
             if (status < 0) return status;
             if (status > worst) worst = status;
         }
+        if (!sums) continue;
+        unit_from = unit_to, unit_to = unit_of(pair.to);
+        /* For n even the last chord is its own mirror image. */
+        measure(&pair, unit_from, unit_to, (sp_mask){-1, k < line->fold.both || line->fold.odd ? -1 : 0}, &lengths, &errors);
     }
-    return worst;
-}
-
-enum sp_status sp_check_chords(const struct sp_polyline *line, double scale) {
-    enum sp_status worst = SP_CONVERGED;
-    int32_t chords = line->fold.both + 1;
-    for (int32_t k = 0; k < chords; k += BLOCK) {
-        enum sp_status status = check_block(line, k, chords - k < BLOCK ? chords - k : BLOCK, scale);
-        if (status < 0) return status;
-        if (status > worst) worst = status;
-    }
+    if (sums) *sums = (struct sp_chord_sums){lengths[0] + lengths[1], errors[0] + errors[1]};
     enum sp_status metric = sp_metric_check(line, scale);
     return metric < 0 ? metric : worst;
-}
-
-/* The normal of unit length; zero where there is none. */
-static struct sp_vector unit_normal(const sp_pair *chart) {
-    struct sp_vector normal = sp_chart_normal(chart);
-    sp_pair zero = sp_splat(0.0), squared = sp_dot(normal, normal);
-    return sp_scale(normal, sp_select(squared > zero, 1.0 / sp_square_root(squared), zero));
-}
-
-/* (2 a^2 - a b + 2 b^2)/30 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md.
- * Here of all chords, which it measures, too. */
-static double angle_corrections(const struct sp_polyline *line, double *length) {
-    struct sp_vector from = unit_normal(line->nodes.charts);
-    sp_pair zero = sp_splat(0.0), sum = zero, lengths = zero, last = zero, last_length = zero;
-    for (int32_t k = 0; k <= line->fold.both; k++) {
-        const sp_pair *chart = line->nodes.charts + SP_CHART * k;
-        struct sp_vector to = unit_normal(chart + SP_CHART), chord = chord_of(chart);
-        sp_pair a = sp_dot(chord, from), b = sp_dot(chord, to);
-        sum += last, lengths += last_length;
-        last_length = sp_square_root(sp_dot(chord, chord));
-        last = sp_select(last_length > zero, (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * last_length), zero);
-        from = to;
-    }
-    *length = lengths[0] + lengths[1] + last_length[0] + (line->fold.odd ? last_length[1] : 0);
-    return sum[0] + sum[1] + last[0] + (line->fold.odd ? last[1] : 0);
 }
 
 /* A third of what the polyline through every second node is shorter. */
@@ -235,10 +221,9 @@ static double halving_error(const struct sp_polyline *line, double length) {
 
 double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-15 * length + 2.2e-16 * scale : 0; }
 
-double sp_check_length_error(const struct sp_polyline *line, double scale, int touches) {
+double sp_check_length_error(const struct sp_polyline *line, double scale, int touches, const struct sp_chord_sums *sums) {
     if (line->kind->components) return sp_metric_length_error(line);
-    double length, error = angle_corrections(line, &length), least = sp_check_rounding(length, scale);
-    double halved = touches ? halving_error(line, length) : 0;
+    double error = sums->error, least = sp_check_rounding(sums->length, scale), halved = touches ? halving_error(line, sums->length) : 0;
     if (halved > error) error = halved;
     return error > least ? error : least;
 }

@@ -422,9 +422,10 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
 int32_t sp_cusp_turns(const struct sp_polyline *line) {
     const sp_pair *charts = line->nodes.charts;
     int32_t turns = 0, last = line->fold.both;
-    sp_polyline_charts(line, line->nodes);
+    struct sp_vector from, to = sp_chart_normal(charts);
     for (int32_t k = 0; k <= last; k++) {
-        sp_pair product = sp_dot(sp_chart_normal(charts + SP_CHART * k), sp_chart_normal(charts + SP_CHART * (k + 1)));
+        from = to, to = sp_chart_normal(charts + SP_CHART * (k + 1));
+        sp_pair product = sp_dot(from, to);
         turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
     }
     return turns;
@@ -432,7 +433,7 @@ int32_t sp_cusp_turns(const struct sp_polyline *line) {
 
 int sp_cusp_divides(const struct sp_newton *newton) {
     const struct sp_polyline *line = &newton->system.line;
-    return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale) == SP_SINGULAR_METRIC;
+    return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
 }
 
 /* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */

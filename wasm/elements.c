@@ -100,7 +100,7 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct s
     const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     sp_row_assemble(chart, pull, weight, *straight, row);
     held[0] = held[1] = (sp_mask){0, 0};
-    if (line->surface->kind != SP_PARAMETRIC || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
+    if (!line->touches || !sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held)) return 0;
     *straight |= held[0] | held[1];
     sp_row_assemble(chart, pull, weight, *straight, row);
     sp_row_hold(row, held);

@@ -19,9 +19,13 @@ struct sp_tally {
 
 /* A row less the carry of the one before it. */
 static inline __attribute__((always_inline)) struct sp_carry sp_reduce(const struct sp_row *row, double shift, struct sp_carry carry) {
-    sp_pair by = shift * row->weight;
-    return (struct sp_carry){row->a + by * row->e - carry.a, row->b + by * row->f - carry.b, row->d + by * row->g - carry.d,
-                             row->r1 - carry.s1, row->r2 - carry.s2};
+    struct sp_carry left = {row->a, row->b, row->d, row->r1 - carry.s1, row->r2 - carry.s2};
+    if (shift != 0) {
+        sp_pair by = shift * row->weight;
+        left.a += by * row->e, left.b += by * row->f, left.d += by * row->g;
+    }
+    left.a -= carry.a, left.b -= carry.b, left.d -= carry.d;
+    return left;
 }
 
 /* Solves for the row by its pivot block, in the lanes of `counted` tallied: writes P, W = P^-1 Q, y = P^-1 s. */

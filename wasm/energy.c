@@ -3,18 +3,28 @@
 #include "energy.h"
 #include "elimination.h"
 
-double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts) {
-    sp_pair sum = sp_splat(0.0);
-    struct sp_vector here = sp_load(charts);
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++) {
-        struct sp_vector next = sp_load(charts + SP_CHART * k), chord = sp_subtract(next, here);
+/* |r|^2 at a node: r = -B'D. */
+static inline __attribute__((always_inline)) sp_pair slope_at(const sp_pair *chart, struct sp_vector pull) {
+    sp_pair r1 = sp_dot(sp_load(chart + SP_CHART_1), pull), r2 = sp_dot(sp_load(chart + SP_CHART_2), pull);
+    return r1 * r1 + r2 * r2;
+}
+
+double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts, double *gradient_squared) {
+    sp_pair sum = sp_splat(0.0), slopes = sum, middle = sum, zero = sum;
+    const sp_pair *chart = charts + SP_CHART;
+    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(charts));
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++, chart += SP_CHART) {
+        int mirrored = k > fold.both;
+        struct sp_vector next = mirrored ? sp_swap_vector(chord) : sp_subtract(sp_load(chart), sp_load(chart + SP_CHART));
         sum += sp_dot(chord, chord);
-        here = next;
+        if (gradient_squared) {
+            sp_pair slope = slope_at(chart, sp_add(chord, next));
+            slopes += mirrored ? zero : slope, middle = mirrored ? slope : zero;
+        }
+        chord = sp_subtract((struct sp_vector){zero, zero, zero}, next);
     }
-    double squares = sum[0] + sum[1];
-    if (fold.odd) return squares;
-    struct sp_vector middle = sp_subtract(here, sp_swap_vector(here));
-    return squares + sp_dot(middle, middle)[0];
+    if (gradient_squared) *gradient_squared = slopes[0] + slopes[1] + middle[0];
+    return sum[0] + sum[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
 }
 
 double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
@@ -124,7 +134,7 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
             straight[k] = coordinate;
             assemble_node(chart, sp_add(chord, next), sp_splat(2.0), coordinate, rows + k);
             if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
-            if (line->surface->kind == SP_PARAMETRIC && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
+            if (line->touches && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
                 energy.active += hold_active(line, k, held, rows, straight);
             sp_pair slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2, zero = sp_splat(0.0);
             squares += sp_dot(chord, chord);

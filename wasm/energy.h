@@ -34,8 +34,8 @@ void sp_row_hold(struct sp_row *row, const sp_mask held[2]);
 /* Sum of squares of the scaled gradient. */
 double sp_rows_gradient_squared(struct sp_fold fold, const struct sp_row *rows);
 
-/* sum |X_i+1 - X_i|^2 */
-double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts);
+/* sum |X_i+1 - X_i|^2; and, where `gradient_squared` is not NULL, the sum of squares of the scaled gradient, no coordinate held. */
+double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts, double *gradient_squared);
 
 /* sum |X_i+1 - X_i| */
 double sp_polyline_length(struct sp_fold fold, const sp_pair *charts);

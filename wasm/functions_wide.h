@@ -64,11 +64,13 @@ static inline sp_pair sp_with_sign_of(sp_pair magnitude, sp_pair sign) {
     return sp_pair_of(sp_word_of(magnitude) | (sp_word_of(sign) & (uint64_t)INT64_MIN));
 }
 
-/* coefficients[0] + coefficients[1] x + ... up to x^(count - 1). */
+/* coefficients[0] + coefficients[1] x + ... up to x^(count - 1), count > 1: even and odd powers by Horner side by side, which halves the
+ * wait for one result after the other. */
 static inline sp_pair sp_polynomial(sp_pair x, const sp_pair *coefficients, int count) {
-    sp_pair sum = coefficients[count - 1];
-    SP_UNROLL for (int i = count - 2; i >= 0; i--) { sum = sum * x + coefficients[i]; }
-    return sum;
+    sp_pair square = x * x, even = coefficients[(count - 1) & ~1], odd = coefficients[(count - 2) | 1];
+    SP_UNROLL for (int i = ((count - 1) & ~1) - 2; i >= 0; i -= 2) { even = even * square + coefficients[i]; }
+    SP_UNROLL for (int i = ((count - 2) | 1) - 2; i >= 1; i -= 2) { odd = odd * square + coefficients[i]; }
+    return even + x * odd;
 }
 
 /* a + b exactly, for |a| >= |b| or a = 0. */

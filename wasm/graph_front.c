@@ -3,7 +3,7 @@
 
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
-    *front = (struct sp_front){.graph = graph};
+    *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf()};
     front->distance = sp_graph_take(arena, vertices, sizeof(double));
     front->before = sp_graph_take(arena, vertices, sizeof(int32_t));
     front->heap = sp_graph_take(arena, vertices, sizeof(int32_t));
@@ -60,6 +60,14 @@ static int leads_nowhere(const struct sp_front *front, int32_t vertex) {
     return front->distance[vertex] + sp_distance3(sample, front->target) > front->most;
 }
 
+/* Whether an offer would count, and be visited. Most would not: asked before the call. */
+static inline __attribute__((always_inline)) int is_of_interest(const struct sp_front *front, int32_t vertex, double distance) {
+    if (!(distance < front->distance[vertex]) || distance >= front->farthest) return 0;
+    if (!front->through[0]) return 1;
+    double other = front->through[1] == front->distance ? distance : front->through[1][vertex];
+    return front->through[0][vertex] + other <= front->most;
+}
+
 void sp_front_advance(struct sp_front *front, double limit) {
     const struct sp_graph *graph = front->graph;
     while (front->count > 0 && front->distance[front->heap[0]] < limit) {
@@ -70,8 +78,10 @@ void sp_front_advance(struct sp_front *front, double limit) {
             sink(front, 0);
         }
         if (leads_nowhere(front, vertex)) continue;
-        for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++)
-            sp_front_offer(front, graph->edges[e].to, vertex, front->distance[vertex] + (double)graph->edges[e].length);
+        for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++) {
+            double distance = front->distance[vertex] + (double)graph->edges[e].length;
+            if (is_of_interest(front, graph->edges[e].to, distance)) sp_front_offer(front, graph->edges[e].to, vertex, distance);
+        }
     }
 }
 

@@ -33,6 +33,7 @@ static void bound(struct search *search) {
         sp_graph_sample(search->surface, search->ends[1], search->target);
         front->target = search->target, front->most = most;
     }
+    front[0].farthest = front[1].farthest = search->longest * search->best, search->taken.farthest = APART[0] * search->best;
     for (int i = 0; i < 2; i++)
         others[i]->through[0] = front[0].distance, others[i]->through[1] = front[1].distance, others[i]->most = most;
 }
@@ -53,8 +54,8 @@ static enum sp_status measure(struct search *search) {
         sp_front_advance(front, limit);
     }
     bound(search);
-    sp_front_advance(front, search->longest * search->best);
-    sp_front_advance(front + 1, search->longest * search->best);
+    sp_front_advance(front, front[0].farthest);
+    sp_front_advance(front + 1, front[1].farthest);
     return SP_CONVERGED;
 }
 
@@ -94,7 +95,7 @@ static enum sp_status find_ways(struct search *search, struct sp_arena *arena, s
         if (status != SP_CONVERGED) return status;
         for (int32_t i = 0; i < way.count; i++)
             sp_front_offer(&search->taken, way.vertices[i], -1, 0);
-        sp_front_advance(&search->taken, APART[0] * search->best);
+        sp_front_advance(&search->taken, search->taken.farthest);
     }
     return SP_CONVERGED;
 }

@@ -43,7 +43,7 @@ struct sp_front {
     /* Vertices that no way of interest leads over are not visited: those where `through`, the sum of two distances, is more than `most`; or
      * the distance and the chord to `target`. NULL: none are left out. */
     const double *through[2], *target;
-    double most;
+    double most, farthest; /* nor are those that are as far as `farthest` */
 };
 
 /* Takes the arrays, nothing reached. Returns 0 if the arena is full. */

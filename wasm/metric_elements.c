@@ -118,7 +118,7 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp
     row->r1 = -terms[FORCE], row->r2 = -terms[FORCE + 1];
     row->a = mass.e + terms[CURVATURE], row->b = mass.f + terms[CURVATURE + 1], row->d = mass.g + terms[CURVATURE + 2];
     held[0] = held[1] = (sp_mask){0, 0};
-    if (line->surface->kind == SP_PARAMETRIC) active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
+    if (line->touches) active = sp_row_find_held(line->surface, line->nodes.places + 2 * k, row, held);
     *straight |= held[0] | held[1];
     make_covariant(components, chart, line->nodes.metrics + SP_METRIC_PARTS * components * k, *straight, row);
     if (active) sp_row_hold(row, held);

@@ -4,7 +4,8 @@
 #include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
-static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, PAPER_TOLERANCE = 1e-6;
+static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3,
+                    PAPER_TOLERANCE = 1e-6;
 enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -15,7 +16,8 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
                    struct sp_arena *arena) {
     struct sp_system *system = &newton->system;
     struct sp_polyline *line = &system->line;
-    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(inner);
+    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(inner),
+    line->touches = surface->kind == SP_PARAMETRIC;
     size_t pairs = (size_t)sp_fold_pairs(line->fold), dimension = (size_t)line->kind->dimension;
     size_t metric = SP_METRIC_PARTS * (size_t)line->kind->components;
     struct sp_nodes *both[2] = {&line->nodes, &newton->trial};
@@ -31,7 +33,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
-    newton->decrement = DECREMENT, newton->enough = 0, newton->draft = 0;
+    newton->decrement = DECREMENT, newton->enough = 0, newton->draft = newton->certain = 0;
     newton->steps_left = options->max_iterations, newton->record_points = options->point_count;
     newton->history_count = 0;
     newton->history = sp_arena_take(arena, (size_t)options->max_iterations + 1, sizeof(struct sp_iterate));
@@ -74,29 +76,22 @@ static double try_step(struct sp_newton *newton, double scale) {
     sp_pair *places = newton->trial.places;
     for (int32_t j = 0; j < dimension; j++)
         places[j] = line->nodes.places[j];
-    if (!line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
-                          newton->system.straight + 1, scale, places + dimension))
-        return not_a_number();
+    int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
+                                 newton->system.straight + 1, scale, places + dimension);
+    if (!moved) return not_a_number();
+    newton->trial_touches = moved == 2;
     sp_fold_mirror(line->fold, places, dimension);
     sp_polyline_charts(line, newton->trial);
     if ((line->surface->kind == SP_IMPLICIT || is_singular(newton)) && !normals_kept(newton)) return not_a_number();
-    return sp_system_squares(&newton->system, newton->trial);
+    return newton->trial_squares =
+               sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
 }
 
 static void accept(struct sp_newton *newton) {
     struct sp_nodes kept = newton->system.line.nodes;
     newton->system.line.nodes = newton->trial;
     newton->trial = kept;
-}
-
-/* Whether some unknown of these places lies on a wall of the rectangle. */
-static int touches_wall(const struct sp_newton *newton, const sp_pair *places) {
-    const struct sp_surface *surface = newton->system.line.surface;
-    if (surface->kind != SP_PARAMETRIC) return 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(newton->system.line.fold); k++)
-        for (int j = 0; j < 2; j++)
-            if (sp_any((places[2 * k + j] <= sp_splat(surface->lower[j])) | (places[2 * k + j] >= sp_splat(surface->upper[j])))) return 1;
-    return 0;
+    newton->system.line.touches = newton->trial_touches;
 }
 
 /* r . (trial - path): the decrease that the clipped step promises to first order. */
@@ -117,7 +112,7 @@ static double search_armijo(struct sp_newton *newton, double squares, double slo
     for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
         double now = try_step(newton, scale), promised = scale * slope;
         if (!is_finite(now)) continue;
-        if (touches_wall(newton, newton->trial.places)) promised = clipped_descent(newton);
+        if (newton->trial_touches) promised = clipped_descent(newton);
         if (promised >= 0 && 0.5 * now <= 0.5 * squares - ARMIJO * promised + SLACK * squares) return scale;
     }
     return 0;
@@ -152,17 +147,21 @@ static double search_escape(struct sp_newton *newton, double squares) {
 struct round {
     struct sp_energy energy;
     struct sp_inertia inertia;
-    double gradient_norm, decrement, shift;
+    double gradient_norm, decrement, shift, conditioning;
 };
 
 static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
+
+static double norm_of(const struct sp_newton *newton, double gradient_squared) {
+    return 2.0 * sp_system_segments(&newton->system) * root(gradient_squared);
+}
 
 static void assemble(struct sp_newton *newton, const struct sp_options *options, struct round *round) {
     enum sp_hessian hessian = options->algorithm == SP_PAPER ? SP_COORDINATE : SP_COVARIANT;
     round->energy = sp_system_assemble(&newton->system, hessian);
     round->inertia = round->energy.inertia;
-    round->gradient_norm = 2.0 * sp_system_segments(&newton->system) * root(round->energy.gradient_squared);
-    round->decrement = not_a_number();
+    round->gradient_norm = norm_of(newton, round->energy.gradient_squared);
+    round->decrement = round->conditioning = not_a_number();
     if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
 }
 
@@ -221,16 +220,36 @@ static void note(struct sp_newton *newton, const struct round *round) {
     sp_newton_tell_end(newton, (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm,
                                                    round->decrement, 0});
     if (newton->record)
-        sp_sample_points(&newton->system, newton->scale, newton->record_points,
+        sp_sample_points(&newton->system, newton->scale, newton->record_points, newton->reversed,
                          newton->record + (size_t)(newton->history_count - 1) * 3 * ((size_t)newton->record_points + 2), NULL);
 }
 
-/* Takes the step in `trial`, which was `scale` of a full one. */
-static void take_step(struct sp_newton *newton, const struct sp_options *options, double scale, struct round *round) {
+/* Whether a step so small beside the conditioning cannot have changed the certificate, so that the end needs no matrix of its own. */
+static int is_certain(const struct sp_newton *newton, struct round *round) {
+    const struct sp_system *system = &newton->system;
+    int keeps = sp_system_is_plain(system) || system->elements.reference.degree > 1; /* rows of the others hold the factorisation, too */
+    if (!keeps || !is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
+    round->conditioning = sp_system_conditioning(system);
+    return round->decrement <= CERTAIN * round->conditioning;
+}
+
+/* Energy and gradient where the step in `trial` led, without a matrix. Returns 0 where that needs one: some coordinate is held. */
+static int look(struct sp_newton *newton, struct round *round) {
+    struct sp_energy energy = {.squares = newton->trial_squares, .gradient_squared = newton->trial_gradient};
+    if (!newton->certain || newton->system.line.touches) return 0;
+    if (!sp_system_is_plain(&newton->system)) energy = sp_system_rows(&newton->system, SP_COVARIANT);
+    round->energy.squares = energy.squares, round->gradient_norm = norm_of(newton, energy.gradient_squared);
+    round->decrement = not_a_number();
+    return is_finite(round->gradient_norm);
+}
+
+/* Takes the step in `trial`, which was `scale` of a full one. It is the last one where that makes |grad E| <= tolerance. */
+static void take_step(struct sp_newton *newton, const struct sp_options *options, double scale, double tolerance, struct round *round) {
     if (newton->history) newton->history[newton->history_count - 1].step = scale;
     accept(newton);
     newton->steps_left--;
-    assemble(newton, options, round);
+    if (!look(newton, round) || round->gradient_norm > tolerance) assemble(newton, options, round);
+    newton->certain = 0;
     note(newton, round);
 }
 
@@ -264,7 +283,8 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
-    return sp_system_conditioning(&newton->system) < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
+    double conditioning = is_finite(round->conditioning) ? round->conditioning : sp_system_conditioning(&newton->system);
+    return conditioning < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
 }
 
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
@@ -291,27 +311,30 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
         }
         outcome->status = newton->steps_left <= 0 ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
         if (outcome->status) return;
+        newton->certain = certified && !newton->draft && options->gradient_tolerance > 0 && is_certain(newton, round);
         double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
         if (scale == 0) {
             outcome->status = rest ? SP_SADDLE : is_undetermined(newton, round) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
         struct round before = *round;
-        take_step(newton, options, scale, round);
+        take_step(newton, options, scale, options->gradient_tolerance, round);
         idle = idle_count(idle, &before, round);
     }
 }
 
 /* One full step more: at the stopping decrement the error left is of its square. Returns 0, taking none, where the energy rises. */
 static int polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+    newton->certain = (!newton->draft || newton->system.elements.reference.degree > 1) && is_certain(newton, round);
+    newton->last_decrement = round->decrement;
     sp_system_solve(&newton->system, newton->step);
     double now = try_step(newton, 1);
-    if (!(now <= round->energy.squares * (1 + SLACK))) return 0;
+    if (!(now <= round->energy.squares * (1 + SLACK))) return newton->certain = 0;
     if (newton->draft) {
         leave(newton, now, round);
         return 1;
     }
-    take_step(newton, options, 1, round);
+    take_step(newton, options, 1, __builtin_inf(), round);
     outcome->status = certify(newton, round);
     return 1;
 }
@@ -335,6 +358,7 @@ static void converge(struct sp_newton *newton, const struct sp_options *options,
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
+    newton->certain = 0;
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
         enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);
@@ -345,6 +369,14 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
     converge(newton, options, &round, &outcome);
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.energy = sp_system_segments(&newton->system) * round.energy.squares, outcome.gradient_norm = round.gradient_norm;
-    outcome.active = touches_wall(newton, newton->system.line.nodes.places);
+    outcome.active = newton->system.line.touches;
     return outcome;
+}
+
+int sp_newton_confirm(struct sp_newton *newton, struct sp_outcome *outcome) {
+    struct round round = {0};
+    if (!(newton->last_decrement * newton->last_decrement <= newton->enough) || !look(newton, &round)) return 0;
+    *outcome = (struct sp_outcome){SP_CONVERGED, 0, 0, sp_system_segments(&newton->system) * round.energy.squares, round.gradient_norm};
+    note(newton, &round);
+    return 1;
 }

@@ -13,12 +13,17 @@ struct sp_newton {
     struct sp_iterate *history; /* as many entries as steps may be taken, and one; NULL while none are kept */
     double *record;             /* as many polylines of 3 (record_points + 2) numbers; NULL: not wanted, or no positions */
     int32_t history_count, record_points;
-    int32_t steps_left; /* Newton steps that may still be taken, in all runs together */
-    int32_t draft;      /* 1: the step more is the last thing done, and where it leads neither assembled nor certified */
-    double scale;       /* size of the coordinates, for rounding */
-    double size;        /* the same in the unit of length, which a metric may change */
-    double decrement;   /* stop at this relative Newton decrement, and take one step more */
-    double enough;      /* at this one without that step */
+    int32_t reversed;                     /* 1: the points are recorded from the end of the path on */
+    int32_t steps_left;                   /* Newton steps that may still be taken, in all runs together */
+    int32_t trial_touches;                /* as system.line.touches */
+    int32_t certain;                      /* 1: the factorisation at hand also speaks for where the step in `trial` leads */
+    double trial_squares, trial_gradient; /* energy of `trial`; its gradient, of a plain polyline if `certain` */
+    double last_decrement;                /* before the last step of a draft */
+    int32_t draft;                        /* 1: the step more is the last thing done, and where it leads neither assembled nor certified */
+    double scale;                         /* size of the coordinates, for rounding */
+    double size;                          /* the same in the unit of length, which a metric may change */
+    double decrement;                     /* stop at this relative Newton decrement, and take one step more */
+    double enough;                        /* at this one without that step */
 };
 
 /* How a run ended. */
@@ -38,6 +43,10 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
  * newton->system.line and never has more energy than the start. Its steps continue the history of the run before, if there was one: see
  * sp_newton_tell_end. */
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options);
+
+/* What sp_newton_run would find where a draft has just ended, without a matrix: at rest to newton->enough, as the square of the decrement
+ * before its step is, and certified by the matrix of that. Returns 0 where that is not certain. */
+int sp_newton_confirm(struct sp_newton *newton, struct sp_outcome *outcome);
 
 /* Makes `end` the last entry of the history. Where the one that was last is the end of a run, the two are the same path, measured by two
  * discretisations: it is replaced, and the energies before it are multiplied by what the new measure is larger. */

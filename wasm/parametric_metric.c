@@ -36,8 +36,7 @@ static int straight_move(const struct sp_surface *surface, int32_t pair_count, c
     (void)charts, (void)straight;
     for (int32_t j = 0; j < 2 * pair_count; j++)
         moved[j] = places[j] + scale * steps[j];
-    sp_parametric_clip(surface, pair_count, moved);
-    return 1;
+    return sp_parametric_clip(surface, pair_count, moved) ? 2 : 1;
 }
 
 const struct sp_kind sp_parametric_density_kind = {SP_PARAMETRIC_INPUTS, 1, density_charts, sp_parametric_move};

@@ -44,11 +44,14 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
     middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
-/* Chords between the joints, to be solved. Returns 0 if the arena is full. */
+/* Chords between the joints, to be solved, and their charts. Returns 0 if the arena is full. */
 static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, struct sp_arena *arena) {
     if (!sp_reference_make(&newton->system.elements.reference, 1, arena)) return 0;
     newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST), newton->system.elements.spread = NULL;
+    struct sp_polyline *line = &newton->system.line;
     fill(piece, &newton->system);
+    line->touches = sp_parametric_clip(line->surface, sp_fold_unknown(line->fold), line->nodes.places + 2);
+    sp_polyline_charts(line, line->nodes);
     return 1;
 }
 
@@ -57,7 +60,6 @@ static int start_graded(struct sp_newton *newton, const struct sp_options *optio
                         struct sp_arena *arena) {
     newton->decrement = CHORD_DECREMENT, newton->enough = 0, newton->draft = 0;
     if (!start_chords(newton, piece, arena)) return 0;
-    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     if (sp_newton_run(newton, options).status < 0) return 0;
     sp_piece_keep(newton, piece);
     *start = newton->system;

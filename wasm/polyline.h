@@ -46,6 +46,7 @@ struct sp_polyline {
     const struct sp_kind *kind;
     struct sp_fold fold;
     struct sp_nodes nodes;
+    int32_t touches; /* 0: no unknown lies on a wall of the rectangle */
 };
 
 /* Makes pair both + 1 of an array of `stride` pairs follow pair `both`, where n is even. */

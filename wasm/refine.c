@@ -1,6 +1,7 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
 #include "refine.h"
 #include "check.h"
+#include "metric_check.h"
 #include "metric_elements.h"
 #include "sample.h"
 
@@ -69,20 +70,19 @@ static enum sp_status carry_over(struct sp_newton *newton, const struct sp_syste
     sp_sample_places(from, &newton->system.elements, line->nodes.places);
     int32_t unknown = sp_fold_unknown(line->fold);
     if (line->surface->kind == SP_PARAMETRIC)
-        sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
+        line->touches = sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
     else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, newton->scale))
         return SP_SHEET_JUMP;
     sp_polyline_charts(line, line->nodes);
     return SP_CONVERGED;
 }
 
-/* Sets the system up as `rung`, started from the path of `from`. */
+/* Sets the system up as `rung`, whose reference element is made, started from the path of `from`. */
 static enum sp_status start_rung(struct sp_newton *newton, const struct sp_system *from, struct rung rung, struct start *start,
                                  struct sp_arena *arena) {
     struct sp_system *system = &newton->system;
     struct sp_elements *elements = &system->elements;
     size_t order = (size_t)sp_elements_order(rung.degree);
-    if (!sp_reference_make(&elements->reference, rung.degree, arena)) return SP_OUT_OF_MEMORY;
     elements->count = rung.count, elements->spread = rung.spread;
     elements->matrices = sp_arena_take(arena, order * order * (size_t)rung.count / 2, sizeof(sp_pair));
     elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 2), sizeof(sp_pair));
@@ -227,10 +227,16 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct sp_storage storage;
     if (!present || !sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
-    size_t bottom = arena->used;
+    size_t floor = arena->used, bottom = floor;
     for (int r = 0; r < rungs; r++) {
         int from_elements = r > 0 && before.elements.reference.degree > 1;
         arena->used = bottom;
+        if (r == 0 || ladder[r].degree != ladder[r - 1].degree) {
+            arena->used = floor;
+            if (!sp_reference_make(&newton->system.elements.reference, ladder[r].degree, arena))
+                return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
+            bottom = arena->used;
+        }
         aim(newton, options, r < rungs - 1);
         struct rung rung = ladder[r];
         for (int k = 0; uneven && k <= SP_SPREAD; k++)
@@ -241,7 +247,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
         if (agrees && newton->draft) {
             aim(newton, options, 0);
-            run(newton, options, &start, &now);
+            if (!sp_newton_confirm(newton, &now.outcome)) run(newton, options, &start, &now);
             astray = strayed(&now, first_length);
         }
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
@@ -275,19 +281,17 @@ double sp_refine_bytes(void) {
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
-/* The path of chords, and the error of its length. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more
+/* The path of chords. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more
  * than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
-static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
-                                 double *error) {
+static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage) {
     struct climbed now = {0};
-    sp_polyline_charts(&newton->system.line, newton->system.line.nodes);
     for (;;) {
         int32_t count = 2 * (newton->system.line.fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) return now;
         now.length = sp_system_length(&newton->system, newton->system.line.nodes);
-        *error = sp_check_length_error(&newton->system.line, newton->size, now.outcome.active);
-        int enough = newton->system.line.kind->components == 0 || *error <= CHORD_ERROR * now.length || count > SP_REFINE_INNER + 1;
+        int enough = newton->system.line.kind->components == 0 || count > SP_REFINE_INNER + 1 ||
+                     sp_metric_length_error(&newton->system.line) <= CHORD_ERROR * now.length;
         if (now.outcome.status != SP_CONVERGED || enough) return now;
         struct sp_system before = sp_storage_keep(storage, &newton->system);
         now.outcome.status = carry_over(newton, &before, count);
@@ -298,16 +302,17 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct climbed first = {0};
     struct sp_storage storage;
-    double error = 0;
+    struct sp_chord_sums sums = {0, 0};
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
     newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0, newton->system.elements.spread = NULL;
-    first = find_first(newton, options, &storage, &error);
+    first = find_first(newton, options, &storage);
     if (first.outcome.status < 0) return finish(newton, first, 0);
-    enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale);
+    enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale, &sums);
     if (chords < 0) first.outcome.status = chords;
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
-    if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
+    if (!at_rest || first.outcome.energy == 0 || first.outcome.active)
+        return finish(newton, first, sp_check_length_error(&newton->system.line, newton->size, first.outcome.active, &sums));
     int lowest = first_rung(&newton->system);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, arena);
@@ -330,6 +335,8 @@ struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_optio
     struct start start;
     aim(newton, options, 0);
     newton->decrement = larger(newton->decrement, 10 * options->tolerance);
+    if (!sp_reference_make(&newton->system.elements.reference, rung.degree, arena))
+        return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
     return finish(newton, climb(newton, options, from, rung, &start, arena), 0);
 }
 
@@ -337,9 +344,13 @@ struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_opt
                                    struct sp_arena *arena) {
     struct start start;
     newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
-    struct climbed chords = climb(newton, options, from, (struct rung){1, count, NULL}, &start, arena);
-    double error = chords.outcome.status < 0 ? 0 : sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active);
-    return finish(newton, chords, error);
+    struct climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
+    if (sp_reference_make(&newton->system.elements.reference, 1, arena))
+        chords = climb(newton, options, from, (struct rung){1, count, NULL}, &start, arena);
+    struct sp_chord_sums sums = {0, 0};
+    if (chords.outcome.status < 0) return finish(newton, chords, 0);
+    sp_check_chords(&newton->system.line, newton->scale, &sums);
+    return finish(newton, chords, sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active, &sums));
 }
 
 /* From how many chords on a coarser polyline helps, how few it may have, and by what it is coarser. */
@@ -371,7 +382,6 @@ int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *option
     if (!sp_storage_take(&storage, line->kind->dimension, largest - 1, arena)) return 0;
     double wanted = newton->decrement;
     newton->draft = 1, newton->decrement = DRAFT_DECREMENT;
-    sp_polyline_charts(line, line->nodes);
     enum sp_status status = SP_CONVERGED;
     for (int32_t chords = line->fold.inner + 1; status == SP_CONVERGED && chords < count; chords = line->fold.inner + 1) {
         struct sp_outcome outcome = sp_newton_run(newton, options);

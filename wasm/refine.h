@@ -14,8 +14,8 @@ struct sp_refined {
 };
 
 /* Solves to `options->tolerance`, unless the path touches the walls: then outcome.active is set, and the path is one of chords (see
- * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes or more; in the end, the path of the last rung.
- */
+ * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes or more and
+ * its charts; in the end, the path of the last rung. */
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
 
 /* Solves to the tolerance from a path of elements that is nearly right, of about that length (0: not known), and not in newton's own
@@ -34,8 +34,8 @@ struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_opt
 /* Chords of the polyline from which sp_refine_polyline starts for one of `count`; `count` itself where that is too few to gain by it. */
 int32_t sp_refine_coarsest(int32_t count);
 
-/* Brings a polyline of sp_refine_coarsest(count) chords to `count`, four times as many at a time, each polyline relaxed by a few steps and
- * the start of the next; the last is only started. Returns 0 where that leads nowhere. */
+/* Brings a polyline of sp_refine_coarsest(count) chords, its charts computed, to `count`, four times as many at a time, each polyline
+ * relaxed by a few steps and the start of the next; the last is only started. Returns 0 where that leads nowhere. */
 int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena);
 
 /* Bytes of arena that sp_refine_polyline takes. */

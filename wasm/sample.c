@@ -3,6 +3,9 @@
 
 enum { BLOCK = 32 };
 
+/* Not finite. */
+static inline __attribute__((always_inline)) sp_mask is_spoilt(sp_pair x) { return x - x != sp_splat(0.0); }
+
 /* Number j of node i in lane 0, of its mirror image in lane 1. */
 static sp_pair node_pair(const struct sp_system *system, int32_t i, int32_t j) {
     int32_t dimension = system->line.kind->dimension, mirrored = system->line.fold.inner + 1 - i;
@@ -12,26 +15,40 @@ static sp_pair node_pair(const struct sp_system *system, int32_t i, int32_t j) {
 
 /* sum_i weights_i node_(first + i), and of the mirrored nodes. */
 static void combine(const struct sp_system *system, int32_t first, int32_t count, const double *weights, sp_pair place[3]) {
-    for (int32_t j = 0; j < 3; j++) {
-        place[j] = sp_splat(0.0);
-        for (int32_t i = 0; i < count && j < system->line.kind->dimension; i++)
-            place[j] += weights[i] * node_pair(system, first + i, j);
+    struct sp_fold fold = system->line.fold;
+    int32_t dimension = system->line.kind->dimension;
+    sp_pair sum[3] = {{0}, {0}, {0}};
+    for (int32_t i = 0; i < count; i++) {
+        int mirrored = first + i > fold.both + 1; /* beyond the middle nodes stand in the other lane */
+        const sp_pair *at = system->line.nodes.places + dimension * (mirrored ? fold.inner + 1 - first - i : first + i);
+        sp_pair weight = sp_splat(weights[i]);
+        sum[0] += weight * (mirrored ? sp_swap(at[0]) : at[0]);
+        sum[1] += weight * (mirrored ? sp_swap(at[1]) : at[1]);
+        if (dimension == 3) sum[2] += weight * (mirrored ? sp_swap(at[2]) : at[2]);
     }
+    place[0] = sum[0], place[1] = sum[1], place[2] = sum[2];
 }
 
 /* The places of a polyline at t and 1 - t: cubic through the four nodes around each; linear where there are fewer. */
 static void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
-    int32_t last = system->line.fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
-    int32_t first = before > most ? most : before;
+    struct sp_fold fold = system->line.fold;
+    int32_t last = fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
+    int32_t first = before > most ? most : before, dimension = system->line.kind->dimension;
     if (last < 3) {
         double s = t * last - first, weights[2] = {1 - s, s};
         combine(system, first, 2, weights, place);
         return;
     }
     if (first < 1) first = 1;
-    double s = t * last - first, ahead = 1 - s, both = s * ahead;
-    double weights[4] = {both * (s - 2) / 6, ahead * (1 + s) * (2 - s) / 2, s * (1 + s) * (2 - s) / 2, -both * (1 + s) / 6};
-    combine(system, first - 1, 4, weights, place);
+    double s = t * last - first, ahead = 1 - s, both = s * ahead * (1.0 / 6), around = (1 + s) * (2 - s) * 0.5;
+    double weights[4] = {both * (s - 2), ahead * around, s * around, -both * (1 + s)};
+    if (first > fold.both - 1) {
+        combine(system, first - 1, 4, weights, place);
+        return;
+    }
+    const sp_pair *at = system->line.nodes.places + dimension * (first - 1);
+    for (int32_t j = 0; j < dimension; j++, at++)
+        place[j] = weights[0] * at[0] + weights[1] * at[dimension] + weights[2] * at[2 * dimension] + weights[3] * at[3 * dimension];
 }
 
 static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }
@@ -89,8 +106,8 @@ void sp_sample_place(const struct sp_system *system, double t, double place[3]) 
 }
 
 double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
-    int32_t p = elements->reference.degree, e = i / p;
-    double within = p > 1 ? from_reference(elements, e, elements->reference.node[i % p]) : 0, border = sp_elements_border(elements, e);
+    int32_t p = elements->reference.degree, e = p > 1 ? i / p : i;
+    double within = p > 1 ? from_reference(elements, e, elements->reference.node[i - e * p]) : 0, border = sp_elements_border(elements, e);
     if (elements->spread) return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
     return (e + within) / elements->count;
 }
@@ -115,7 +132,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_elements *to
     sp_fold_mirror(fold, places, dimension);
 }
 
-void sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters) {
+int sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters) {
     sp_pair at[3] = {sp_splat(place[0]), sp_splat(place[1]), sp_splat(place[2])}, position[SP_PARAMETRIC_VALUES] = {{0}};
     if (surface->kind == SP_PARAMETRIC) {
         sp_parametric_clip(surface, 1, at);
@@ -124,10 +141,12 @@ void sp_sample_point(const struct sp_surface *surface, double scale, const doubl
         sp_implicit_settle(surface, 1, at, scale);
         sp_store(sp_load(at), position);
     }
+    sp_mask spoilt = {0, 0};
     for (int j = 0; point && j < 3; j++)
-        point[j] = position[j][0];
+        point[j] = position[j][0], spoilt |= is_spoilt(position[j]);
     for (int j = 0; parameters && j < 2; j++)
-        parameters[j] = at[j][0];
+        parameters[j] = at[j][0], spoilt |= is_spoilt(at[j]);
+    return !sp_any(spoilt);
 }
 
 int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner, struct sp_arena *arena) {
@@ -155,32 +174,56 @@ struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct 
     return kept;
 }
 
-/* The pair of nodes k, as samples k and last - k: charts know where they lie, unless they are charts of u and v themselves. */
-static void write_nodes(const struct sp_system *system, int32_t k, int32_t last, double *points, double *parameters) {
+/* Where samples go: the last one's number, and whether the path is solved from its end. */
+struct sheet {
+    int32_t last, reversed;
+    double *points, *parameters;
+    sp_mask spoilt; /* where some number is not finite */
+};
+
+/* A number of two samples. */
+static inline __attribute__((always_inline)) void write_lanes(double *first, double *second, sp_pair x, sp_mask *spoilt) {
+    *first = x[0], *second = x[1];
+    *spoilt |= is_spoilt(x);
+}
+
+/* Samples i and last - i, which lie in the two lanes. */
+static void write_pair(struct sheet *sheet, int32_t i, const sp_pair *position, const sp_pair *place) {
+    int32_t first = sheet->reversed ? sheet->last - i : i, second = sheet->last - first;
+    sp_mask spoilt = sheet->spoilt;
+    if (sheet->points) {
+        double *a = sheet->points + 3 * first, *b = sheet->points + 3 * second;
+        write_lanes(a, b, position[0], &spoilt);
+        write_lanes(a + 1, b + 1, position[1], &spoilt);
+        write_lanes(a + 2, b + 2, position[2], &spoilt);
+    }
+    if (sheet->parameters) {
+        double *a = sheet->parameters + 2 * first, *b = sheet->parameters + 2 * second;
+        write_lanes(a, b, place[0], &spoilt);
+        write_lanes(a + 1, b + 1, place[1], &spoilt);
+    }
+    sheet->spoilt = spoilt;
+}
+
+/* The pair of nodes k: charts know where they lie, unless they are charts of u and v themselves. */
+static void write_nodes(const struct sp_system *system, int32_t k, struct sheet *sheet) {
     const struct sp_polyline *line = &system->line;
     const sp_pair *place = line->nodes.places + line->kind->dimension * k, *position = line->nodes.charts + SP_CHART * k;
     sp_pair flat[SP_PARAMETRIC_VALUES];
-    if (points && line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR) {
+    if (sheet->points && line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR) {
         line->surface->value(1, place, flat);
         position = flat;
     }
-    for (int lane = 0; lane < 2; lane++) {
-        int32_t at = lane ? last - k : k;
-        for (int j = 0; points && j < 3; j++)
-            points[3 * at + j] = position[j][lane];
-        for (int j = 0; parameters && j < 2; j++)
-            parameters[2 * at + j] = place[j][lane];
-    }
+    write_pair(sheet, k, position, place);
 }
 
-/* Samples i and last - i of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
-static void write_block(const struct sp_system *system, double scale, int32_t first, int32_t count, int32_t last, double *points,
-                        double *parameters) {
+/* Samples of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
+static void write_block(const struct sp_system *system, double scale, int32_t first, int32_t count, struct sheet *sheet) {
     const struct sp_surface *surface = system->line.surface;
     int32_t dimension = system->line.kind->dimension;
     sp_pair places[3 * BLOCK], positions[SP_PARAMETRIC_VALUES * BLOCK], place[3];
     for (int32_t i = 0; i < count; i++) {
-        place_pair(system, (double)(first + i) / last, place);
+        place_pair(system, (double)(first + i) / sheet->last, place);
         for (int32_t j = 0; j < dimension; j++)
             places[dimension * i + j] = place[j];
     }
@@ -188,23 +231,20 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
         sp_parametric_clip(surface, count, places);
     else
         sp_implicit_settle(surface, count, places, scale);
-    if (surface->kind == SP_PARAMETRIC && points) surface->value(count, places, positions);
+    if (surface->kind == SP_PARAMETRIC && sheet->points) surface->value(count, places, positions);
     const sp_pair *written = surface->kind == SP_PARAMETRIC ? positions : places;
     for (int32_t i = 0; i < count; i++)
-        for (int lane = 0; lane < 2; lane++) {
-            int32_t at = lane ? last - first - i : first + i;
-            for (int j = 0; points && j < 3; j++)
-                points[3 * at + j] = written[3 * i + j][lane];
-            for (int j = 0; parameters && j < 2; j++)
-                parameters[2 * at + j] = places[2 * i + j][lane];
-        }
+        write_pair(sheet, first + i, written + 3 * i, places + 2 * i);
 }
 
-void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters) {
-    int32_t last = point_count + 1, half = last / 2;
+int sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, int32_t reversed, double *points,
+                     double *parameters) {
+    struct sheet sheet = {point_count + 1, reversed, points, parameters, {0, 0}};
+    int32_t half = sheet.last / 2;
     int nodes = system->elements.reference.degree == 1 && system->line.fold.inner == point_count;
     for (int32_t k = 0; k <= (nodes ? half : 0); k++)
-        write_nodes(system, k, last, points, parameters);
+        write_nodes(system, k, &sheet);
     for (int32_t i = 1; !nodes && i <= half; i += BLOCK)
-        write_block(system, scale, i, half - i < BLOCK ? half - i + 1 : BLOCK, last, points, parameters);
+        write_block(system, scale, i, half - i < BLOCK ? half - i + 1 : BLOCK, &sheet);
+    return !sp_any(sheet.spoilt);
 }

@@ -6,8 +6,10 @@
 #include "system.h"
 
 /* Writes K + 2 points (3 numbers; unless NULL) and places (2 numbers, parametric only; unless NULL) at equal steps of the path's parameter,
- * which at rest is its length; of a polyline with K inner nodes the nodes themselves. */
-void sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, double *points, double *parameters);
+ * which at rest is its length; of a polyline with K inner nodes the nodes themselves. `reversed`: from the path's end on. Returns 0 if
+ * some number is not finite. */
+int sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, int32_t reversed, double *points,
+                     double *parameters);
 
 /* The place (3 numbers; parametric 2 and a zero) at t in [0, 1] of a path, interpolated, not yet put onto the surface. */
 void sp_sample_place(const struct sp_system *system, double t, double place[3]);
@@ -15,8 +17,8 @@ void sp_sample_place(const struct sp_system *system, double t, double place[3]);
 /* The path's parameter, 0 … 1, at node i of some elements. */
 double sp_sample_parameter(const struct sp_elements *elements, int32_t i);
 
-/* Writes one sample at a place: the point of the surface, and unless NULL its parameters. */
-void sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters);
+/* Writes one sample at a place: the point of the surface, and unless NULL its parameters. Returns 0 if some number is not finite. */
+int sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters);
 
 /* Memory for a path that outlives the arrays it was solved in. */
 struct sp_storage {

@@ -44,40 +44,24 @@ static int32_t first_inner(const struct sp_request *request) {
     return chords - 1;
 }
 
-/* Exchanges the ends of `count` points of `size` numbers. */
-static void reverse(double *numbers, int32_t count, int32_t size) {
-    for (int32_t i = 0, j = count - 1; i < j; i++, j--)
-        for (int32_t k = 0; k < size; k++) {
-            double kept = numbers[size * i + k];
-            numbers[size * i + k] = numbers[size * j + k], numbers[size * j + k] = kept;
-        }
-}
-
-/* Writes the points of the path into the result. `reversed`: it was solved from `to`. */
-static int write_points(const struct sp_newton *newton, const struct sp_arcs *arcs, int32_t point_count, int reversed,
-                        struct sp_arena *arena, struct sp_result *result) {
-    int32_t count = point_count + 2;
-    if (newton->system.line.surface->value) {
-        result->points = sp_arena_take(arena, 3 * (size_t)count, sizeof(double));
-        if (!result->points) return 0;
-    }
-    if (newton->system.line.surface->kind == SP_PARAMETRIC) {
-        result->parameters = sp_arena_take(arena, 2 * (size_t)count, sizeof(double));
-        if (!result->parameters) return 0;
-    }
-    if (arcs->count == 0)
-        sp_sample_points(&newton->system, newton->scale, point_count, result->points, result->parameters);
-    else if (!sp_arcs_sample(arcs, newton->system.line.surface, newton->scale, point_count, result->points, result->parameters, arena))
-        return 0;
+/* Writes the points of the path into the result. However a surface that is not smooth, or NaN in places, has led the stages astray, what
+ * is handed out is a path: SP_NOT_FINITE where it is none. */
+static enum sp_status write_points(const struct sp_newton *newton, const struct sp_arcs *arcs, int32_t point_count, struct sp_arena *arena,
+                                   struct sp_result *result) {
+    const struct sp_surface *surface = newton->system.line.surface;
+    int32_t count = point_count + 2, reversed = newton->reversed;
+    enum sp_status status = SP_NOT_FINITE;
+    result->points = surface->value ? sp_arena_take(arena, 3 * (size_t)count, sizeof(double)) : NULL;
+    result->parameters = surface->kind == SP_PARAMETRIC ? sp_arena_take(arena, 2 * (size_t)count, sizeof(double)) : NULL;
+    if ((surface->value && !result->points) || (surface->kind == SP_PARAMETRIC && !result->parameters)) return SP_OUT_OF_MEMORY;
+    if (arcs->count)
+        status = sp_arcs_sample(arcs, surface, newton->scale, point_count, reversed, result->points, result->parameters, arena);
+    else if (sp_sample_points(&newton->system, newton->scale, point_count, reversed, result->points, result->parameters))
+        status = SP_CONVERGED;
     double *last = newton->record ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
     for (int32_t i = 0; last && i < 3 * count; i++)
         last[i] = result->points[i];
-    if (!reversed) return 1;
-    if (result->points) reverse(result->points, count, 3);
-    if (result->parameters) reverse(result->parameters, count, 2);
-    for (int32_t i = 0; newton->record && i < newton->history_count; i++)
-        reverse(newton->record + (size_t)i * 3 * (size_t)count, count, 3);
-    return 1;
+    return result->length - result->length == 0 && result->length_error >= 0 ? status : SP_NOT_FINITE;
 }
 
 /* The ends in the order in which they are solved: without a given start the lexicographically smaller first. */
@@ -120,13 +104,11 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
-/* The polyline through exactly K points. */
-static struct sp_refined solve_polyline(struct sp_newton *newton, const struct sp_options *options) {
-    struct sp_refined refined = {sp_newton_run(newton, options), 0, 0};
-    if (refined.outcome.status < 0) return refined;
-    refined.length = sp_system_length(&newton->system, newton->system.line.nodes);
-    refined.length_error = sp_check_length_error(&newton->system.line, newton->size, refined.outcome.active);
-    return refined;
+/* The length of a polyline, and its error. */
+static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
+    const struct sp_polyline *line = &newton->system.line;
+    refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
+    refined->length_error = sp_check_length_error(line, newton->size, refined->outcome.active, sums);
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
@@ -139,6 +121,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
     int may = may_cross(line);
+    result->crosses_singularity = 0;
     if (pole >= 1 && pole <= 4 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
@@ -152,37 +135,30 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
+/* A start of that many inner nodes, with its charts. */
+static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
+                                 struct sp_arena *arena, struct sp_result *result) {
+    struct sp_polyline *line = &newton->system.line;
+    line->fold = sp_fold_of(inner);
+    enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
+    if (status != SP_CONVERGED) return status;
+    sp_polyline_charts(line, line->nodes);
+    result->crosses_singularity = may_cross(line) && sp_cusp_turns(line) > 0;
+    return SP_CONVERGED;
+}
+
 /* The first path: of elements, few chords; of many points from the straight line, by way of coarser polylines; else all points at once,
  * which is also what is left where that leads nowhere. */
 static enum sp_status start_path(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
-                                 const double from[3], const double to[3], struct sp_arena *arena) {
-    struct sp_polyline *line = &newton->system.line;
+                                 double ends[2][3], struct sp_arena *arena, struct sp_result *result) {
     int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
     newton->size = newton->scale;
-    line->fold = sp_fold_of(options->algorithm == SP_ELEMENTS ? first_inner(request) : coarse - 1);
-    if (options->algorithm == SP_ELEMENTS) return sp_start_polyline(line, request, from, to, newton->scale, arena);
-    int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && line->kind->components == 0;
-    if (climbs && sp_start_polyline(line, request, from, to, newton->scale, arena) == SP_CONVERGED &&
+    if (options->algorithm == SP_ELEMENTS) return start_with(newton, request, ends, first_inner(request), arena, result);
+    int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && newton->system.line.kind->components == 0;
+    if (climbs && start_with(newton, request, ends, coarse - 1, arena, result) == SP_CONVERGED &&
         sp_refine_polyline(newton, options, count, arena))
         return SP_CONVERGED;
-    line->fold = sp_fold_of(options->point_count);
-    enum sp_status status = sp_start_polyline(line, request, from, to, newton->scale, arena);
-    if (status == SP_CONVERGED) sp_polyline_charts(line, line->nodes);
-    return status;
-}
-
-static int are_finite(const double *numbers, int32_t count) {
-    double sum = 0;
-    for (int32_t i = 0; numbers && i < count; i++)
-        sum += numbers[i] - numbers[i];
-    return sum == 0;
-}
-
-/* What is handed out is a path, however a surface that is not smooth, or NaN in places, has led the stages astray. */
-static int is_sound(const struct sp_result *result, int32_t point_count) {
-    int32_t count = point_count + 2;
-    return are_finite(&result->length, 1) && result->length_error >= 0 && are_finite(result->points, 3 * count) &&
-           are_finite(result->parameters, 2 * count);
+    return start_with(newton, request, ends, options->point_count, arena, result);
 }
 
 /* The stages in order; the first that fails decides. */
@@ -190,30 +166,29 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
                             struct sp_arena *arena, struct sp_result *result) {
     struct sp_newton newton = {0};
     struct sp_polyline *line = &newton.system.line;
-    double from[3] = {0}, to[3] = {0};
+    double ends[2][3] = {{0}, {0}};
     int elements = options->algorithm == SP_ELEMENTS;
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
-    int reversed = order_ends(surface, request, from, to);
+    newton.reversed = order_ends(surface, request, ends[0], ends[1]);
     newton.scale = sp_start_scale(surface, request);
-    enum sp_status status = sp_start_end(surface, newton.scale, from);
-    if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, to);
-    if (status == SP_CONVERGED) status = start_path(&newton, request, options, from, to, arena);
+    enum sp_status status = sp_start_end(surface, newton.scale, ends[0]);
+    if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, ends[1]);
+    if (status == SP_CONVERGED) status = start_path(&newton, request, options, ends, arena, result);
     if (status != SP_CONVERGED) return status;
     newton.size = size_of(&newton);
     struct sp_arcs arcs;
     arcs.count = 0;
-    result->crosses_singularity = !elements && may_cross(line) && sp_cusp_turns(line) > 0;
-    struct sp_refined refined =
-        elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result) : solve_polyline(&newton, options);
+    struct sp_chord_sums sums;
+    struct sp_refined refined = elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result)
+                                         : (struct sp_refined){sp_newton_run(&newton, options), 0, 0};
     if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
     status = check_ends(line);
-    if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale);
+    if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale, elements ? NULL : &sums);
     if (status < 0) return status;
-    if (!elements) result->crosses_singularity = 0;
+    if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
     fill(&refined, &newton, options, result);
-    if (!write_points(&newton, &arcs, options->point_count, reversed, arena, result)) return SP_OUT_OF_MEMORY;
-    if (!is_sound(result, options->point_count)) return SP_NOT_FINITE;
-    if (status > 0) return status;
+    enum sp_status written = write_points(&newton, &arcs, options->point_count, arena, result);
+    if (written < 0 || status > 0) return written < 0 ? written : status;
     return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
 

@@ -47,26 +47,16 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     return SP_CONVERGED;
 }
 
-static void set_place(const struct sp_polyline *line, int32_t i, int j, double value) {
-    int32_t dimension = line->kind->dimension;
-    line->nodes.places[dimension * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = value;
-}
-
-/* The middle pair holds the middle node twice, or its neighbour's lanes exchanged. */
-static void complete(const struct sp_polyline *line) {
-    int32_t dimension = line->kind->dimension;
-    sp_pair *middle = line->nodes.places + dimension * (line->fold.both + 1);
-    sp_fold_mirror(line->fold, line->nodes.places, dimension);
-    if (line->fold.odd)
-        for (int j = 0; j < dimension; j++)
-            middle[j] = sp_splat(middle[j][0]);
-}
-
 static void straight_line(const struct sp_polyline *line, const double from[3], const double to[3]) {
-    int32_t last = line->fold.inner + 1;
-    for (int32_t i = 0; i <= last; i++)
-        for (int j = 0; j < line->kind->dimension; j++)
-            set_place(line, i, j, i == last ? to[j] : from[j] + ((double)i / last) * (to[j] - from[j]));
+    int32_t last = line->fold.inner + 1, dimension = line->kind->dimension;
+    sp_pair *place = line->nodes.places;
+    for (int32_t k = 0; k <= sp_fold_unknown(line->fold); k++) {
+        sp_pair t = (sp_pair){k, last - k} / (double)last;
+        for (int j = 0; j < dimension; j++)
+            *place++ = from[j] + t * (to[j] - from[j]);
+    }
+    for (int j = 0; j < dimension; j++)
+        line->nodes.places[j][1] = to[j];
 }
 
 /* Positions of the given points, and the length of the polyline up to each. Returns the whole length. */
@@ -112,23 +102,25 @@ static void resample(const struct sp_polyline *line, const struct sp_request *re
         for (int j = 0; j < dimension; j++) {
             double gap = (1 - t) * (from[j] - start[j]) + t * (to[j] - start[dimension * end + j]);
             double value = i == 0 ? from[j] : i == last ? to[j] : a[j] + local * (b[j] - a[j]) + gap;
-            set_place(line, i, j, value);
+            sp_pair *place = line->nodes.places + dimension * sp_fold_pair(line->fold, i) + j;
+            (*place)[sp_fold_lane(line->fold, i)] = value;
+            if (2 * i == last) (*place)[1] = value;
         }
     }
 }
 
 /* Puts the nodes between the ends onto the surface, or into the rectangle. */
-static enum sp_status settle(const struct sp_polyline *line, double scale) {
+static enum sp_status settle(struct sp_polyline *line, double scale) {
     int32_t unknown = sp_fold_unknown(line->fold);
     if (line->surface->kind == SP_PARAMETRIC)
-        sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
+        line->touches = sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
     else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, scale))
         return SP_SHEET_JUMP;
-    complete(line);
+    sp_fold_mirror(line->fold, line->nodes.places, line->kind->dimension);
     return SP_CONVERGED;
 }
 
-enum sp_status sp_start_polyline(const struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
+enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
                                  double scale, struct sp_arena *arena) {
     if (request->start) {
         double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
@@ -139,6 +131,5 @@ enum sp_status sp_start_polyline(const struct sp_polyline *line, const struct sp
     } else {
         straight_line(line, from, to);
     }
-    complete(line);
     return settle(line, scale);
 }

@@ -7,9 +7,9 @@ static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static int is_polyline(const struct sp_system *system) { return system->elements.reference.degree == 1; }
 static int has_metric(const struct sp_system *system) { return system->line.kind->components > 0; }
 
-double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes) {
+double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, double *gradient_squared) {
     if (has_metric(system)) return sp_metric_squares(&system->elements.reference, &system->line, nodes, NULL);
-    if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes.charts);
+    if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes.charts, gradient_squared);
     return sp_elements_squares(&system->elements, nodes.charts, NULL);
 }
 
@@ -24,14 +24,16 @@ double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
     return length;
 }
 
-struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
-    struct sp_polyline *line = &system->line;
-    struct sp_energy energy;
-    if (is_polyline(system) && !has_metric(system)) return sp_polyline_assemble(line, hessian, system->rows, system->straight);
+struct sp_energy sp_system_rows(struct sp_system *system, enum sp_hessian hessian) {
+    const struct sp_polyline *line = &system->line;
     if (has_metric(system))
-        energy = sp_metric_assemble(&system->elements.reference, line, hessian, system->rows, system->straight, system->held);
-    else
-        energy = sp_elements_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
+        return sp_metric_assemble(&system->elements.reference, line, hessian, system->rows, system->straight, system->held);
+    return sp_elements_assemble(&system->elements, line, hessian, system->rows, system->straight, system->held);
+}
+
+struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian) {
+    if (sp_system_is_plain(system)) return sp_polyline_assemble(&system->line, hessian, system->rows, system->straight);
+    struct sp_energy energy = sp_system_rows(system, hessian);
     energy.inertia = sp_system_factor(system, 0);
     return energy;
 }

@@ -17,14 +17,21 @@ static inline int32_t sp_system_segments(const struct sp_system *system) {
     return system->elements.reference.degree == 1 ? system->line.fold.inner + 1 : system->elements.count;
 }
 
-/* Energy over m of these nodes. */
-double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes);
+/* Chords in space: a polyline without a metric. */
+static inline int sp_system_is_plain(const struct sp_system *system) {
+    return system->elements.reference.degree == 1 && system->line.kind->components == 0;
+}
+
+/* Energy over m of these nodes; of a polyline without a metric also the sum of squares of its scaled gradient, unless that is NULL. */
+double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, double *gradient_squared);
 
 /* Length of the path of these nodes: sum of chords, or quadrature. */
 double sp_system_length(const struct sp_system *system, struct sp_nodes nodes);
 
-/* The pieces of a Newton step: energy.h, blocks.h, elements.h. Assembling factors, too, without a shift. */
+/* The pieces of a Newton step: energy.h, blocks.h, elements.h. Assembling factors, too, without a shift; elements may be left unfactored,
+ * with the factorisation there was before. */
 struct sp_energy sp_system_assemble(struct sp_system *system, enum sp_hessian hessian);
+struct sp_energy sp_system_rows(struct sp_system *system, enum sp_hessian hessian);
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift);
 void sp_system_solve(const struct sp_system *system, sp_pair *x);
 int sp_system_negative(const struct sp_system *system, sp_pair *x);

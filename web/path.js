@@ -41,7 +41,7 @@ export const STATUS = new Map([
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular; with `'singular-metric'`: that is why there is none
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
- * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points.
+ * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.
  *   'elements': energies on the scale of the last discretisation; of a path of arcs the steps before it was cut into them
  */
 

@@ -1,6 +1,6 @@
 /** The native rival: the solver's C compiled by gcc, the surfaces written as C from the same graph, one process a sample. */
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { compile } from '../../web/expression/compile.js';
 import { instantiate } from '../helpers/wasm.js';
@@ -31,6 +31,13 @@ export function compileEntry(entry, apply = instantiate().apply) {
   return { compiled, variableCount: variables.length };
 }
 
+/** Whether a file is missing, or older than the solver's sources. @param {string} file */
+function isStale(file) {
+  const changed = (/** @type {string} */ name) => statSync(name, { throwIfNoEntry: false })?.mtimeMs ?? 0;
+  const sources = readdirSync(path('../../wasm')).filter((name) => /\.[ch]$/.test(name));
+  return changed(file) < Math.max(...sources.map((name) => changed(path(`../../wasm/${name}`))));
+}
+
 /**
  * Builds the native program with some surfaces.
  * @param {string} program its name: each benchmark has its own
@@ -39,7 +46,7 @@ export function compileEntry(entry, apply = instantiate().apply) {
  */
 export function buildNative(program, surfaces, build = 'native') {
   const core = path(`../../build/${build}/core.o`);
-  if (!existsSync(core)) throw new Error(`${core} is missing; it is built by: make build/${build}/core.o`);
+  if (isStale(core)) throw new Error(`${core} is missing, or older than wasm/; it is built by: make build/${build}/core.o`);
   const folder = path(`../../build/bench/${program}-${build}/`);
   const sources = writeSources(folder, surfaces);
   const binary = `${folder}native`;

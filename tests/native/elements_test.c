@@ -85,7 +85,7 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
     line->kind->move(line->surface, sp_fold_unknown(line->fold), line->nodes.places + dimension, line->nodes.charts + SP_CHART, step + 2,
                      newton->system.straight + 1, t, newton->trial.places + dimension);
     sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_system_squares(&newton->system, newton->trial);
+    return 0.5 * sp_system_squares(&newton->system, newton->trial, NULL);
 }
 
 /* Entry of the scaled Hessian between unknowns a of node i and b of node j, written down from the formula and not as the solver does. */

@@ -43,7 +43,7 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
                      newton->system.straight + 1, t, newton->trial.places + dimension);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
     sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts);
+    return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts, NULL);
 }
 
 /* x'Hx and r'x as the rows say. */
@@ -77,7 +77,11 @@ static void random_step(struct sp_fold fold, sp_pair *x, uint64_t *seed) {
 static void check_derivatives(const struct sp_surface *surface, enum sp_hessian hessian, int32_t inner, struct sp_arena *arena,
                               uint64_t *seed) {
     struct sp_newton newton = random_path(surface, inner, arena, seed);
-    sp_polyline_assemble(&newton.system.line, hessian, newton.system.rows, newton.system.straight);
+    struct sp_energy energy = sp_polyline_assemble(&newton.system.line, hessian, newton.system.rows, newton.system.straight);
+    double gradient, squares = sp_polyline_squares(newton.system.line.fold, newton.system.line.nodes.charts, &gradient);
+    CHECK(squares == energy.squares, "n = %d: squares %.17g, in the sweep %.17g", inner, energy.squares, squares);
+    CHECK(fabs(gradient - energy.gradient_squared) <= 1e-14 * gradient, "n = %d: gradient %.17g, in the sweep %.17g", inner,
+          energy.gradient_squared, gradient);
     sp_pair x[2 * (LARGEST + 2)];
     random_step(newton.system.line.fold, x, seed);
     double linear, second = quadratic(&newton, x, &linear), h = surface->kind == SP_IMPLICIT ? 4e-3 : 2e-3, first_difference[2],

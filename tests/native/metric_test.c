@@ -152,7 +152,7 @@ static double energy_along(struct sp_newton *newton, const sp_pair *x, const sp_
     CHECK(moved, "refused to move by %g", t);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
     sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_system_squares(&newton->system, newton->trial);
+    return 0.5 * sp_system_squares(&newton->system, newton->trial, NULL);
 }
 
 /* Replaces the right-hand side by a random one. */
