@@ -216,7 +216,7 @@ static int move_crossings(const struct sp_surface *surface, struct bridge *bridg
 static int descend(struct sp_newton *newton, const struct sp_options *options, double enough, struct bridge *bridge,
                    struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
-    double step[MOST], change[MOST], most = LARGEST_STEP;
+    double step[MOST] = {0}, change[MOST] = {0}, most = LARGEST_STEP;
     for (int round = 0; round < ROUNDS && most > LEAST_STEP; round++) {
         if (downhill(bridge, most, step) <= enough * bridge->length) return 1;
         struct bridge next = *bridge;
@@ -309,17 +309,16 @@ static int approach(struct sp_newton *newton, const struct sp_options *rough, st
     return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
 }
 
-/* Finds the crossings roughly: those that are given, or, of one, where two of some seeds lead, if as far as can be told by now both may be
+/* Finds the crossings roughly: those of found[0], or, of one, where two of some seeds lead, if as far as can be told by now both may be
  * the shortest. Returns how many ways, the shorter first. */
-static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given,
-                            struct sp_storage storage[SETS][MOST + 1], struct bridge found[2], struct sp_arena *arena) {
+static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, struct sp_storage storage[SETS][MOST + 1],
+                            struct bridge found[2], struct sp_arena *arena) {
     struct sp_options rough = *options;
     struct crossing seeds[2];
-    struct bridge work = *given;
+    struct bridge given = found[0], work = given;
     int32_t count = 0;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
-    int32_t tried = given->count == 1 ? rank_seeds(newton, &rough, given, &work, seeds, arena) : 0;
-    found[0] = *given;
+    int32_t tried = given.count == 1 ? rank_seeds(newton, &rough, &given, &work, seeds, arena) : 0;
     if (tried == 0) return approach(newton, &rough, found, storage[1], arena);
     for (int32_t i = 0; i < tried; i++) {
         work.crossing[0] = seeds[i];
@@ -431,25 +430,25 @@ static enum sp_status settle(struct sp_newton *newton, const struct sp_options *
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct bridge bridge = {0}, found[2];
+    struct bridge found[2] = {{0}}, *best = NULL;
     struct sp_storage storage[SETS][MOST + 1];
     enum sp_status status = SP_SINGULAR_METRIC;
     arcs->count = 0;
-    if (!scan(given, &bridge)) return refined;
-    for (int32_t i = 0; i <= bridge.count; i++)
-        for (int32_t set = 0; set < (bridge.count == 1 ? SETS : 2); set++)
+    if (!scan(given, found)) return refined;
+    for (int32_t i = 0; i <= found->count; i++)
+        for (int32_t set = 0; set < (found->count == 1 ? SETS : 2); set++)
             if (!sp_storage_take(&storage[set][i], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
-    for (int32_t i = 0; i <= bridge.count; i++)
-        bridge.piece[i].storage = storage[0][i];
-    int32_t count = find_bridges(newton, options, &bridge, storage, found, arena);
+    for (int32_t i = 0; i <= found->count; i++)
+        found->piece[i].storage = storage[0][i];
+    int32_t count = find_bridges(newton, options, storage, found, arena);
     for (int32_t i = 0; i < count; i++) {
         enum sp_status now = settle(newton, options, found + i, storage[1], arena);
-        if (now == SP_SINGULAR_METRIC || (status != SP_SINGULAR_METRIC && found[i].length >= bridge.length)) continue;
-        bridge = found[i], status = now;
+        if (now == SP_SINGULAR_METRIC || (best && found[i].length >= best->length)) continue;
+        best = found + i, status = now;
     }
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (status == SP_SINGULAR_METRIC) return refined;
-    refined = cross(newton, options, &bridge, arena, arcs);
+    if (!best) return refined;
+    refined = cross(newton, options, best, arena, arcs);
     if (status != SP_CONVERGED) refined.outcome.status = status;
     if (status == SP_ITERATION_LIMIT) refined.outcome.index = -1;
     return refined;

@@ -22,14 +22,13 @@ struct integral {
     const double *weight[2], *length_weight, *derivative, *stiffness[2];
 };
 
+static double stretch_at(const struct sp_elements *elements, int32_t e) {
+    return 1 / (elements->count * (sp_elements_border(elements, e + 1) - sp_elements_border(elements, e)));
+}
+
 sp_pair sp_elements_stretch(const struct sp_elements *elements, int32_t e) {
     if (!elements->spread || elements->reference.degree == 1) return sp_splat(1.0);
-    sp_pair factor;
-    for (int lane = 0; lane < 2; lane++) {
-        int32_t at = lane ? elements->count - 1 - e : e;
-        factor[lane] = 1 / (elements->count * (sp_elements_border(elements, at + 1) - sp_elements_border(elements, at)));
-    }
-    return factor;
+    return (sp_pair){stretch_at(elements, e), stretch_at(elements, elements->count - 1 - e)};
 }
 
 static struct integral integral_of(const struct sp_elements *elements, int32_t e) {

@@ -14,9 +14,10 @@ struct buckets {
 
 static uint32_t bucket_of(const struct buckets *buckets, const double cube[3]) {
     static const uint32_t PRIMES[3] = {73856093, 19349663, 83492791};
+    static const double LARGEST = 4611686018427387904.0; /* 2^62 */
     uint32_t bucket = 0;
     for (int c = 0; c < 3; c++)
-        bucket ^= (cube[c] > -0x1p62 && cube[c] < 0x1p62 ? (uint32_t)(int64_t)cube[c] : 0) * PRIMES[c];
+        bucket ^= (cube[c] > -LARGEST && cube[c] < LARGEST ? (uint32_t)(int64_t)cube[c] : 0) * PRIMES[c];
     return bucket & buckets->mask;
 }
 

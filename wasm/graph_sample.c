@@ -73,14 +73,16 @@ static double tensor_length(int32_t components, const double *t, const double c[
     return sp_root(square);
 }
 
-double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]) {
-    if (surface->kind == SP_PARAMETRIC) {
-        if (surface->metric == SP_TENSOR) return 0.5 * (form_length(from, by) + form_length(to, by));
-        return sp_distance3(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
-    }
+static double chord_in_space(const struct sp_surface *surface, const double *from, const double *to) {
     int32_t components = sp_kind_of(surface)->components;
     double chord[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
     return 0.5 * (tensor_length(components, from + 3, chord) + tensor_length(components, to + 3, chord));
+}
+
+double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]) {
+    if (surface->kind == SP_IMPLICIT) return chord_in_space(surface, from, to);
+    if (surface->metric == SP_TENSOR) return 0.5 * (form_length(from, by) + form_length(to, by));
+    return sp_distance3(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
 }
 
 double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,
@@ -89,7 +91,7 @@ double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, 
     double rise_a = sp_dot3(chord, normal_a), rise_b = sp_dot3(chord, normal_b), limit = LARGEST_SINE * size;
     int one_sheet = cosine > LEAST_COSINE && rise_a <= limit && rise_a >= -limit && rise_b <= limit && rise_b >= -limit;
     if (!one_sheet) return __builtin_inf();
-    return (surface->metric == SP_INDUCED ? size : sp_graph_chord(surface, a, b, NULL)) * (1 + (1 - cosine) / 12);
+    return (surface->metric == SP_INDUCED ? size : chord_in_space(surface, a, b)) * (1 + (1 - cosine) / 12);
 }
 
 double sp_dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

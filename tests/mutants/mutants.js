@@ -21,8 +21,8 @@ const C_SHARE = 2 / 3;
 /** A warning is no failure: a mutant may leave a variable unused. */
 const COMPILE = `${process.env.SANITIZED ?? 'gcc -std=c17 -O1 -ffp-contract=off -fno-math-errno -Iwasm'} -w`;
 const WASM_FLAGS = 'CFLAGS=-std=c17 -w -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP';
-/** They test what is packed, written, drawn or sent to workers, not what is computed. */
-const NOT_RUN = /\/(build|readme|memory)\.test\.js$|\/(view|runtime)\//;
+/** They test what is packed, written, drawn or sent to workers, not what is computed; or by the clock, which says how busy the machine is. */
+const NOT_RUN = /\/(build|readme|memory|hostile)\.test\.js$|\/(view|runtime)\//;
 const AT_A_TIME = 2;
 
 /** @typedef {import('./candidates.js').Mutant} Mutant */
