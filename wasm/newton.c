@@ -69,8 +69,15 @@ static int normals_kept(const struct sp_newton *newton) {
     return 1;
 }
 
-/* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
-static double try_step(struct sp_newton *newton, double scale) {
+/* What one round of Newton found out and decided. */
+struct round {
+    struct sp_energy energy;
+    struct sp_inertia inertia;
+    double gradient_norm, decrement, shift, conditioning;
+};
+
+/* Puts the places of the path moved by scale * step into `trial`. Returns 0 where it may not go there. */
+static int move(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
     sp_pair *places = newton->trial.places;
@@ -78,13 +85,25 @@ static double try_step(struct sp_newton *newton, double scale) {
         places[j] = line->nodes.places[j];
     int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
                                  newton->system.straight + 1, scale, places + dimension);
-    if (!moved) return not_a_number();
     newton->trial_touches = moved == 2;
     sp_fold_mirror(line->fold, places, dimension);
+    return moved;
+}
+
+/* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
+static double try_step(struct sp_newton *newton, double scale) {
+    struct sp_polyline *line = &newton->system.line;
+    if (!move(newton, scale)) return not_a_number();
     sp_polyline_charts(line, newton->trial);
     if ((line->surface->kind == SP_IMPLICIT || is_singular(newton)) && !normals_kept(newton)) return not_a_number();
     return newton->trial_squares =
                sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
+}
+
+/* The full step of a draft of which nothing but places is needed: as try_step, but the charts stay as they are, and the energy is that of
+ * the quadratic model. */
+static double try_blindly(struct sp_newton *newton, const struct round *round) {
+    return move(newton, 1) ? round->energy.squares - round->inertia.descent : not_a_number();
 }
 
 static void accept(struct sp_newton *newton) {
@@ -142,13 +161,6 @@ static double search_escape(struct sp_newton *newton, double squares) {
     }
     return 0;
 }
-
-/* What one round of Newton found out and decided. */
-struct round {
-    struct sp_energy energy;
-    struct sp_inertia inertia;
-    double gradient_norm, decrement, shift, conditioning;
-};
 
 static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
 
@@ -328,7 +340,9 @@ static int polish(struct sp_newton *newton, const struct sp_options *options, st
     newton->certain = (!newton->draft || newton->system.elements.reference.degree > 1) && is_certain(newton, round);
     newton->last_decrement = round->decrement;
     sp_system_solve(&newton->system, newton->step);
-    double now = try_step(newton, 1);
+    int positions = !newton->draft || newton->record || !sp_system_is_plain(&newton->system);
+    int blind = !positions && newton->system.line.surface->kind == SP_PARAMETRIC;
+    double now = blind ? try_blindly(newton, round) : try_step(newton, 1);
     if (!(now <= round->energy.squares * (1 + SLACK))) return newton->certain = 0;
     if (newton->draft) {
         leave(newton, now, round);
