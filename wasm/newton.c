@@ -73,7 +73,7 @@ static int normals_kept(const struct sp_newton *newton) {
 struct round {
     struct sp_energy energy;
     struct sp_inertia inertia;
-    double gradient_norm, decrement, shift, conditioning;
+    double gradient_norm, decrement, shift;
 };
 
 /* Puts the places of the path moved by scale * step into `trial`. Returns 0 where it may not go there. */
@@ -173,7 +173,7 @@ static void assemble(struct sp_newton *newton, const struct sp_options *options,
     round->energy = sp_system_assemble(&newton->system, hessian);
     round->inertia = round->energy.inertia;
     round->gradient_norm = norm_of(newton, round->energy.gradient_squared);
-    round->decrement = round->conditioning = not_a_number();
+    round->decrement = not_a_number();
     if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
 }
 
@@ -241,8 +241,8 @@ static int is_certain(const struct sp_newton *newton, struct round *round) {
     const struct sp_system *system = &newton->system;
     int keeps = sp_system_is_plain(system) || system->elements.reference.degree > 1; /* rows of the others hold the factorisation, too */
     if (!keeps || !is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
-    round->conditioning = sp_system_conditioning(system);
-    return round->decrement <= CERTAIN * round->conditioning;
+    double least = round->decrement / CERTAIN;
+    return sp_system_exceeds(system, least > CONDITIONING ? least : CONDITIONING);
 }
 
 /* Energy and gradient where the step in `trial` led, without a matrix. Returns 0 where that needs one: some coordinate is held. */
@@ -260,7 +260,8 @@ static void take_step(struct sp_newton *newton, const struct sp_options *options
     if (newton->history) newton->history[newton->history_count - 1].step = scale;
     accept(newton);
     newton->steps_left--;
-    if (!look(newton, round) || round->gradient_norm > tolerance) assemble(newton, options, round);
+    newton->looked = look(newton, round) && round->gradient_norm <= tolerance;
+    if (!newton->looked) assemble(newton, options, round);
     newton->certain = 0;
     note(newton, round);
 }
@@ -295,8 +296,7 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
-    double conditioning = is_finite(round->conditioning) ? round->conditioning : sp_system_conditioning(&newton->system);
-    return conditioning < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
+    return newton->looked || sp_system_exceeds(&newton->system, CONDITIONING) ? SP_CONVERGED : SP_ILL_CONDITIONED;
 }
 
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
@@ -308,9 +308,8 @@ static int32_t idle_count(int32_t idle, const struct round *before, const struct
 /* Stationary, and some pivot is zero up to rounding: no step can be computed because none is needed (ends exactly conjugate). */
 static int is_undetermined(struct sp_newton *newton, const struct round *round) {
     sp_system_factor(&newton->system, 0);
-    double conditioning = sp_system_conditioning(&newton->system);
-    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && conditioning < CONDITIONING &&
-           conditioning > -CONDITIONING;
+    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && !sp_system_exceeds(&newton->system, CONDITIONING) &&
+           sp_system_exceeds(&newton->system, -CONDITIONING);
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
@@ -372,7 +371,7 @@ static void converge(struct sp_newton *newton, const struct sp_options *options,
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
-    newton->certain = 0;
+    newton->certain = newton->looked = 0;
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
         enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);

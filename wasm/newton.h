@@ -17,6 +17,7 @@ struct sp_newton {
     int32_t steps_left;                   /* Newton steps that may still be taken, in all runs together */
     int32_t trial_touches;                /* as system.line.touches */
     int32_t certain;                      /* 1: the factorisation at hand also speaks for where the step in `trial` leads */
+    int32_t looked;                       /* 1: so it does for the path, which is assembled no more */
     double trial_squares, trial_gradient; /* energy of `trial`; its gradient, of a plain polyline if `certain` */
     double last_decrement;                /* before the last step of a draft */
     /* 1: the step more is the last thing done, and where it leads neither assembled nor certified; of a plain polyline on a parametric
