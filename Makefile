@@ -150,25 +150,39 @@ build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) -c $< -o $@
 
-dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
+EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
+BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals
+
+# What the linker made, once more by wasm-opt, and its constants shortened. $(1): -g keeps names.
+define shrink
+@wasm-opt $(BINARYEN) $(1) -Oz -S $@ -o $@.wat
+@node wasm/shorten.js $@.wat
+@wasm-as $(BINARYEN) $(1) $@.wat -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --generate-stack-ir --optimize-stack-ir $@ -o $@
+@rm $@.wat
+endef
+
+dist/surfpath.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
 	@echo $@
 	@mkdir -p $(@D)
-	@$(EMCC) -Os $(LINK) -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+	@$(EMCC) -Oz $(LINK) $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink)
 
 # The same with the names of its functions, for profiles.
-build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports Makefile
-	@$(EMCC) -Os $(LINK) --profiling-funcs -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -) $(filter %.o,$^) -o $@
+build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Makefile
+	@$(EMCC) -Oz $(LINK) --profiling-funcs $(EXPORTS) $(filter %.o,$^) -o $@
+	$(call shrink,-g)
 
 # JavaScript and types
 
-dist/wasm.js: dist/surfpath.wasm
-	@printf "// Generated: surfpath.wasm, gzip in base64.\nexport default '%s';\n" "$$(gzip -9cn <$< | base64 | tr -d '\n')" >$@
+dist/wasm.js: dist/surfpath.wasm wasm/pack.js web/runtime/kinds.js
+	@node wasm/pack.js $< $@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
-BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -184,13 +198,14 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=140 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=1000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
-dist/types/index.d.ts: $(WEB) tsconfig.json dist/wasm.d.ts $(NPM)
+dist/types/index.d.ts: $(WEB) tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
 	@echo $(@D)
 	@rm -rf $(@D)
 	@$(BIN)/tsc -p .
+	@node tests/helpers/prune-types.js $(@D)
 	@touch $@
 
 # The page: one bundle for the window and its worker, which share most of it; what is asked for later is a file of its own. Everything is named
@@ -200,7 +215,7 @@ build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefil
 	@echo $(@D)
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
-	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=200 --format=esm --target=es2022 \
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=1000 --format=esm --target=es2022 \
 	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
 	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 

@@ -43,10 +43,11 @@ function unwind(point, last) {
 
 /** @param {number} index @param {number[]} given */
 function move(index, given) {
+  if (state.building) return;
   const { ends, via } = state.sketch;
   const point = unwind(given, points()[index]);
-  if (index < 2) return change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);
-  return change({ via: via.map((one, i) => (i === index - 2 ? point : one)) }, `move ${index}`);
+  if (index < 2) change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);
+  else change({ via: via.map((one, i) => (i === index - 2 ? point : one)) }, `move ${index}`);
 }
 
 /** @param {View} view @param {import('surfpath').Surface} drawn @param {number} index @param {number[]} point */
@@ -87,8 +88,10 @@ function hasPlace(drawn, point) {
 
 /** As many handles as points, where the points are. @param {View} view */
 function renderHandles(view) {
-  const { drawn, mesh } = state;
-  const wanted = drawn && mesh ? points() : [];
+  const { drawn, mesh, building } = state;
+  // The sketch's points belong to a surface that is not here yet.
+  if (building) return;
+  const wanted = drawn && mesh && state.shown?.kind === state.sketch.kind ? points() : [];
   const shown = drawn && wanted.every((point) => hasPlace(drawn, point)) ? wanted : [];
   while (handles.length > shown.length) handles.pop()?.dispose();
   if (!drawn) return;

@@ -1,6 +1,6 @@
 /** Between the texts of the form and the definitions of surfaces: both translations, and whose fault an error is. */
 
-import { KINDS } from './kinds.js';
+import { KINDS, tensorNames } from './kinds.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {Record<string, string>} Texts what the fields hold, by name */
@@ -73,7 +73,7 @@ export function findBadBound(kind, texts) {
 
 /** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
 export function sentence(message) {
-  const text = message.replace(/^(?:[a-z]+(?:\[\d\])?: )+/i, '');
+  const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '');
   return `${text[0].toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 
@@ -82,7 +82,7 @@ export function problemOf(error, kind, texts) {
   const message = sentence(error instanceof Error ? error.message : String(error));
   const { argument, source, index } = /** @type {{ argument?: string, source?: string, index?: number }} */ (error);
   if (source === undefined || index === undefined) return { field: null, source: '', index: 0, message };
-  const names = [...fieldNames(kind), 'density', 'metric.E', 'metric.F', 'metric.G'];
+  const names = [...fieldNames(kind), 'density', ...tensorNames(kind).map((name) => `metric.${name}`)];
   const field = names.find((name) => name === argument) ?? fieldNames(kind).find((name) => texts[name] === source) ?? null;
   return { field, source, index, message };
 }

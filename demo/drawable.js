@@ -5,17 +5,44 @@
 
 /** Cells a direction: what is carried along a curve is much longer than wide. */
 const CELLS_ALONG = 160;
+/** Share of its box below which a surface is drawn in a smaller one. */
+const TINY = 0.1;
 
-/** @param {Opened} opened @param {number} [resolution] @returns {SurfaceMesh} */
-export function meshOf({ drawn, definition }, resolution) {
+/** @param {Opened} opened @param {number | undefined} resolution cells a direction; default: what suits it @param {import('surfpath').Surfpath} surfpath @returns {SurfaceMesh} */
+export function meshOf(opened, resolution, surfpath) {
+  const { drawn, definition } = opened;
   const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
   const mesh = drawable(drawn.mesh(wanted ? { resolution: wanted } : {}));
+  const bounds = mesh.indices.length > 0 && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
+  if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
   if (mesh.indices.length > 0) return mesh;
   throw new RangeError(
     drawn.kind === 'implicit'
       ? 'there is no point with f = 0 inside these bounds: widen them or change the formula'
       : 'the formula has no value anywhere in these ranges',
   );
+}
+
+/** The mesh of an implicit surface in another box. @param {import('surfpath').Surfpath} surfpath @param {any} definition @param {number} [resolution] @returns {SurfaceMesh} */
+function meshInside(surfpath, definition, resolution) {
+  const surface = surfpath.surface(definition);
+  try {
+    return meshOf({ surface, drawn: surface, definition }, resolution, surfpath);
+  } finally {
+    surface.dispose();
+  }
+}
+
+/** A box around what was found, if that is so small in its box that it is a few cells wide. @param {Float64Array} positions @param {number[][]} bounds */
+function findTighter(positions, bounds) {
+  const box = bounds.map((_, k) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = k; i < positions.length; i += 3) [low, high] = [Math.min(low, positions[i]), Math.max(high, positions[i])];
+    return [low, high];
+  });
+  const size = Math.max(...box.map(([low, high]) => high - low));
+  const isSmall = box.every((_, k) => size < TINY * (bounds[k][1] - bounds[k][0]));
+  return isSmall && size > 0 ? box.map(([low, high]) => [low - size / 2, high + size / 2]) : null;
 }
 
 /** Triangles whose corners are all numbers: a formula may have no value on a part of its range. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */

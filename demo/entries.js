@@ -4,18 +4,9 @@ import { gallery } from 'surfpath/gallery';
 import { KINDS } from './kinds.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
-/**
- * @typedef {object} Extras besides the definition
- * @property {string} title
- * @property {string} source where it comes from
- * @property {readonly number[]} from
- * @property {readonly number[]} to
- * @property {readonly number[]} [camera] unit vector towards a good place to look from
- * @property {string} [density]
- * @property {{ E: string, F: string, G: string }} [metric]
- * @property {Readonly<Record<string, number>>} [parameters]
- */
-/** @typedef {Extras & { kind: Kind } & Record<string, any>} Entry */
+/** As an entry of the library's gallery. @typedef {import('surfpath/gallery').Description} Description */
+/** @typedef {{ density?: string, metric?: { E: string, F: string, G: string }, parameters?: Readonly<Record<string, number>> }} Measure */
+/** @typedef {Omit<Description, 'formula' | 'camera'> & { camera?: readonly number[] } & Measure & { kind: Kind } & Record<string, any>} Entry */
 
 const ABOVE = [0, -0.5, 0.866];
 

@@ -1,36 +1,32 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from './definition.js';
-import { drawnOf } from './drawn.js';
 import { chooseEnds, findBadEnd, placeOf } from './ends.js';
-import { Solver } from './solver.js';
+import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from './sketch.js';
 import { chosenPath, render, state, UNSOLVED } from './state.js';
+import { askLong, live } from './workers.js';
 
 /** @typedef {import('surfpath').Surfpath} Surfpath */
 /** @typedef {import('./sketch.js').Sketch} Sketch */
+/** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
+/** @typedef {import('./opened.js').Surfaces} Surfaces */
 
 /** Milliseconds after the last movement before everything is computed exactly. */
 const SETTLE = 180;
 /** Cells a direction of an implicit surface while a slider moves it. */
 const DRAFT = 40;
+/** Milliseconds that a path may take in the page's own thread while an end is dragged. */
+const FRAME = 12;
 
 /** @type {Surfpath} */ let surfpath;
-/** Counts changes: an answer to an older one is of no use. */
-let turn = 0;
+/** Counts changes of the surface, and of the path: an answer to an older one is of no use. */
+let [builds, turn] = [0, 0];
 let timer = 0;
+/** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
+const slow = new WeakSet();
 
-const live = new Solver((busy) => {
-  state.busy = busy;
-  render();
-});
-/** Its own thread: a long task must not keep the path waiting. */
-const long = new Solver((busy) => {
-  state.long = busy;
-  render();
-});
-
-/** What the view shows of a surface that is new. @type {{ setSurface(mesh: import('./drawable.js').SurfaceMesh): boolean, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void } | null} */
+/** What the view shows of a surface that is new. @type {{ setSurface(mesh: SurfaceMesh): boolean, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void } | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
 
@@ -41,93 +37,74 @@ export function connect(solver, view, solved) {
   onSolved = solved;
 }
 
-/** @param {string} task @param {any} request @param {(progress: any) => void} [report] */
-export const askLong = (task, request, report) => long.ask(task, { definition: surfaceOf(state.sketch), ...request }, report);
+/** A new question about the path: older answers do not count any more. */
+function begin() {
+  clearTimeout(timer);
+  return ++turn;
+}
 
-export const cancelLong = () => long.cancel();
+/** Whether what is seen is a surface of the sketch's kind, so that the sketch's points lie on it. */
+const isReady = () => state.surface !== null && !state.building && state.shown?.kind === state.sketch.kind;
 
-/** The question that the sketch asks. */
+/** What was to be computed cannot be: says why, and comes to rest. @param {Partial<import('./state.js').State>} why */
+function give(why) {
+  Object.assign(state, { moving: false, ...why });
+  render();
+}
+
+/** The question that the sketch asks, about the surface that is seen. */
 function question() {
   const { ends, via, task, algorithm, tolerance, points, start, angle, reach } = state.sketch;
-  return { definition: surfaceOf(state.sketch), ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
+  const definition = surfaceOf(/** @type {Sketch} */ (state.shown));
+  return { definition, ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
 }
 
-/** Runs something of the solver; what it throws becomes a problem of the ends. @template T @param {() => Promise<T>} run @returns {Promise<T | null>} */
-async function attempt(run) {
-  try {
-    return await run();
-  } catch (error) {
-    const message = sentence(error instanceof Error ? error.message : String(error));
-    state.endProblem = { end: -1, coordinate: 0, message };
-    return null;
-  }
-}
+/** What neither end alone is at fault for. @param {unknown} error @returns {import('./ends.js').EndProblem} */
+const endProblemOf = (error) => ({ end: -1, coordinate: 0, message: messageOf(error) });
+
+const messageOf = (/** @type {unknown} */ error) => sentence(error instanceof Error ? error.message : String(error));
 
 /** The surface of the formulas, anew; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
 export async function rebuild({ frame, direction }) {
-  const mine = ++turn;
-  clearTimeout(timer);
-  const { kind, texts } = state.sketch;
-  state.problem = findBadBound(kind, texts);
-  if (state.problem) return render();
+  const mine = ++builds;
+  begin();
+  const { sketch } = state;
+  const problem = findBadBound(sketch.kind, sketch.texts);
+  if (problem) return give({ problem, building: false });
+  Object.assign(state, { problem: null, building: true });
+  /** @type {Surfaces | null} */ let opened = null;
   try {
-    const definition = surfaceOf(state.sketch);
-    open(definition);
+    const definition = surfaceOf(sketch);
+    opened = openSurfaces(surfpath, definition);
     const mesh = await live.ask('mesh', { definition });
-    if (!mesh || mine !== turn) return;
-    const outgrown = showMesh(mesh);
+    if (!mesh || mine !== builds) return closeSurfaces(opened);
+    const outgrown = adopt(sketch, opened, mesh);
     if (frame || outgrown) stage?.frame(middle(), direction);
   } catch (error) {
-    if (mine !== turn) return;
-    state.problem = problemOf(error, kind, texts);
-    return render();
+    if (opened) closeSurfaces(opened);
+    if (mine === builds) give({ problem: problemOf(error, sketch.kind, sketch.texts), building: false });
+    return;
   }
   repairEnds();
+  const path = await solve(true);
+  // A formula that was changed may have left its ends behind.
+  if (path?.status !== 'off-surface') return;
+  state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
   await solve(true);
-  if (mine === turn && chosenPath()?.status === 'off-surface') {
-    state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()) };
-    await solve(true);
-  }
 }
 
-/** @param {any} definition throws where it is wrong */
-function open(definition) {
-  const surface = surfpath.surface(definition);
-  let [drawn, gauge] = [surface, surface.kind === 'metric' ? surface : null];
-  try {
-    drawn = drawnOf(surfpath, surface, definition);
-    gauge ??= gaugeOf(surface, definition);
-  } catch (error) {
-    surface.dispose();
-    throw error;
-  }
-  for (const old of surfaces()) old.dispose();
-  Object.assign(state, { surface, drawn, gauge });
-}
-
-/** The metric alone, to draw it; null where there is none, or it is written with more than u and v. @param {import('surfpath').Surface} surface @param {any} definition */
-function gaugeOf({ domain }, { metric, parameters }) {
-  if (!metric || !domain) return null;
-  try {
-    return surfpath.metric({ ...metric, u: [domain.u[0], domain.u[1]], v: [domain.v[0], domain.v[1]], parameters });
-  } catch {
-    return null;
-  }
-}
-
-/** All that the state holds, each once. */
-const surfaces = () => new Set([state.surface, state.drawn, state.gauge].filter((surface) => surface !== null));
-
-const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
-const meshNow = () => /** @type {import('./drawable.js').SurfaceMesh} */ (state.mesh);
-
-/** @param {import('./drawable.js').SurfaceMesh} mesh @returns {boolean | undefined} whether it is of another size */
-function showMesh(mesh) {
-  Object.assign(state, { mesh, shown: state.sketch, solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
+/** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh @returns {boolean | undefined} whether it is of another size */
+function adopt(sketch, opened, mesh) {
+  closeSurfaces(state);
+  Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
+  Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
   const outgrown = stage?.setSurface(mesh);
   render();
   return outgrown;
 }
+
+const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
+const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
 
 function repairEnds() {
   const { kind, ends, via } = state.sketch;
@@ -142,22 +119,27 @@ function middle() {
   return places[0] && places[1] ? places[0].map((x, k) => (x + /** @type {number[]} */ (places[1])[k]) / 2) : null;
 }
 
-/** The path, exactly. @param {boolean} animated */
+/** The path, exactly. @param {boolean} animated @returns {Promise<import('surfpath').Path | null>} null: there is none, or another question was asked meanwhile */
 export async function solve(animated) {
-  const mine = ++turn;
-  clearTimeout(timer);
-  if (!state.surface) return;
-  state.endProblem = findBadEnd(state.sketch.kind, state.surface, state.sketch.ends);
-  if (state.endProblem) {
-    state.solved = UNSOLVED;
-    return render();
+  const mine = begin();
+  if (!isReady()) return null;
+  const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), state.sketch.ends);
+  if (endProblem) {
+    give({ endProblem, solved: UNSOLVED });
+    return null;
   }
+  state.endProblem = null;
   render();
-  const solved = await attempt(() => live.ask('solve', question()));
-  if (mine !== turn) return;
-  Object.assign(state, { solved: solved ?? UNSOLVED, chosen: 0, moment: 1, moving: false });
-  render();
+  try {
+    const solved = await live.ask('solve', question());
+    if (mine !== turn || !solved) return null;
+    give({ solved, chosen: 0, moment: 1 });
+  } catch (error) {
+    if (mine === turn) give({ endProblem: endProblemOf(error), solved: UNSOLVED, chosen: 0, moment: 1 });
+    return null;
+  }
   onSolved(animated);
+  return chosenPath();
 }
 
 /** Everything exactly, a moment after the last movement. */
@@ -170,40 +152,48 @@ function settleSoon() {
 export function follow() {
   const last = chosenPath();
   const { ends, via, points, task, kind } = state.sketch;
-  turn++;
-  state.endProblem = state.surface && findBadEnd(kind, state.surface, ends);
-  if (!state.surface || state.endProblem || task === 'trace' || via.length > 0 || !last || !Number.isFinite(last.length)) {
-    if (state.endProblem) state.solved = UNSOLVED;
-    render();
-    return via.length > 0 || task === 'trace' ? solve(false) : settleSoon();
-  }
+  begin();
+  if (!isReady()) return render();
+  state.endProblem = findBadEnd(kind, surfaceNow(), ends);
+  if (state.endProblem) return give({ solved: UNSOLVED });
+  if (task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
+  if (last && Number.isFinite(last.length)) followFrom(last, Math.min(points, 200));
+  render();
+  return settleSoon();
+}
+
+/** @param {import('surfpath').Path} last @param {number} points */
+function followFrom(last, points) {
+  const [from, to] = state.sketch.ends;
+  const start = performance.now();
   try {
-    const path = state.surface.shortestPath(ends[0], ends[1], { start: last, points: Math.min(points, 200), tolerance: 1e-6 });
-    const usable = Number.isFinite(path.length);
-    if (usable) state.solved = { ...UNSOLVED, paths: [path], milliseconds: state.solved.milliseconds };
+    const path = surfaceNow().shortestPath(from, to, { start: last, points, tolerance: 1e-6 });
+    if (Number.isFinite(path.length)) state.solved = { ...UNSOLVED, paths: [path], milliseconds: state.solved.milliseconds };
     Object.assign(state, { chosen: 0, moment: 1, moving: true });
   } catch (error) {
-    state.endProblem = { end: -1, coordinate: 0, message: sentence(String(/** @type {Error} */ (error).message)) };
+    state.endProblem = endProblemOf(error);
   }
-  render();
-  settleSoon();
+  if (performance.now() - start > FRAME) slow.add(surfaceNow());
 }
 
 /** Surface and path after a parameter has moved: both of the same moment, coarse while it moves. @param {Record<string, number>} parameters */
 export async function deform(parameters) {
-  if (!state.surface || state.problem) return rebuild({ frame: false });
-  const mine = ++turn;
+  if (!state.surface || !state.shown || state.problem || state.building) return rebuild({ frame: false });
+  const [mine, built] = [begin(), builds];
+  const shown = { ...state.shown, parameters };
   const start = chosenPath() ?? undefined;
-  const { kind, texts } = state.sketch;
   try {
-    for (const one of surfaces()) one.set(parameters);
-    const draft = await live.ask('draft', { ...question(), start, resolution: state.surface.kind === 'implicit' ? DRAFT : undefined });
-    if (!draft) return;
+    setParameters(state, parameters);
+    const resolution = state.surface.kind === 'implicit' ? DRAFT : undefined;
+    const draft = await live.ask('draft', { ...question(), definition: surfaceOf(shown), start, resolution });
+    if (!draft || built !== builds) return;
     stage?.setSurface(draft.mesh);
-    Object.assign(state, { mesh: draft.mesh, shown: state.sketch, shade: null, moving: true, problem: null });
+    Object.assign(state, { mesh: draft.mesh, shown, shade: null, moving: true });
     if (draft.path && Number.isFinite(draft.path.length)) state.solved = { ...UNSOLVED, paths: [draft.path] };
   } catch (error) {
-    state.problem = problemOf(error, kind, texts);
+    if (built !== builds) return;
+    setParameters(state, state.shown.parameters);
+    return give({ problem: problemOf(error, shown.kind, shown.texts) });
   }
   render();
   if (mine !== turn) return;
@@ -213,21 +203,21 @@ export async function deform(parameters) {
 
 /** Surface and path exactly, after a parameter has come to rest. */
 async function refine() {
-  const mine = ++turn;
-  const { kind, texts } = state.sketch;
+  const [mine, built] = [begin(), builds];
+  const shown = /** @type {Sketch} */ (state.shown);
   try {
     if (state.surface?.kind === 'implicit') {
-      const mesh = await live.ask('mesh', { definition: surfaceOf(state.sketch) });
-      if (!mesh || mine !== turn) return;
+      const mesh = await live.ask('mesh', { definition: surfaceOf(shown) });
+      if (!mesh || mine !== turn || built !== builds) return;
       stage?.setSurface(mesh);
       Object.assign(state, { mesh, shade: null });
     }
   } catch (error) {
-    state.problem = problemOf(error, kind, texts);
-    return render();
+    if (mine === turn) give({ problem: problemOf(error, shown.kind, shown.texts) });
+    return;
   }
   repairEnds();
-  return solve(false);
+  await solve(false);
 }
 
 /** Colours for the surface as the sketch wishes them. */
@@ -244,8 +234,8 @@ export async function recolour() {
     if (mine !== turn || !shade) return;
     state.shade = shade;
   } catch (error) {
-    state.shade = null;
-    state.shadeProblem = sentence(error instanceof Error ? error.message : String(error));
+    if (mine !== turn) return;
+    Object.assign(state, { shade: null, shadeProblem: messageOf(error) });
   }
   render();
 }

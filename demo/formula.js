@@ -18,6 +18,8 @@ const PATIENCE = 150;
 const UNKNOWN = /^Unknown name ([\p{L}_][\p{L}\d_]*)/u;
 
 let timer = 0;
+/** The texts that the reader is changing, while not all that was written has been taken. @type {import('./definition.js').Texts | null} */
+let written = null;
 /** What the fields were built for. */
 let built = '';
 /** @type {unknown} */ let typesetFor = null;
@@ -31,12 +33,23 @@ export function startFormula() {
   find('kinds').replaceChildren(...labels);
   find('fields').addEventListener('input', () => {
     clearTimeout(timer);
-    timer = window.setTimeout(() => change({ texts: readFields(), entry: state.sketch.entry }, 'texts'), PATIENCE);
+    written = state.sketch.texts;
+    timer = window.setTimeout(takeFields, PATIENCE);
   });
+  // Who leaves a field in a hurry has written all the same.
+  find('fields').addEventListener('change', takeFields);
   find('fields').addEventListener('keydown', (event) => {
     if (event.key === 'Enter') event.preventDefault();
   });
   onRender(renderFormula);
+}
+
+function takeFields() {
+  clearTimeout(timer);
+  // Something else may have been opened meanwhile.
+  const isOurs = written === state.sketch.texts;
+  written = null;
+  if (isOurs) change({ texts: readFields() }, 'texts');
 }
 
 const readFields = () =>
@@ -91,10 +104,10 @@ function renderFormula({ sketch, shown, problem }) {
     for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll('input[name=kind]')))
       input.checked = input.value === kind;
   }
-  // What the reader is writing is not written over.
+  // What the reader is writing is not written over, unless something else is opened.
   for (const name of fieldNames(kind)) {
     const input = /** @type {HTMLInputElement} */ (find(`field-${name}`));
-    if (input !== document.activeElement && input.value !== texts[name]) input.value = texts[name];
+    if (written !== texts && input.value !== texts[name]) input.value = texts[name];
   }
   showProblem(problem);
   if (shown && shown !== typesetFor) renderTypeset(shown);

@@ -10,6 +10,9 @@
  * @property {string[]} coordinates of a point on the surface
  */
 
+/** Entries of a metric in place of that of space: of u and v, or, on an implicit surface, of x, y, z. @param {Kind} kind */
+export const tensorNames = (kind) => (kind === 'implicit' ? ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'] : ['E', 'F', 'G']);
+
 /** @type {Record<Kind, Form>} */
 export const KINDS = {
   parametric: {

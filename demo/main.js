@@ -19,6 +19,7 @@ import { startShow } from './show.js';
 import { sketchOf } from './sketch.js';
 import { startSliders } from './sliders.js';
 import { FIRST, lastIterate, onRender, render, state } from './state.js';
+import { live, startProgress } from './workers.js';
 
 const player = new Player((moment) => {
   state.moment = moment;
@@ -58,7 +59,8 @@ function listen(view) {
   find('toggle-panel').addEventListener('click', togglePanel);
   find('tabs').addEventListener('click', ({ target }) => showTab(/** @type {HTMLElement} */ (target).dataset.tab));
   addEventListener('keydown', pressed);
-  addEventListener('hashchange', () => openAddress());
+  // The address itself may have been rewritten since: of a change a moment before.
+  addEventListener('hashchange', ({ newURL }) => openAddress(new URL(newURL).hash));
   onRender(() => {
     /** @type {HTMLButtonElement} */ (find('undo')).disabled = !history.canUndo;
     /** @type {HTMLButtonElement} */ (find('redo')).disabled = !history.canRedo;
@@ -88,10 +90,10 @@ function pressed(event) {
   else undo();
 }
 
-/** Opens what the address holds; without, or where that is not ours, the first scene. */
-function openAddress() {
-  const sketch = fromHash(location.hash);
-  if (location.hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
+/** Opens what an address holds; without, or where that is not ours, the first scene. @param {string} hash */
+function openAddress(hash) {
+  const sketch = fromHash(hash);
+  if (hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
   // The picture that stands in for the scene until it is drawn is that of the first one.
   if (sketch && sketch.entry !== FIRST) document.getElementById('poster')?.remove();
   return openSketch(sketch ?? sketchOf(FIRST));
@@ -99,18 +101,40 @@ function openAddress() {
 
 /** @param {boolean} animated */
 function solved(animated) {
+  if (performance.getEntriesByName('first path').length === 0) performance.mark('first path');
   if (animated) player.play(1);
   else player.stop();
   if (state.sketch.colour !== 'plain') recolour();
   refreshPlot();
 }
 
+/** Lets the browser do what waits: nothing on the way to the first picture keeps it for long. */
+const breathe = () => new Promise((resolve) => setTimeout(resolve));
+
 async function start() {
-  for (const begin of [startResult, startFormula, startSliders, startPathCard, startMeasure, startGallery, startPlane, startPlots]) begin();
+  live.warm();
+  const loading = load();
+  // Said below, when there is a place for it.
+  loading.catch(() => {});
+  await breathe();
+  for (const begin of [
+    startResult,
+    startFormula,
+    startSliders,
+    startPathCard,
+    startMeasure,
+    startGallery,
+    startPlane,
+    startPlots,
+    startProgress,
+  ])
+    begin();
+  await breathe();
   const view = makeView();
   startExports(view);
+  await breathe();
   try {
-    connect(await load(), view, solved);
+    connect(await loading, view, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     find('poster').remove();
@@ -118,7 +142,7 @@ async function start() {
     return say(find('status'), 'No solver');
   }
   listen(view);
-  openAddress();
+  openAddress(location.hash);
 }
 
 start();

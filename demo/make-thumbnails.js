@@ -38,25 +38,27 @@ try {
   await close();
 }
 
-await takePicture();
+await takePicture('light', 'picture.webp');
+await takePicture('dark', 'picture-dark.webp');
 
-/** The picture of the manual: the page as it is, with the distances from A. */
-async function takePicture() {
-  const browser = await openBrowser([], { viewport: { width: 1280, height: 800 } });
+/** A picture of the manual: the page as it is, with the distances from A. @param {'light' | 'dark'} colorScheme @param {string} file */
+async function takePicture(colorScheme, file) {
+  const [width, height] = [1280, 800];
+  const browser = await openBrowser([], { viewport: { width, height }, bypassCSP: true, colorScheme });
   try {
     const sketch = Buffer.from(JSON.stringify({ entry: 'parametricTorus', colour: 'distance' })).toString('base64url');
     const { page } = await openPage(browser.context, `${browser.address}#1.${sketch}`);
     await settled(page);
     await page.waitForSelector('#scale:not([hidden])');
     await nextFrame(page);
-    await page.screenshot({ path: fileURLToPath(new URL('picture.png', import.meta.url)) });
+    await writeFile(fileURLToPath(new URL(file, import.meta.url)), await shrink(page, await page.screenshot(), width, height));
   } finally {
     await browser.close();
   }
 }
 
-/** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @returns {Promise<Buffer>} WebP */
-async function shrink(page, picture) {
+/** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @param {number} [width] @param {number} [height] @returns {Promise<Buffer>} WebP */
+async function shrink(page, picture, width = WIDTH, height = HEIGHT) {
   const text = await page.evaluate(
     async ({ png, width, height, quality }) => {
       const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
@@ -67,7 +69,7 @@ async function shrink(page, picture) {
       const blob = await canvas.convertToBlob({ type: 'image/webp', quality });
       return btoa(Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
     },
-    { png: picture.toString('base64'), width: WIDTH, height: HEIGHT, quality: QUALITY },
+    { png: picture.toString('base64'), width, height, quality: QUALITY },
   );
   return Buffer.from(text, 'base64');
 }

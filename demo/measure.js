@@ -1,16 +1,20 @@
-/** The card of what measures length: a density, a metric in place of that of space, and the paper's two examples fitted to any surface. */
+/** The card of what measures length: a density, a metric in place of that of space, and examples fitted to any surface. */
 
 import { change } from './change.js';
-import { find, say } from './dom.js';
+import { create, find, say } from './dom.js';
 import { formulaField } from './formula.js';
+import { tensorNames } from './kinds.js';
+import { PRESETS } from './presets.js';
 import { onRender, state } from './state.js';
 
-/** @typedef {import('./sketch.js').Sketch} Sketch */
-
 const PATIENCE = 150;
-const TENSOR = ['metric.E', 'metric.F', 'metric.G'];
+/** Entries off the diagonal, which are 0 where nothing is written. */
+const MIXED = ['xy', 'xz', 'yz'];
 
 let timer = 0;
+/** What the reader is changing, while not all that was written has been taken. */
+let written = '';
+/** What the fields were built for. */
 let built = '';
 
 export function startMeasure() {
@@ -20,84 +24,74 @@ export function startMeasure() {
   });
   find('measure-fields').addEventListener('input', () => {
     clearTimeout(timer);
-    timer = window.setTimeout(readFields, PATIENCE);
+    written = tokenOf(state.sketch);
+    timer = window.setTimeout(takeFields, PATIENCE);
   });
+  // Who leaves a field in a hurry has written all the same.
+  find('measure-fields').addEventListener('change', takeFields);
   onRender(renderMeasure);
 }
 
-const textOf = (/** @type {string} */ name) =>
-  /** @type {HTMLInputElement | null} */ (document.getElementById(`field-${name}`))?.value.trim() ?? '';
+/** @param {string} name @returns {HTMLInputElement | null} */
+const field = (name) => /** @type {HTMLInputElement | null} */ (document.getElementById(`field-${name}`));
 
-function readFields() {
-  const tensor = TENSOR.map(textOf);
+const textOf = (/** @type {string} */ name) => field(name)?.value ?? '';
+
+/** @param {import('./sketch.js').Sketch} sketch */
+const tokenOf = ({ entry, kind, density, tensor }) => JSON.stringify([entry, kind, density, tensor]);
+
+function takeFields() {
+  clearTimeout(timer);
+  // Something else may have been opened meanwhile.
+  const isOurs = written === tokenOf(state.sketch);
+  written = '';
+  if (!isOurs) return;
+  const names = tensorNames(state.sketch.kind);
+  const texts = names.map((name) => textOf(`metric.${name}`));
+  const some = texts.some((text) => text.trim());
+  const tensor = some ? texts.map((text, i) => (text.trim() ? text : MIXED.includes(names[i]) ? '0' : '')) : [];
   const density = textOf('density');
-  change({ density, tensor: tensor.some(Boolean) ? tensor : [], colour: density || tensor.some(Boolean) ? 'density' : 'plain' }, 'measure');
-}
-
-/** A number as it stands in a formula. @param {number} x */
-const write = (x) => String(Number(x.toPrecision(3)));
-
-/** "(u - 2)", without what is zero. @param {string} name @param {number} x */
-const shifted = (name, x) => (Math.abs(x) < 1e-9 ? name : x < 0 ? `(${name}+${write(-x)})` : `(${name}-${write(x)})`);
-
-/** @type {Record<string, () => Partial<Sketch>>} */
-const PRESETS = {
-  none: () => ({ density: '', tensor: [], colour: state.sketch.colour === 'density' ? 'plain' : state.sketch.colour }),
-  bump: () => ({ density: bump(), tensor: [], colour: 'density' }),
-  grain: () => {
-    const turn = `(${grainAngle()})`;
-    return {
-      density: '',
-      tensor: [`9*cos${turn}^2+sin${turn}^2`, `8*sin${turn}*cos${turn}`, `9*sin${turn}^2+cos${turn}^2`],
-      colour: 'plain',
-    };
-  },
-};
-
-/** A Gaussian hill of density in the middle between the ends. */
-function bump() {
-  const { ends, kind } = state.sketch;
-  if (kind === 'implicit') {
-    const [x, y, z] = ends[0].map((a, k) => (a + ends[1][k]) / 2);
-    const size = ends[0].reduce((sum, a, k) => sum + (a - ends[1][k]) ** 2, 0) / 12;
-    return `1+3*exp(-(${shifted('x', x)}^2+${shifted('y', y)}^2+${shifted('z', z)}^2)/${write(size)})`;
-  }
-  const domain = state.surface?.domain;
-  if (!domain) return '';
-  const { u, v } = domain;
-  const [a, b] = [0, 1].map((k) => (ends[0][k] + ends[1][k]) / 2);
-  const [p, q] = [u, v].map(([low, high]) => ((high - low) / 7) ** 2);
-  return `1+3*exp(-${shifted('u', a)}^2/${write(p)}-${shifted('v', b)}^2/${write(q)})`;
-}
-
-/** The angle of the paper's rotating field, u + 0.7 v, with whole turns where the surface closes. */
-function grainAngle() {
-  const domain = state.surface?.domain;
-  const closes = domain?.periodic.u || domain?.periodic.v;
-  return closes ? 'u+v' : 'u+0.7*v';
+  change({ density, tensor, colour: density.trim() || some ? 'density' : 'plain' }, 'measure');
 }
 
 /** @param {import('./state.js').State} state */
 function renderMeasure({ sketch, problem }) {
   const { kind, density, tensor } = sketch;
-  // A metric of the implicit kind has six entries: more than a reader wants to write.
-  const takesMetric = kind !== 'implicit' && kind !== 'metric';
   find('measure-card').hidden = kind === 'metric';
-  find('measure-presets').querySelector('[data-preset=grain]')?.toggleAttribute('hidden', !takesMetric);
-  const wanted = String(takesMetric);
-  if (built !== wanted) {
-    built = wanted;
-    const space = kind === 'implicit' ? 'x, y, z' : 'u, v, x, y, z';
-    const names = takesMetric ? TENSOR : [];
-    find('measure-fields').replaceChildren(
-      formulaField('density', `ρ(${space}), density`, density),
-      ...names.map((name) => formulaField(name, `${name.slice(-1)}(u, v) in place of space’s`, '')),
-    );
-  }
-  for (const [name, value] of [['density', density], ...TENSOR.map((name, i) => [name, tensor[i] ?? ''])]) {
-    const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`field-${name}`));
-    if (input && input !== document.activeElement && input.value !== value) input.value = value;
+  find('measure-presets')
+    .querySelector('[data-preset=climb]')
+    ?.toggleAttribute('hidden', kind !== 'implicit');
+  const names = tensorNames(kind);
+  if (built !== names.join()) {
+    built = names.join();
+    find('measure-fields').replaceChildren(...fields(names));
   }
   const half = tensor.some((text) => !text.trim());
-  say(find('measure-problem'), half && !problem ? 'Write all three of E, F and G, or none.' : null);
+  const all = names.length === 3 ? 'all three of E, F and G' : 'xx, yy and zz';
+  say(find('measure-problem'), half && !problem ? `Write ${all}, or none.` : null);
+  // What the reader is writing is not written over, unless something else is opened.
+  if (written === tokenOf(sketch)) return;
+  const values = [['density', density], ...names.map((name, i) => [`metric.${name}`, tensor[i] ?? ''])];
+  for (const [name, value] of values) {
+    const input = field(name);
+    if (input && input.value !== value) input.value = value;
+  }
+}
+
+/** @param {string[]} names of the entries */
+function fields(names) {
+  const inSpace = names.length === 6;
+  const [place, plane] = inSpace ? ['x, y, z', 'x, y, z'] : ['u, v, x, y, z', 'u, v'];
+  const entries = names.map((name) => formulaField(`metric.${name}`, inSpace ? `T${name}` : `${name}(${plane})`, ''));
+  return [
+    formulaField('density', `ρ(${place}), density`, ''),
+    create(
+      'p',
+      { className: 'hint' },
+      inSpace
+        ? 'In place of space’s: ds² = dxᵀ T dx, a symmetric matrix T over x, y, z.'
+        : 'In place of space’s: ds² = E du² + 2F du dv + G dv².',
+    ),
+    create('div', { className: inSpace ? 'entries-of-tensor' : '' }, ...entries),
+  ];
 }

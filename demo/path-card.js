@@ -121,8 +121,8 @@ function renderEnds({ kind, ends, via, task }) {
   for (const [row, point] of points.entries())
     for (const [i, x] of point.entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
-      if (input && input !== document.activeElement && input.valueAsNumber !== x)
-        input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
+      // What is being written is the number itself, and stays as it is written.
+      if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
     }
 }
 

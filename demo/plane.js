@@ -3,6 +3,7 @@
 import { change } from './change.js';
 import { coordinates } from './definition.js';
 import { find, say } from './dom.js';
+import { onHover, setHover } from './hover.js';
 import { chosenPath, onRender, state } from './state.js';
 import { pointList, svg, ticks } from './svg.js';
 
@@ -26,22 +27,53 @@ export function startPlane() {
     place.setPointerCapture(event.pointerId);
     event.preventDefault();
   });
-  place.addEventListener('pointermove', drag);
+  place.addEventListener('pointermove', (event) => (held < 0 ? pointAt(event) : drag(event)));
+  place.addEventListener('pointerleave', () => setHover(null));
   for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'])
     place.addEventListener(type, () => {
       held = -1;
     });
   find('plane-card').addEventListener('toggle', renderPlane);
   onRender(renderPlane);
+  onHover(renderHover);
+}
+
+/** The parameters at a place of the window. @param {PointerEvent} event @returns {number[] | null} */
+function parametersAt({ clientX, clientY }) {
+  const picture = find('plane').querySelector('svg');
+  if (!drawn || !picture) return null;
+  const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+  return drawn.frame.from([x, y]);
 }
 
 /** @param {PointerEvent} event */
-function drag({ clientX, clientY }) {
-  const picture = find('plane').querySelector('svg');
-  if (held < 0 || !drawn || !picture) return;
-  const { x: across, y: down } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
-  const { from, low, high, periodic } = drawn.frame;
-  const point = from([across, down]).map((x, i) => (periodic[i] ? x : Math.min(Math.max(x, low[i]), high[i])));
+function pointAt(event) {
+  const parameters = event.pointerType === 'touch' ? null : parametersAt(event);
+  const { low, high } = drawn?.frame ?? { low: [], high: [] };
+  const isInside = parameters?.every((x, k) => x >= low[k] && x <= high[k]);
+  setHover(isInside ? { place: null, parameters, run: null } : null);
+}
+
+/** Marks what is pointed at, here or elsewhere. @param {import('./hover.js').Hover | null} hover */
+function renderHover(hover) {
+  const dot = find('plane').querySelector('.hover');
+  if (!drawn || !dot) return;
+  dot.toggleAttribute('hidden', !hover?.parameters);
+  if (!hover?.parameters) return;
+  const [x, y] = drawn.frame.to(inside(hover.parameters, drawn.frame));
+  for (const [name, value] of [
+    ['cx', x],
+    ['cy', y],
+  ])
+    dot.setAttribute(String(name), String(value));
+}
+
+/** @param {PointerEvent} event */
+function drag(event) {
+  const at = parametersAt(event);
+  if (!at || !drawn || state.building) return;
+  const { low, high, periodic } = drawn.frame;
+  const point = at.map((x, i) => (periodic[i] ? x : Math.min(Math.max(x, low[i]), high[i])));
   change({ ends: state.sketch.ends.map((end, i) => (i === held ? point : end)) }, `plane ${held}`);
 }
 
@@ -97,7 +129,7 @@ function grid({ low, high, size, to }, names) {
     svg('rect', { x: left, y: top, width: size[0], height: size[1], class: 'ground' }),
     ...lines,
     svg('text', { x: left + size[0], y: bottom + 26, 'text-anchor': 'end', class: 'axis' }, names[0]),
-    svg('text', { x: left - 30, y: top + 8, class: 'axis' }, names[1]),
+    svg('text', { x: left - 36, y: top + 8, class: 'axis' }, names[1]),
     svg('rect', { x: left, y: top, width: size[0], height: size[1], class: 'edge' }),
   ];
 }
@@ -109,7 +141,7 @@ const inside = (point, { low, high, periodic }) =>
 /** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
-  if (!gauge) return [];
+  if (gauge?.kind !== 'metric') return [];
   const cells = 9;
   const places = Array.from({ length: cells * cells }, (_, i) =>
     [i % cells, Math.floor(i / cells)].map((x, k) => frame.low[k] + ((x + 0.5) / cells) * (frame.high[k] - frame.low[k])),
@@ -162,7 +194,14 @@ function picture(frame) {
   });
   const height = frame.size[1] + MARGIN.top + MARGIN.bottom;
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${height}`, role: 'img', 'aria-label': 'The path in the plane of the parameters' });
-  root.append(clip, ...grid(frame, coordinates(sketch.kind)), inner, ...vias, ...handles);
+  root.append(
+    clip,
+    ...grid(frame, coordinates(sketch.kind)),
+    inner,
+    ...vias,
+    ...handles,
+    svg('circle', { r: 4, class: 'hover', hidden: '' }),
+  );
   return { root, handles };
 }
 
@@ -190,7 +229,7 @@ export function planeFile() {
   const { root } = picture(frameOf(domain));
   root.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   root.setAttribute('width', '960');
-  for (const target of root.querySelectorAll('.target')) target.remove();
+  for (const helper of root.querySelectorAll('.target, .hover')) helper.remove();
   // As text: a style element in this document would be refused by its policy.
   return new XMLSerializer().serializeToString(root).replace(/<\/svg>$/, `<style>${STYLE}</style></svg>`);
 }

@@ -24,13 +24,17 @@ function scaleOf(values, { log, zero }, from, to) {
   const every = Math.ceil((high - low) / 6);
   const marks = log ? Array.from({ length: Math.floor((high - low) / every) + 1 }, (_, i) => low + i * every) : ticks(low, high, 5);
   const at = (/** @type {number} */ x) => from + ((inner(x) - low) / (high - low)) * (to - from);
+  const valueAt = (/** @type {number} */ place) => low + ((place - from) / (to - from)) * (high - low);
   return {
     at,
+    valueAt,
     marks: marks.map((mark) => ({ place: from + ((mark - low) / (high - low)) * (to - from), text: log ? power(mark) : String(mark) })),
   };
 }
 
-/** @param {Series[]} series @param {Axis} across @param {Axis} up @returns {Element} */
+/** @typedef {{ root: Element, valueAt: (x: number) => number, guide: (value: number | null) => void }} Plot valueAt: on the axis across, of a place of the picture; guide: a line there, or none */
+
+/** @param {Series[]} series @param {Axis} across @param {Axis} up @returns {Plot} */
 export function plot(series, across, up) {
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': `${up.label} against ${across.label}` });
   const good = series.map(({ label, samples }) => ({
@@ -38,7 +42,7 @@ export function plot(series, across, up) {
     samples: samples.filter(({ x, y }) => Number.isFinite(x + y) && (!up.log || y > 0) && (!across.log || x > 0)),
   }));
   const all = good.flatMap(({ samples }) => samples);
-  if (all.length === 0) return root;
+  if (all.length === 0) return { root, valueAt: () => Number.NaN, guide: () => {} };
   const x = scaleOf(
     all.map((sample) => sample.x),
     across,
@@ -68,7 +72,13 @@ export function plot(series, across, up) {
     if (samples.length < 40)
       root.append(...points.map((point, k) => mark(point, i, `${label}: ${samples[k].x} → ${samples[k].y.toPrecision(3)}`)));
   }
-  return root;
+  const line = svg('line', { y1: BOX.top, y2: BOX.bottom, class: 'guide', hidden: '' });
+  root.append(line);
+  const guide = (/** @type {number | null} */ value) => {
+    line.toggleAttribute('hidden', value === null);
+    for (const name of ['x1', 'x2']) if (value !== null) line.setAttribute(name, String(x.at(value)));
+  };
+  return { root, valueAt: x.valueAt, guide };
 }
 
 /** The shape tells the series as well as the colour does. @param {[number, number]} point @param {number} i @param {string} words */

@@ -2,9 +2,10 @@
 
 import { sentence } from './definition.js';
 import { create, find } from './dom.js';
-import { askLong, cancelLong } from './flow.js';
+import { hoverAlong, onHover, setHover } from './hover.js';
 import { plot } from './plot.js';
-import { chosenPath, onRender, state } from './state.js';
+import { chosenPath, state } from './state.js';
+import { askLong } from './workers.js';
 
 /** @typedef {import('./study.js').Series} Series */
 /** @typedef {import('./plot.js').Axis} Axis */
@@ -34,17 +35,24 @@ const PLOTS = {
 };
 
 let mine = 0;
+/** The plot along the path, if it is the one that is seen. @type {import('./plot.js').Plot | null} */ let along = null;
 
 export function startPlots() {
   find('plot-choice').addEventListener('change', refreshPlot);
   find('plots-card').addEventListener('toggle', refreshPlot);
-  find('cancel').addEventListener('click', () => {
-    cancelLong();
-    mine++;
-  });
-  onRender(({ long }) => {
-    find('progress').hidden = !long;
-  });
+  find('plot').addEventListener('pointermove', pointAt);
+  find('plot').addEventListener('pointerleave', () => along && setHover(null));
+  onHover((hover) => along?.guide(hover?.run ?? null));
+}
+
+/** The point of the path that a place of its plot is about. @param {PointerEvent} event */
+function pointAt({ clientX, clientY }) {
+  const path = chosenPath();
+  const picture = /** @type {SVGSVGElement | null} */ (find('plot').querySelector('svg'));
+  if (!along || !path || !picture) return;
+  const { x } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+  const run = along.valueAt(x);
+  setHover(run >= 0 && run <= path.length ? hoverAlong(path, run) : null);
 }
 
 const choice = () => /** @type {HTMLSelectElement} */ (find('plot-choice')).value;
@@ -58,10 +66,7 @@ export async function refreshPlot() {
     return explain('This plot is for a path between two ends.');
   const turn = ++mine;
   const { ends, points } = state.sketch;
-  const bar = /** @type {HTMLProgressElement} */ (find('progress-bar'));
-  bar.removeAttribute('value');
-  const show = (/** @type {{ share: number, series: Series[] }} */ { share, series }) => {
-    bar.value = share;
+  const show = (/** @type {{ series: Series[] }} */ { series }) => {
     if (turn === mine) draw(name, series);
   };
   try {
@@ -73,15 +78,20 @@ export async function refreshPlot() {
 }
 
 /** @param {string} words */
-const explain = (words) => find('plot').replaceChildren(create('p', { className: 'hint' }, words));
+function explain(words) {
+  along = null;
+  find('plot').replaceChildren(create('p', { className: 'hint' }, words));
+}
 
 /** @param {string} name @param {Series[]} series */
 function draw(name, series) {
   const { across, up, words } = PLOTS[name];
+  const drawn = plot(series, across, up);
+  along = name === 'curvature' ? drawn : null;
   const keys = series.map(({ label }, i) => create('li', { className: `key key-${i}` }, label));
   find('plot').replaceChildren(
     create('p', { className: 'plot-title' }, up.label),
-    plot(series, across, up),
+    drawn.root,
     ...(series.length > 1 ? [create('ul', { className: 'keys' }, ...keys)] : []),
     create('p', { className: 'hint' }, words),
   );

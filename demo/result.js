@@ -23,9 +23,10 @@ function describeStart(length, start) {
 }
 
 /** @param {import('./state.js').State} state */
-function renderResult({ sketch, solved, problem, busy, moving, surface, gauge }) {
+function renderResult({ sketch, solved, problem, endProblem, live, moving, building, surface, gauge }) {
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
+  const busy = live !== null || building;
   document.documentElement.toggleAttribute('data-busy', busy || moving);
   find('result').setAttribute('aria-busy', String(busy));
   // All digits, for those who read the page by program.
@@ -40,10 +41,10 @@ function renderResult({ sketch, solved, problem, busy, moving, surface, gauge })
     write('iterations', path ? String(path.iterations) : '–');
     write('time', Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
-  if (!surface || (!path && busy)) return;
-  const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', 'See the message at the ends.'];
+  if (busy && (!surface || !path)) return;
+  const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', problem ? `${advice} (The last good surface is shown.)` : advice);
+  write('advice', path && problem ? `${advice} (The last good surface is shown.)` : advice);
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
 

@@ -1,48 +1,46 @@
-/** The 3D view: camera, light, surface, curves and handles. Draws only when something has changed. Knows nothing of formulas and solvers. */
+/** The 3D view: light, surface, curves and handles, seen by an eye. Draws only when something has changed. Knows nothing of formulas and solvers. */
 
-import { Color, Group, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { GeodesicLine } from 'surfpath/three';
-import { fitView } from './fit.js';
+import { HemisphereLight, NeutralToneMapping, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { Marker } from 'surfpath/three';
+import { CurveLines } from './curve-lines.js';
+import { Eye } from './eye.js';
 import { addLights } from './light.js';
 import { Strokes } from './strokes.js';
 import { SurfaceObject } from './surface-object.js';
 
 /** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
 /** @typedef {{ element: HTMLElement, point: ArrayLike<number> }} Anchor an element that stands over a point */
-/** @typedef {{ starts: Float64Array[], paths: Float64Array[], others: Float64Array[], warmth: number }} Curves */
+/** @typedef {import('./curve-lines.js').Curves} Curves */
 
-const ELEVATION = Math.PI / 6;
-const FIELD_OF_VIEW = 32;
 const MOST_PIXELS = 2;
-/** CSS pixels at the lower edge that the player covers. */
-const COVERED = 64;
-/** Share of the view that stays free around the surface, both sides together. */
-const MARGIN = 0.1;
-/** In CSS pixels, at least: the legend stands there on small screens. */
-const LEAST_MARGIN = 56;
-/** Drawn after one another; the markers of handles come after all. */
-const ORDER = { others: 1, starts: 4, paths: 7 };
-const WIDTH = { others: 2.5, starts: 2, paths: 4 };
+/** Radius and ring of the point that is pointed at, in CSS pixels. */
+const DOT = /** @type {const} */ ([4.5, 2]);
+
+/** Width and height that an anchor's element takes, in CSS pixels. */
+const ROOM = [54, 25];
+
+/** The place nearest below a wanted one that no other element has. @param {number} x @param {number} y @param {number[][]} taken */
+function freePlace(x, y, taken) {
+  const near = taken.filter(([other]) => Math.abs(other - x) < ROOM[0]).sort((a, b) => a[1] - b[1]);
+  return near.reduce((place, [, other]) => (Math.abs(other - place) < ROOM[1] ? other + ROOM[1] : place), y);
+}
 
 export class View {
   #renderer;
+  #eye;
   #scene = new Scene();
-  #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
-  #controls;
-  #curves = new Group();
+  #curves = new CurveLines();
   #surface = new SurfaceObject();
   #sky = new HemisphereLight();
-  /** @type {Record<'starts' | 'paths' | 'others', GeodesicLine[]>} */ #lines = { starts: [], paths: [], others: [] };
   #strokes = new Strokes();
+  #dot = new Marker();
+  #rays = new Raycaster();
   /** @type {Anchor[]} */ #anchors = [];
-  #bounds = new Sphere(new Vector3(), 1);
   #size = { width: 1, height: 1 };
   #pending = false;
-  /** Whether the reader has turned the view: then it is not ours to change. */
-  #touched = false;
+  /** Shaders are being compiled, beside the page's thread: what is seen stays until they are ready. */
+  #isCompiling = false;
   /** @type {Theme | null} */ #theme = null;
-  #warmth = 1;
   /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
   /** Called before each frame. @type {() => void} */ onDraw = () => {};
 
@@ -50,16 +48,12 @@ export class View {
   constructor(element, canvas) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'low-power' });
     this.#renderer.toneMapping = NeutralToneMapping;
-    this.#camera.up.set(0, 0, 1);
-    addLights(this.#scene, this.#camera, this.#sky);
-    this.#curves.add(this.#strokes);
-    this.#scene.add(this.#camera, this.#surface, this.#curves);
-    this.#controls = new OrbitControls(this.#camera, canvas);
-    Object.assign(this.#controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
-    this.#controls.addEventListener('change', () => this.invalidate());
-    this.#controls.addEventListener('start', () => {
-      this.#touched = true;
-    });
+    this.#eye = new Eye(canvas, () => this.invalidate());
+    this.#dot.visible = false;
+    this.#dot.setRadius(...DOT);
+    addLights(this.#scene, this.camera, this.#sky);
+    this.#scene.add(this.camera, this.#surface, this.#strokes, this.#curves, this.#dot);
+    this.#compile();
     this.#resize(element);
     new ResizeObserver(() => this.#resize(element)).observe(element);
   }
@@ -74,11 +68,11 @@ export class View {
   }
 
   get camera() {
-    return this.#camera;
+    return this.#eye.camera;
   }
 
   get controls() {
-    return this.#controls;
+    return this.#eye.controls;
   }
 
   /** The theme's colours. */
@@ -91,10 +85,20 @@ export class View {
     this.#scene.add(object);
   }
 
-  /** Numbers of geometries, textures and programs that the graphics card holds for this view. */
+  /** Numbers of geometries and textures that the graphics card holds for this view, and its programs by number. */
   get memory() {
     const { memory, programs } = this.#renderer.info;
-    return { ...memory, programs: programs?.length ?? 0 };
+    return { ...memory, programs: (programs ?? []).map(({ id }) => id) };
+  }
+
+  /** How many strokes show a metric. */
+  get strokes() {
+    return this.#strokes.count;
+  }
+
+  /** Where the point is that is pointed at; null: nothing is. */
+  get dot() {
+    return this.#dot.visible ? this.#dot.position.toArray() : null;
   }
 
   /** @param {Theme} theme */
@@ -103,24 +107,24 @@ export class View {
     this.#surface.setColour(theme.surface);
     this.#sky.color.set(theme.sky);
     this.#sky.groundColor.set(theme.ground);
-    this.#paint();
+    this.#strokes.material.color.set(theme.via);
+    this.#dot.setColours({ colour: theme.via, ring: theme.halo });
+    this.#curves.paint(theme);
+    this.invalidate();
   }
 
   /** @param {import('./drawable.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
   setSurface(mesh) {
-    const last = this.#bounds.clone();
     this.#surface.setMesh(mesh);
-    this.#bounds.copy(/** @type {Sphere} */ (this.#surface.geometry.boundingSphere));
-    this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
-    this.invalidate();
-    const growth = this.#bounds.radius / last.radius;
-    return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
+    this.#compile();
+    return this.#eye.setSurface(this.#surface.geometry);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
   setValues(quantity, values) {
-    this.invalidate();
-    return this.#surface.setValues(quantity, values);
+    const scale = this.#surface.setValues(quantity, values);
+    this.#compile();
+    return scale;
   }
 
   /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */
@@ -131,26 +135,17 @@ export class View {
 
   /** @param {Curves} curves */
   setCurves(curves) {
-    this.#warmth = curves.warmth;
-    for (const role of /** @type {const} */ (['starts', 'paths', 'others'])) this.#fill(role, curves[role]);
-    this.#paint();
+    this.#curves.setCurves(curves);
+    if (this.#theme) this.#curves.paint(this.#theme);
+    this.invalidate();
   }
 
-  /** @param {'starts' | 'paths' | 'others'} role @param {Float64Array[]} curves */
-  #fill(role, curves) {
-    const lines = this.#lines[role];
-    while (lines.length > curves.length) {
-      const line = /** @type {GeodesicLine} */ (lines.pop());
-      line.dispose();
-    }
-    for (const [i, points] of curves.entries()) {
-      if (!lines[i]) {
-        lines[i] = new GeodesicLine(null, { width: WIDTH[role] });
-        lines[i].setOrder(ORDER[role]);
-        this.#curves.add(lines[i]);
-      }
-      lines[i].setPath(points);
-    }
+  /** Marks the point that is pointed at elsewhere. @param {ArrayLike<number> | null} place x y z */
+  setDot(place) {
+    if (!place && !this.#dot.visible) return;
+    this.#dot.visible = place !== null;
+    if (place) this.#dot.position.set(place[0], place[1], place[2]);
+    this.invalidate();
   }
 
   /** @param {Anchor[]} anchors */
@@ -159,69 +154,50 @@ export class View {
     this.invalidate();
   }
 
-  #paint() {
-    const theme = this.#theme;
-    if (!theme) return;
-    const colours = (/** @type {Color} */ colour) => ({ colour, halo: theme.halo });
-    const [start, other] = [new Color(theme.start), new Color(theme.other)];
-    this.#strokes.material.color.set(theme.via);
-    const path = start.clone().lerp(new Color(theme.path), this.#warmth);
-    for (const line of this.#lines.starts) line.setColours(colours(start));
-    for (const line of this.#lines.others) line.setColours(colours(other));
-    for (const line of this.#lines.paths) line.setColours(colours(path));
-    this.invalidate();
-  }
-
-  /** Looks at the whole surface from 30 degrees above, from the side where something is. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] to look from instead */
+  /** Looks at the whole surface. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] see `Eye` */
   frame(something, direction) {
-    const { center, radius } = this.#bounds;
-    const towards = something ? new Vector3(something[0], something[1], something[2]).sub(center).setZ(0) : new Vector3();
-    if (towards.length() < 0.08 * radius) towards.set(0.6, -1, 0);
-    towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION));
-    if (direction) towards.fromArray(direction).normalize();
-    // Straight from above there is no "up": a hair from the front.
-    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
-    this.#controls.minDistance = 0.15 * radius;
-    this.#controls.maxDistance = 20 * radius;
-    this.#touched = false;
-    this.#fit(towards);
+    this.#eye.frame(something, direction);
+    this.invalidate();
   }
 
-  /** @param {Vector3} towards the camera, unit length */
-  #fit(towards) {
-    const points = this.#surface.geometry.getAttribute('position');
-    if (!points) return;
+  /** What a place of the window shows of the surface. @param {number} x @param {number} y @returns {{ place: number[], shares: number[] | null } | null} x y z, and shares of the parameters' ranges */
+  pick(x, y) {
+    const { left, top } = this.canvas.getBoundingClientRect();
     const { width, height } = this.#size;
-    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
-    const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
-    const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
-    const { target, distance } = fitView(points, this.#bounds.center, towards, this.#camera.up, slopes);
-    this.#controls.target.copy(target);
-    this.#camera.position.copy(target).addScaledVector(towards, distance);
-    this.#controls.update();
-    this.invalidate();
+    this.#rays.setFromCamera(new Vector2((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height), this.camera);
+    const [hit] = this.#rays.intersectObject(this.#surface, false);
+    return hit ? { place: hit.point.toArray(), shares: hit.uv?.toArray() ?? null } : null;
   }
 
   /** Draws in the next frame. */
   invalidate() {
     if (this.#pending) return;
     this.#pending = true;
-    requestAnimationFrame(() => this.draw());
+    requestAnimationFrame(() => {
+      this.#pending = false;
+      if (!this.#isCompiling) this.draw();
+    });
+  }
+
+  /** Has the shaders ready that are new, then draws. */
+  async #compile() {
+    if (this.#isCompiling) return;
+    // Without the extension nobody knows when they are ready: drawing waits for them.
+    if (this.#renderer.getContext().getExtension('KHR_parallel_shader_compile')) {
+      this.#isCompiling = true;
+      await this.#renderer.compileAsync(this.#scene, this.camera);
+      this.#isCompiling = false;
+    } else this.#renderer.compile(this.#scene, this.camera);
+    this.invalidate();
   }
 
   /** Draws now. */
   draw() {
-    this.#pending = false;
-    this.#controls.update();
-    const { center, radius } = this.#bounds;
-    const distance = this.#camera.position.distanceTo(center);
-    this.#camera.near = Math.max(distance - 1.6 * radius, 0.01 * radius);
-    this.#camera.far = distance + 1.6 * radius;
-    this.#camera.updateProjectionMatrix();
+    this.#eye.update();
     this.#scene.updateMatrixWorld();
     this.#placeAnchors();
     this.onDraw();
-    this.#renderer.render(this.#scene, this.#camera);
+    this.#renderer.render(this.#scene, this.camera);
     if (this.onFirst && this.#surface.geometry.index) {
       this.onFirst();
       this.onFirst = null;
@@ -230,13 +206,16 @@ export class View {
 
   /** Where a point of space is on the screen, in CSS pixels of the view. @param {ArrayLike<number>} point @returns {[number, number]} */
   toScreen(point) {
-    const place = new Vector3(point[0], point[1], point[2]).project(this.#camera);
+    const place = new Vector3(point[0], point[1], point[2]).project(this.camera);
     return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
   }
 
   #placeAnchors() {
+    /** @type {number[][]} */ const taken = [];
     for (const { element, point } of this.#anchors) {
-      const [x, y] = this.toScreen(point);
+      const [x, wanted] = this.toScreen(point);
+      const y = freePlace(x, wanted, taken);
+      taken.push([x, y]);
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
   }
@@ -248,9 +227,7 @@ export class View {
     this.#size = { width, height };
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
     this.#renderer.setSize(width, height, false);
-    this.#camera.aspect = width / height;
-    this.#camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
-    if (!this.#touched) this.#fit(this.#camera.position.clone().sub(this.#controls.target).normalize());
+    this.#eye.resize(width, height);
     // A resized canvas is empty until it is drawn: draw before the browser paints.
     this.draw();
   }

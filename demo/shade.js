@@ -3,6 +3,7 @@
 import { gaussianCurvature } from '../web/view/curvature.js';
 import { coordinates } from './definition.js';
 import { meshOf } from './drawable.js';
+import { tangentForm, Tensor } from './tensor.js';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {Float64Array} Shade a number a vertex; NaN where there is none */
@@ -17,7 +18,7 @@ const WORD = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/gu;
  */
 export function shade(opened, { colour, from, resolution }, surfpath) {
   if (colour === 'distance') return distances(opened, from);
-  const mesh = meshOf(opened, resolution);
+  const mesh = meshOf(opened, resolution, surfpath);
   return colour === 'curvature'
     ? gaussianCurvature(/** @type {any} */ (opened.drawn), mesh.parameters ?? mesh.positions)
     : stretches(opened, mesh, surfpath);
@@ -33,18 +34,36 @@ function distances({ surface, definition }, from) {
 
 /** By how much length is multiplied, the mean of all directions. @param {import('./tasks.js').Opened} opened @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */
 function stretches({ definition, drawn }, mesh, surfpath) {
-  const { density, metric, kind, parameters } = definition;
+  const { density, metric, kind } = definition;
   const ranges = drawn.domain ?? { u: [0, 1], v: [0, 1] };
   const tensor = kind === 'metric' ? definition : metric;
-  let values = density === undefined ? new Float64Array(mesh.positions.length / 3).fill(1) : densities(definition, ranges, mesh, surfpath);
-  if (tensor && mesh.parameters) {
-    const [E, F, G] = [tensor.E, tensor.F, tensor.G].map((text) => inPlane(String(text), definition));
-    const surface = surfpath.metric({ E, F, G, u: [ranges.u[0], ranges.u[1]], v: [ranges.v[0], ranges.v[1]], parameters });
-    const entries = surface.evaluate(mesh.parameters);
-    surface.dispose();
-    values = values.map((x, i) => x * Math.max(entries[3 * i] * entries[3 * i + 2] - entries[3 * i + 1] ** 2, 0) ** 0.25);
-  }
-  return values;
+  const values =
+    density === undefined ? new Float64Array(mesh.positions.length / 3).fill(1) : densities(definition, ranges, mesh, surfpath);
+  if (!tensor) return values;
+  const areas = mesh.parameters
+    ? areasInPlane(tensor, definition, ranges, mesh.parameters, surfpath)
+    : areasInSpace(definition, mesh, surfpath);
+  return values.map((x, i) => x * Math.max(areas[i], 0) ** 0.25);
+}
+
+/** EG − F² of a metric over u and v. @param {any} tensor @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {Float64Array} places u v … @param {import('surfpath').Surfpath} surfpath */
+function areasInPlane(tensor, definition, { u, v }, places, surfpath) {
+  const [E, F, G] = [tensor.E, tensor.F, tensor.G].map((text) => inPlane(String(text), definition));
+  const surface = surfpath.metric({ E, F, G, u: [u[0], u[1]], v: [v[0], v[1]], parameters: definition.parameters });
+  const entries = surface.evaluate(places);
+  surface.dispose();
+  return Float64Array.from({ length: places.length / 2 }, (_, i) => entries[3 * i] * entries[3 * i + 2] - entries[3 * i + 1] ** 2);
+}
+
+/** EG − F² of a metric of space, along the surface. @param {any} definition @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */
+function areasInSpace({ metric, parameters }, { positions, normals }, surfpath) {
+  const tensor = new Tensor(surfpath, metric, parameters);
+  const entries = tensor.evaluate(positions);
+  tensor.dispose();
+  return Float64Array.from({ length: positions.length / 3 }, (_, i) => {
+    const { E, F, G } = tangentForm(entries.subarray(6 * i, 6 * i + 6), normals.subarray(3 * i, 3 * i + 3));
+    return E * G - F * F;
+  });
 }
 
 /** A formula with u and v in place of what the kind calls them. @param {string} text @param {any} definition */

@@ -4,7 +4,8 @@ import { startAnchors } from './anchors.js';
 import { blend, smooth } from './curves.js';
 import { create, find, say, themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
-import { strokes } from './grain.js';
+import { planeStrokes, spaceStrokes } from './grain.js';
+import { startPointing } from './pointing.js';
 import { chosenPath, lastIterate, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
@@ -25,6 +26,7 @@ export function startShow(view) {
   onRender(() => renderShade(view));
   onRender(() => renderCurves(view));
   startAnchors(view);
+  startPointing(view);
 }
 
 /** @param {View} view */
@@ -74,22 +76,35 @@ function renderLegend(hasStart, hasOthers) {
   find('legend').replaceChildren(...rows.map(([className, text]) => create('li', { className }, text)));
 }
 
+/** Curvature of which not more is left than rounding leaves. */
+const NOTHING = 1e-6;
 const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
+
+/** What shows the metric that is measured by. */
+function strokesNow() {
+  const { gauge, drawn, mesh } = state;
+  if (!gauge || !drawn || !mesh) return null;
+  return gauge.kind === 'space' ? spaceStrokes(gauge, drawn, mesh) : planeStrokes(gauge, drawn);
+}
 
 /** @param {View} view */
 function renderShade(view) {
-  const { shade, mesh, sketch, shadeProblem, gauge, drawn } = state;
+  const { shade, mesh, sketch, shadeProblem } = state;
   say(find('colour-problem'), shadeProblem);
   /** @type {HTMLSelectElement} */ (find('colour')).value = sketch.colour;
-  if (mesh !== meshShown) view.setStrokes(gauge && drawn ? strokes(gauge, drawn) : null);
+  if (mesh !== meshShown) view.setStrokes(strokesNow());
   if (shade === shadeShown && mesh === meshShown) return;
   [shadeShown, meshShown] = [shade, mesh];
   const colours = view.setValues(sketch.colour, shade);
   const scale = find('scale');
   scale.hidden = !colours;
   if (!colours) return;
-  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < 1e-9 ? '0' : formatNumber(x, 3)));
+  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
   const bar = create('i', {});
   bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
-  scale.replaceChildren(create('span', {}, SCALES[sketch.colour]), bar, create('b', {}, low), create('b', {}, high));
+  scale.replaceChildren(
+    create('span', {}, SCALES[sketch.colour]),
+    bar,
+    ...(low === '0' && high === '0' ? [create('b', {}, '0 everywhere')] : [create('b', {}, low), create('b', {}, high)]),
+  );
 }

@@ -2,7 +2,7 @@
 
 import { definitionOf, fieldNames, textsOf } from './definition.js';
 import { ENTRIES } from './entries.js';
-import { KINDS } from './kinds.js';
+import { KINDS, tensorNames } from './kinds.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {import('./definition.js').Texts} Texts */
@@ -13,7 +13,7 @@ import { KINDS } from './kinds.js';
  * @property {Texts} texts of the formula fields
  * @property {Record<string, number>} parameters
  * @property {string} density ρ, or ''
- * @property {string[]} tensor E, F, G in place of the metric of space, or none
+ * @property {string[]} tensor E, F, G, or, of an implicit surface, xx … zz, in place of the metric of space; or none
  * @property {number[][]} ends
  * @property {number[][]} via
  * @property {'path' | 'all' | 'trace'} task
@@ -48,7 +48,7 @@ export function sketchOf(name) {
     texts: textsOf(entry),
     parameters: { ...entry.parameters },
     density: entry.density ?? '',
-    tensor: entry.metric ? [entry.metric.E, entry.metric.F, entry.metric.G] : [],
+    tensor: Object.values(entry.metric ?? {}),
     ends: [[...entry.from], [...entry.to]],
     via: [],
     task: 'path',
@@ -66,7 +66,7 @@ export function sketchOf(name) {
 export function surfaceOf({ kind, texts, parameters, density, tensor }) {
   const definition = /** @type {Record<string, any>} */ (definitionOf(kind, texts, parameters));
   if (density.trim() && kind !== 'metric') definition.density = density;
-  if (tensor.length === 3) definition.metric = { E: tensor[0], F: tensor[1], G: tensor[2] };
+  if (tensor.length > 0) definition.metric = Object.fromEntries(tensorNames(kind).map((name, i) => [name, tensor[i]]));
   return definition;
 }
 
@@ -113,5 +113,6 @@ function readParameters(sketch, given) {
 /** @param {Sketch} sketch @param {any} given */
 function readMeasure(sketch, { density, tensor }) {
   if (isFormula(density)) sketch.density = density;
-  if (Array.isArray(tensor) && [0, 3].includes(tensor.length) && tensor.every(isFormula)) sketch.tensor = tensor;
+  const lengths = sketch.kind === 'metric' ? [0] : [0, tensorNames(sketch.kind).length];
+  if (Array.isArray(tensor) && lengths.includes(tensor.length) && tensor.every(isFormula)) sketch.tensor = tensor;
 }

@@ -12,11 +12,11 @@ export const UNSOLVED = { paths: [], films: [], straight: null, straightLength: 
 
 export const state = {
   sketch: sketchOf(FIRST),
-  /** The sketch of the last good surface. @type {Sketch | null} */
+  /** The sketch of the surface that is seen: the last good one. @type {Sketch | null} */
   shown: null,
   /** @type {import('surfpath').Surface | null} */ surface: null,
   /** What is drawn of it: the surface, or the plane of a metric. @type {import('surfpath').Surface | null} */ drawn: null,
-  /** The metric that is not that of space, to draw it. @type {import('surfpath').Surface | null} */ gauge: null,
+  /** The metric that is not that of space, to draw it. @type {import('./gauge.js').Gauge | null} */ gauge: null,
   /** @type {import('./drawable.js').SurfaceMesh | null} */ mesh: null,
   /** @type {import('./definition.js').Problem | null} */ problem: null,
   /** @type {import('./ends.js').EndProblem | null} */ endProblem: null,
@@ -27,10 +27,11 @@ export const state = {
   moment: 1,
   /** @type {import('./shade.js').Shade | null} */ shade: null,
   /** Why the surface is not coloured as wished. @type {string | null} */ shadeProblem: null,
-  /** Something is being computed. */
-  busy: false,
-  /** A long task runs, which can be cancelled. */
-  long: false,
+  /** What is being computed of the surface and its path. @type {import('./solver.js').Work | null} */ live: null,
+  /** What else is being computed. @type {import('./solver.js').Work | null} */ long: null,
+  /** The surface of the sketch is on its way; the last one is still seen. */
+  building: false,
+  /** An end or a parameter moves: what is seen is not yet exact. */
   moving: false,
 };
 

@@ -25,6 +25,11 @@ export class Strokes extends LineSegments {
     this.visible = false;
   }
 
+  /** How many there are. */
+  get count() {
+    return (this.geometry.getAttribute('position')?.count ?? 0) / 2;
+  }
+
   /** @param {Float64Array | null} ends two points each, x y z */
   setEnds(ends) {
     this.geometry.dispose();

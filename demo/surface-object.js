@@ -1,28 +1,42 @@
 /** The surface of the view: one object, whose mesh and colours change. Both are computed elsewhere; here they become what the graphics card draws. */
 
-import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from '../web/view/colouring.js';
 import { surfaceGeometry, surfaceMaterial } from 'surfpath/three';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('surfpath/three').ColourScale} ColourScale */
 
-/** Keeps large parts of one value, such as a density of 1, from lying on a contour line. */
-const OFF = 1e-3;
 /** Colours are a little brighter than paint: the light takes some away. */
 const PALE = '#ffffff';
 
 export class SurfaceObject extends Mesh {
   #colour = '#c3d0dc';
   /** @type {BufferGeometry} */ geometry;
-  /** @type {MeshStandardMaterial} */ material;
+  /** @type {import('three').MeshStandardMaterial} */ material;
+
+  /** The material before, which holds the shaders until the new one has taken them over. @type {import('three').MeshStandardMaterial | null} */ #last =
+    null;
 
   constructor() {
-    const [geometry, material] = [new BufferGeometry(), new MeshStandardMaterial()];
+    // As a parametric surface has it, so that its shaders can be compiled before there is one.
+    const geometry = new BufferGeometry();
+    for (const [name, size] of /** @type {const} */ ([
+      ['position', 3],
+      ['uv', 2],
+    ]))
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * size), size));
+    const material = surfaceMaterial(geometry);
     super(geometry, material);
     [this.geometry, this.material] = [geometry, material];
     this.frustumCulled = false;
     this.visible = false;
+    this.onAfterRender = () => this.#release();
+  }
+
+  #release() {
+    this.#last?.dispose();
+    this.#last = null;
   }
 
   /** @param {string} colour of the bare surface */
@@ -57,13 +71,7 @@ export class SurfaceObject extends Mesh {
       const scale =
         quantity === 'curvature' ? curvatureScale(values, size) : bandScale(quantity === 'distance' ? 'distance' : 'values', values);
       geometry.setAttribute('color', new BufferAttribute(colourVertices(values, scale), 3));
-      geometry.setAttribute(
-        'contour',
-        new BufferAttribute(
-          contourLevels(values, scale).map((x) => x + OFF),
-          1,
-        ),
-      );
+      geometry.setAttribute('contour', new BufferAttribute(contourLevels(values, scale), 1));
       geometry.userData.scale = scale;
     }
     this.#dress();
@@ -72,9 +80,10 @@ export class SurfaceObject extends Mesh {
 
   /** The material that the geometry's attributes need. */
   #dress() {
-    const last = this.material;
+    // One that was never drawn with holds nothing.
+    if (this.#last) this.material.dispose();
+    else this.#last = this.material;
     const coloured = this.geometry.hasAttribute('color');
     this.material = surfaceMaterial(this.geometry, { color: coloured ? PALE : this.#colour });
-    last.dispose();
   }
 }

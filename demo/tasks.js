@@ -44,8 +44,9 @@ export class Workshop {
   /** @param {string} task @param {any} request @param {(progress: unknown) => void} report */
   run(task, request, report) {
     const opened = this.#open(request.definition);
-    if (task === 'mesh') return meshOf(opened, request.resolution);
-    if (task === 'draft') return { mesh: meshOf(opened, request.resolution), path: warmPath(opened, request) };
+    const mesh = () => meshOf(opened, request.resolution, this.#surfpath);
+    if (task === 'mesh') return mesh();
+    if (task === 'draft') return { mesh: mesh(), path: warmPath(opened, request) };
     if (task === 'solve') return solve(opened, request);
     if (task === 'shade') return shade(opened, request, this.#surfpath);
     if (task === 'study') return study(opened, request, report);

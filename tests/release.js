@@ -33,6 +33,7 @@ const table = [
     [target.padEnd(12), (code === 0 ? 'ok' : 'FAILED').padEnd(10), seconds.toFixed(0).padStart(8), String(code).padStart(12)].join(''),
   ),
 ].join('\n');
-console.log(`\n${table}`);
+const failed = outcomes.filter(({ code }) => code !== 0).map(({ target }) => target);
+console.log(`\n${table}\n${failed.length > 0 ? `failed: ${failed.join(', ')}; see build/release/` : 'all passed'}`);
 writeFileSync(`${logs}table.txt`, `${table}\n`);
-process.exitCode = outcomes.every(({ code }) => code === 0) ? 0 : 1;
+process.exitCode = failed.length > 0 ? 1 : 0;

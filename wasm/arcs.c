@@ -48,6 +48,14 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
     return length;
 }
 
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
+    struct sp_reference reference;
+    size_t bottom = arena->used;
+    int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
+    arena->used = bottom;
+    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : __builtin_nan("");
+}
+
 /* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena) {
     struct sp_refined whole = {.outcome = {.status = SP_CONVERGED}, .length = measure(arcs, newton->system.line.surface, arena)};
@@ -116,6 +124,7 @@ enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surfac
 }
 
 double sp_arcs_bytes(void) {
-    double pairs = SP_REFINE_INNER / 2 + 3, stored = 2 * pairs * sizeof(sp_pair) + 2 * (SP_MAX_DEGREE + 1) * sizeof(double) + 3 * 16;
+    double pairs = SP_REFINE_INNER / 2 + 3,
+           stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
     return (SP_MAX_ARCS + 2) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

@@ -50,9 +50,11 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
  * the joints' coordinates. It is the last entry of the history. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena);
 
-/* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs, `reversed` from
- * their end on. SP_OUT_OF_MEMORY if the
- * arena is full, SP_NOT_FINITE if some number is not, else SP_CONVERGED. */
+/* Length of a piece of an edge; NaN if the arena is full. */
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena);
+
+/* Writes K + 2 points (unless NULL) and places at equal steps of length along the arcs, `reversed` from their end on.
+ * SP_OUT_OF_MEMORY if the arena is full, SP_NOT_FINITE if some number is not, else SP_CONVERGED. */
 enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,
                               int32_t reversed, double *points, double *parameters, struct sp_arena *arena);
 

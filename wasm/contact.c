@@ -1,7 +1,7 @@
 /* Contacts with the walls: where a free arc meets an edge it must be tangent to it, sin(angle) = 0, one equation for one unknown.
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
+#include "contact.h"
 #include "metric.h"
-#include "piece.h"
 
 static const double DIFFERENCE = 1e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
 enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256 };
@@ -15,14 +15,17 @@ struct run {
     int32_t first, last, across, side;
 };
 
-/* The edge on which a node lies: 2 * coordinate + side, or -1. */
+static int lies_on(const struct sp_polyline *line, int32_t node, int32_t edge) {
+    double x = sp_fold_get(line->fold, line->nodes.places, 2, node, edge / 2);
+    return edge % 2 ? x >= line->surface->upper[edge / 2] : x <= line->surface->lower[edge / 2];
+}
+
+/* The edge on which a node lies: 2 * coordinate + side, or -1. An end in a corner lies on that of its neighbour. */
 static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
-    for (int32_t j = 0; j < 2; j++) {
-        double x = sp_fold_get(line->fold, line->nodes.places, 2, node, j);
-        if (x <= line->surface->lower[j]) return 2 * j;
-        if (x >= line->surface->upper[j]) return 2 * j + 1;
-    }
-    return -1;
+    int32_t last = line->fold.inner + 1, beside = node == 0 ? 1 : last - 1, found = -1;
+    for (int32_t edge = 0; edge < 4; edge++)
+        if (lies_on(line, node, edge) && (found < 0 || ((node == 0 || node == last) && lies_on(line, beside, edge)))) found = edge;
+    return found;
 }
 
 /* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. An end of the path that is alone on its edge is no
@@ -93,14 +96,14 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
     return 1;
 }
 
-/* Slides the contacts of a piece until it is tangent to its edges: Newton, a step at most half the arc. */
-static int fit_piece(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena) {
+/* Newton, a step at most half the arc. */
+static int fit(struct sp_newton *newton, const struct sp_options *options, int wanted, struct sp_piece *piece, struct sp_arena *arena) {
     double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
     if (enough < LEAST_SINE) enough = LEAST_SINE;
-    for (int round = 0, checked = 1; round < CONTACT_ROUNDS; round++) {
+    for (int round = 0, checked = wanted; round < CONTACT_ROUNDS; round++) {
         if (!solve_piece(newton, options, checked, piece, arena)) return 0;
         int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
-        if (fits && checked) return 1;
+        if (fits && (checked || !wanted)) return 1;
         checked = fits;
         if (fits) continue;
         double jacobian[2][2];
@@ -129,9 +132,10 @@ static int inside(const struct sp_surface *surface, const struct sp_piece *piece
     return 1;
 }
 
-/* The pieces and edge arcs that the runs cut the polyline into, pieces still to be fitted. Returns how many pieces, or -1. */
+/* The pieces and edge arcs that the runs cut the path into. Returns how many pieces, or -1. */
 static int32_t cut(const struct sp_system *system, const struct run *runs, int32_t count, struct sp_piece *pieces, struct sp_arcs *arcs) {
     const struct sp_polyline *line = &system->line;
+    const struct sp_elements *elements = &system->elements;
     int32_t last = line->fold.inner + 1, from = 0, made = 0;
     struct sp_joint start = {0};
     for (int32_t j = 0; j < 2; j++)
@@ -144,8 +148,10 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
             end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
         if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
         if (to > from && arcs->count < SP_MAX_ARCS) {
-            pieces[made++] =
-                (struct sp_piece){.joint = {start, end}, .system = *system, .first = (double)from / last, .last = (double)to / last};
+            pieces[made++] = (struct sp_piece){.joint = {start, end},
+                                               .system = *system,
+                                               .first = sp_sample_parameter(elements, from),
+                                               .last = sp_sample_parameter(elements, to)};
             arcs->arc[arcs->count++] = (struct sp_arc){.on_edge = 0};
         }
         if (r == count) break;
@@ -164,9 +170,14 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
     return made;
 }
 
-/* Takes the fitted pieces into the list and lets the edge arcs begin and end where they touch. Returns 0 if an edge arc would run
- * backwards. */
-static int assemble(struct sp_arcs *arcs, struct sp_piece *pieces) {
+void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
+    struct run runs[SP_MAX_ARCS];
+    contact->made = cut(system, runs, find_runs(&system->line, runs), contact->pieces, &contact->arcs);
+}
+
+int sp_contact_assemble(struct sp_contact *contact) {
+    struct sp_arcs *arcs = &contact->arcs;
+    struct sp_piece *pieces = contact->pieces;
     int32_t piece = 0;
     for (int32_t i = 0; i < arcs->count; i++) {
         struct sp_arc *arc = arcs->arc + i;
@@ -193,24 +204,22 @@ static int take_storage(struct sp_piece *pieces, int32_t made, struct sp_arena *
 static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *contact,
                                    struct sp_arena *arena) {
     struct sp_refined chords = sp_refine_chords(newton, options, FALLBACK_CHORDS, contact, arena);
+    chords.length_error *= 3; /* what twice as long ones differ by: round a corner the error falls no faster than they do */
     if (chords.outcome.status == SP_CONVERGED && chords.length_error > options->tolerance * chords.length)
         chords.outcome.status = SP_TOLERANCE_NOT_MET;
     return chords;
 }
 
-/* Fits every piece, on the surface without walls: what leaves the rectangle has been cut wrongly. Returns 0 if one does not fit. */
-static int fit_pieces(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *pieces, int32_t made,
-                      struct sp_arena *arena) {
+int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
+                   struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_surface open = *surface;
-    int fits = made >= 0;
     for (int j = 0; j < 2; j++)
         open.lower[j] = -__builtin_inf(), open.upper[j] = __builtin_inf();
     newton->system.line.surface = &open;
-    for (int32_t i = 0; fits && i < made; i++)
-        fits = fit_piece(newton, options, pieces + i, arena) && inside(surface, pieces + i);
-    newton->system.line.surface = surface;
-    return fits;
+    int fits = fit(newton, options, checked, piece, arena);
+    newton->system.line.surface = piece->system.line.surface = surface;
+    return fits && inside(surface, piece);
 }
 
 /* Sum of the squared derivatives of the length by the contacts' coordinates: cos - 1 of the angle, times what a unit is long. */
@@ -225,21 +234,23 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
 }
 
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs) {
-    struct sp_piece pieces[SP_MAX_ARCS];
-    struct run runs[SP_MAX_ARCS];
+    struct sp_contact contact;
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
     if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
-    struct sp_system contact = sp_storage_keep(&storage, &newton->system);
-    int32_t count = contact.line.fold.inner + 1;
-    struct sp_refined chords = sp_refine_chords(newton, options, count < CONTACT_NODES ? CONTACT_NODES : count, &contact, arena);
+    struct sp_system walled = sp_storage_keep(&storage, &newton->system);
+    int32_t count = walled.line.fold.inner + 1;
+    struct sp_refined chords = sp_refine_chords(newton, options, count < CONTACT_NODES ? CONTACT_NODES : count, &walled, arena);
     if (chords.outcome.status < 0) return chords;
-    contact = sp_storage_keep(&storage, &newton->system);
-    int32_t made = cut(&contact, runs, find_runs(&contact.line, runs), pieces, arcs);
-    if (!take_storage(pieces, made, arena)) return refined;
-    int fits = fit_pieces(newton, options, pieces, made, arena) && assemble(arcs, pieces);
-    if (!fits) return arcs->count = 0, fall_back(newton, options, &contact, arena);
-    refined = sp_arcs_join(arcs, newton, slopes_of(pieces, made), arena);
+    walled = sp_storage_keep(&storage, &newton->system);
+    sp_contact_cut(&walled, &contact);
+    if (!take_storage(contact.pieces, contact.made, arena)) return refined;
+    int fits = contact.made >= 0;
+    for (int32_t i = 0; fits && i < contact.made; i++)
+        fits = sp_contact_fit(newton, options, 1, contact.pieces + i, arena);
+    if (!fits || !sp_contact_assemble(&contact)) return arcs->count = 0, fall_back(newton, options, &walled, arena);
+    *arcs = contact.arcs;
+    refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
     refined.outcome.active = 1;
     return refined;
 }

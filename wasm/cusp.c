@@ -1,13 +1,13 @@
 /* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: free arcs that meet in points of it. One unknown
  * each, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
 #include "check.h"
+#include "contact.h"
 #include "metric.h"
-#include "piece.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
-                    TOUCHING = 1e-3;
+                    TOUCHING = 1e-3, DOUBT = 2e-3;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3 };
+enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5, SETS = 4 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -94,6 +94,7 @@ struct bridge {
     int32_t count; /* crossings */
     struct crossing crossing[MOST];
     struct sp_piece piece[MOST + 1];
+    struct sp_contact *beyond[2]; /* the whole of which the first, last, arc is the part from a wall to the crossing; NULL: it meets none */
     double length, slope[MOST], inverse[MOST][MOST];
     double reach[MOST]; /* how far, in its coordinate, a crossing is from the nearer end of its arcs */
     double gain;        /* what moving the crossings on would still gain */
@@ -126,6 +127,31 @@ static void place_joint(const struct crossing *crossing, const struct sp_joint *
     joint->aside[other] += ASIDE * (far->place[other] - crossing->place[other]);
 }
 
+/* The part of a path beyond a wall that the first, last, arc of a bridge is. */
+static struct sp_piece *part_beyond(const struct bridge *bridge, int side) {
+    struct sp_contact *beyond = bridge->beyond[side];
+    return beyond->pieces + (side ? 0 : beyond->made - 1);
+}
+
+/* Length of what is beyond the wall from which the first, last, arc leaves; NaN if the piece of edge would run backwards. */
+static double length_beyond(const struct bridge *bridge, int side, const struct sp_surface *surface, struct sp_arena *arena) {
+    struct sp_contact *beyond = bridge->beyond[side];
+    double length = 0;
+    *part_beyond(bridge, side) = bridge->piece[side ? bridge->count : 0];
+    if (!sp_contact_assemble(beyond)) return __builtin_nan("");
+    for (int32_t i = side; i < beyond->arcs.count - 1 + side; i++) {
+        const struct sp_arc *arc = beyond->arcs.arc + i;
+        length += arc->on_edge ? sp_arcs_edge_length(surface, arc, arena) : arc->length;
+    }
+    return length;
+}
+
+static int solve_arc(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
+                     struct sp_arena *arena) {
+    int slides = piece->joint[0].slides || piece->joint[1].slides;
+    return slides ? sp_contact_fit(newton, options, checked, piece, arena) : sp_piece_solve(newton, options, checked, piece, arena);
+}
+
 /* Solves all arcs to the crossings. Returns 0 where one fails. */
 static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
                         struct sp_arena *arena) {
@@ -136,13 +162,15 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         struct sp_piece *piece = bridge->piece + i;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
-        if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
+        if (!solve_arc(newton, options, checked, piece, arena)) return 0;
         bridge->length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
         sp_piece_keep(newton, piece);
     }
-    return 1;
+    for (int side = 0; side < 2; side++)
+        if (bridge->beyond[side]) bridge->length += length_beyond(bridge, side, newton->system.line.surface, arena);
+    return bridge->length - bridge->length == 0;
 }
 
 /* A first guess: steps of FIRST_STEP. */
@@ -214,7 +242,7 @@ static int descend(struct sp_newton *newton, const struct sp_options *options, d
         for (int32_t i = 0; i <= bridge->count; i++)
             sp_piece_move(&next.piece[i], spare + i);
         if (!move_crossings(surface, &next, step) || !solve_bridge(newton, options, 0, &next, arena) ||
-            next.length > bridge->length * (1 + SLACK)) {
+            !(next.length <= bridge->length * (1 + SLACK))) {
             most = 0.5 * largest_part(bridge, step);
             continue;
         }
@@ -300,23 +328,52 @@ static int approach(struct sp_newton *newton, const struct sp_options *rough, st
     return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
 }
 
-/* Finds the crossings roughly: of one the best of some seeds, of several those that are given. Returns 0 where that fails. */
-static int find_bridge(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
-                       struct sp_storage storage[3][MOST + 1], struct sp_arena *arena) {
+/* Finds the crossings roughly: those that are given, or, of one, where two of some seeds lead, if as far as can be told by now both may be
+ * the shortest. Returns how many ways, the shorter first. */
+static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given,
+                            struct sp_storage storage[SETS][MOST + 1], struct bridge found[2], struct sp_arena *arena) {
     struct sp_options rough = *options;
     struct crossing seeds[2];
-    struct bridge work = *bridge;
+    struct bridge work = *given;
+    int32_t count = 0;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
-    int found = 0, count = bridge->count == 1 ? rank_seeds(newton, &rough, bridge, &work, seeds, arena) : 0;
-    if (count == 0) return approach(newton, &rough, bridge, storage[1], arena);
-    for (int i = 0; i < count; i++) {
+    int32_t tried = given->count == 1 ? rank_seeds(newton, &rough, given, &work, seeds, arena) : 0;
+    found[0] = *given;
+    if (tried == 0) return approach(newton, &rough, found, storage[1], arena);
+    for (int32_t i = 0; i < tried; i++) {
         work.crossing[0] = seeds[i];
-        if (!approach(newton, &rough, &work, storage[1], arena) || (found && bridge->length <= work.length)) continue;
-        *bridge = work, found = 1;
+        if (!approach(newton, &rough, &work, storage[1], arena)) continue;
+        found[count] = work;
         for (int32_t k = 0; k <= work.count; k++)
-            sp_piece_move(&bridge->piece[k], storage[2] + k);
+            sp_piece_move(&found[count].piece[k], storage[2 + count] + k);
+        count++;
     }
-    return found;
+    if (count < 2 || found[1].length > (1 + DOUBT) * found[0].length) return count;
+    if (found[0].length <= found[1].length) return 2;
+    work = found[0], found[0] = found[1], found[1] = work;
+    return found[1].length > (1 + DOUBT) * found[0].length ? 1 : 2;
+}
+
+/* Cuts the first or last arc of a bridge, solved with nodes on walls, where it leaves them: what is beyond is solved once, the rest becomes
+ * the arc. Returns 0, the bridge as it was, where that fails. */
+static int meet_wall(struct sp_newton *newton, const struct sp_options *options, int side, struct bridge *bridge, struct sp_arena *arena) {
+    struct sp_piece *arc = bridge->piece + (side ? bridge->count : 0);
+    struct sp_contact *beyond = sp_arena_take(arena, 1, sizeof(struct sp_contact));
+    if (!beyond) return 0;
+    sp_contact_cut(&arc->system, beyond);
+    int32_t count = beyond->arcs.count;
+    if (beyond->made < 1 || count < 2 || count > MOST_BEYOND || beyond->arcs.arc[side ? 0 : count - 1].on_edge) return 0;
+    bridge->beyond[side] = beyond;
+    struct sp_piece *part = part_beyond(bridge, side);
+    part->joint[1 - side] = arc->joint[1 - side], part->storage = arc->storage;
+    for (int32_t i = 0; i < beyond->made; i++) {
+        struct sp_piece *piece = beyond->pieces + i;
+        if (piece == part) continue;
+        if (!sp_storage_take(&piece->storage, 2, SP_REFINE_INNER, arena) || !sp_contact_fit(newton, options, 1, piece, arena))
+            return bridge->beyond[side] = NULL, 0;
+    }
+    *arc = *part;
+    return 1;
 }
 
 /* Solves the arcs to the tolerance, and moves the crossings as long as that gains something. */
@@ -345,15 +402,19 @@ static int finish_loosely(struct sp_newton *newton, const struct sp_options *opt
 static struct sp_refined cross(struct sp_newton *newton, const struct sp_options *options, const struct bridge *bridge,
                                struct sp_arena *arena, struct sp_arcs *arcs) {
     double slopes = 0;
-    for (int32_t i = 0; i <= bridge->count; i++)
-        arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
+    for (int32_t i = 0; i <= bridge->count; i++) {
+        const struct sp_contact *beyond = i == 0 ? bridge->beyond[0] : i == bridge->count ? bridge->beyond[1] : NULL;
+        for (int32_t k = 0; beyond && k < beyond->arcs.count; k++)
+            arcs->arc[arcs->count++] = beyond->arcs.arc[k];
+        if (!beyond) arcs->arc[arcs->count++] = sp_piece_arc(bridge->piece + i, 0);
+    }
     for (int32_t i = 0; i < bridge->count; i++)
         slopes += bridge->slope[i] * bridge->slope[i];
     struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
     whole.length_error += bridge->gain;
     for (int32_t i = 0; i <= bridge->count; i++)
         whole.outcome.active |= bridge->piece[i].solved.outcome.active;
-    if (!whole.outcome.active) return whole;
+    if (!whole.outcome.active) return whole.outcome.active = bridge->beyond[0] || bridge->beyond[1], whole;
     whole.length_error += TOUCHING * whole.length; /* an element that spans a contact is not smooth */
     if (TOUCHING > options->tolerance) whole.outcome.status = SP_TOLERANCE_NOT_MET;
     return whole;
@@ -376,25 +437,39 @@ int sp_cusp_divides(const struct sp_newton *newton) {
     return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
 }
 
+/* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */
+static enum sp_status settle(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
+                             struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
+    for (int side = 0; side < 2; side++)
+        if (bridge->piece[side ? bridge->count : 0].solved.outcome.active) meet_wall(newton, options, side, bridge, arena);
+    if (finish(newton, options, bridge, spare, arena)) return SP_CONVERGED;
+    if (newton->steps_left <= 0) return SP_ITERATION_LIMIT;
+    return finish_loosely(newton, options, bridge, spare, arena) ? SP_TOLERANCE_NOT_MET : SP_SINGULAR_METRIC;
+}
+
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct bridge bridge = {0};
-    struct sp_storage storage[3][MOST + 1];
+    struct bridge bridge = {0}, found[2];
+    struct sp_storage storage[SETS][MOST + 1];
+    enum sp_status status = SP_SINGULAR_METRIC;
     arcs->count = 0;
     if (!scan(given, &bridge)) return refined;
-    for (int32_t i = 0; i < 3 * (bridge.count + 1); i++)
-        if (!sp_storage_take(&storage[i % 3][i / 3], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
+    for (int32_t i = 0; i <= bridge.count; i++)
+        for (int32_t set = 0; set < (bridge.count == 1 ? SETS : 2); set++)
+            if (!sp_storage_take(&storage[set][i], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     for (int32_t i = 0; i <= bridge.count; i++)
         bridge.piece[i].storage = storage[0][i];
-    int found = find_bridge(newton, options, &bridge, storage, arena);
-    int converged = found && finish(newton, options, &bridge, storage[1], arena);
-    int limited = found && !converged && newton->steps_left <= 0;
-    int settled = converged || (found && finish_loosely(newton, options, &bridge, storage[1], arena));
+    int32_t count = find_bridges(newton, options, &bridge, storage, found, arena);
+    for (int32_t i = 0; i < count; i++) {
+        enum sp_status now = settle(newton, options, found + i, storage[1], arena);
+        if (now == SP_SINGULAR_METRIC || (status != SP_SINGULAR_METRIC && found[i].length >= bridge.length)) continue;
+        bridge = found[i], status = now;
+    }
     newton->system.elements.singular[0] = newton->system.elements.singular[1] = 0;
-    if (!settled && !limited) return refined;
+    if (status == SP_SINGULAR_METRIC) return refined;
     refined = cross(newton, options, &bridge, arena, arcs);
-    if (settled && !converged) refined.outcome.status = SP_TOLERANCE_NOT_MET;
-    if (limited) refined.outcome.status = SP_ITERATION_LIMIT, refined.outcome.index = -1;
+    if (status != SP_CONVERGED) refined.outcome.status = status;
+    if (status == SP_ITERATION_LIMIT) refined.outcome.index = -1;
     return refined;
 }

@@ -7,28 +7,43 @@ static const sp_pair *element_charts(const struct sp_elements *elements, const s
     return charts + (size_t)SP_CHART * (size_t)(e * elements->reference.degree);
 }
 
+double sp_elements_border(const struct sp_elements *elements, int32_t e) {
+    double t = (double)e / elements->count, at = t * SP_SPREAD;
+    if (!elements->spread) return t;
+    int32_t k = at < SP_SPREAD ? (int32_t)at : SP_SPREAD - 1;
+    return elements->spread[k] + (at - k) * (elements->spread[k + 1] - elements->spread[k]);
+}
+
 /* What differentiates and integrates over an element pair: at how many points; per point weights in the energy, lane by lane, and in the
- * length; D, K lane by lane. */
+ * length; D, K lane by lane; how many times shorter than the mean the elements are, which their share in the energy is multiplied by. */
 struct integral {
+    sp_pair factor;
     int32_t points;
     const double *weight[2], *length_weight, *derivative, *stiffness[2];
 };
+
+static sp_pair factor_of(const struct sp_elements *elements, int32_t e) {
+    if (!elements->spread) return sp_splat(1.0);
+    sp_pair factor;
+    for (int lane = 0; lane < 2; lane++) {
+        int32_t at = lane ? elements->count - 1 - e : e;
+        factor[lane] = 1 / (elements->count * (sp_elements_border(elements, at + 1) - sp_elements_border(elements, at)));
+    }
+    return factor;
+}
 
 static struct integral integral_of(const struct sp_elements *elements, int32_t e) {
     const struct sp_reference *plain = &elements->reference;
     const struct sp_graded *graded = &elements->graded;
     if (e == 0 && (elements->singular[0] || elements->singular[1]))
-        return (struct integral){graded->count,
-                                 {graded->weight[0], graded->weight[1]},
-                                 graded->length_weight,
-                                 graded->derivative,
-                                 {graded->stiffness[0], graded->stiffness[1]}};
-    return (struct integral){
-        plain->degree + 1, {plain->weight, plain->weight}, plain->weight, plain->derivative, {plain->stiffness, plain->stiffness}};
+        return (struct integral){factor_of(elements, e), graded->count,      {graded->weight[0], graded->weight[1]},
+                                 graded->length_weight,  graded->derivative, {graded->stiffness[0], graded->stiffness[1]}};
+    return (struct integral){factor_of(elements, e), plain->degree + 1, {plain->weight, plain->weight},
+                             plain->weight,          plain->derivative, {plain->stiffness, plain->stiffness}};
 }
 
 static sp_pair stiffness_at(const struct integral *integral, int32_t at) {
-    return (sp_pair){integral->stiffness[0][at], integral->stiffness[1][at]};
+    return integral->factor * (sp_pair){integral->stiffness[0][at], integral->stiffness[1][at]};
 }
 
 /* An element pair's share in the energy and in the length. */
@@ -46,7 +61,7 @@ static struct share differentiate(const struct integral *integral, int32_t p, co
         const sp_pair *there = charts;
         for (int32_t j = 0; j <= p; j++, there += SP_CHART)
             sum = sp_add(sum, sp_scale(sp_subtract(sp_load(there), here), sp_splat(row[j])));
-        sp_pair squared = sp_dot(sum, sum), weight = {integral->weight[0][q], integral->weight[1][q]};
+        sp_pair squared = sp_dot(sum, sum), weight = integral->factor * (sp_pair){integral->weight[0][q], integral->weight[1][q]};
         share.squares += weight * squared;
         share.length += integral->length_weight[q] * sp_square_root(squared);
         sp_store(sp_scale(sum, weight), velocity + 3 * q);
@@ -99,6 +114,7 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
     sp_pair squares = sp_splat(0.0), carried_weight = squares;
+    held[0] = held[1] = (sp_mask){0, 0}; /* the ends': couplings with them are filled in, though no unknown is theirs */
     for (int32_t e = 0; e < pairs; e++) {
         struct integral integral = integral_of(elements, e);
         squares += differentiate(&integral, p, element_charts(elements, line->nodes.charts, e), elements->velocity).squares;

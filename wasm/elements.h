@@ -9,9 +9,13 @@
 #include "energy.h"
 #include "reference.h"
 
+/* Numbers that say where elements meet, less one. */
+enum { SP_SPREAD = 64 };
+
 struct sp_elements {
     struct sp_reference reference; /* degree p */
     int32_t count;                 /* m, even */
+    const double *spread;          /* the path's parameter at k/SP_SPREAD of the elements: closer where the path turns. NULL: evenly */
     int32_t singular[2];           /* 1: the path begins, ends, on a singular curve, and its outermost elements are graded */
     struct sp_graded graded;       /* for them; not used if neither is */
     sp_pair *matrices; /* m/2 matrices of sp_elements_order^2 numbers: LDL' of each element, below it its borders and right-hand side */
@@ -25,6 +29,9 @@ static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 2
 
 /* sum_e sum_ij K_ij X_i.X_j, the path's energy over m; and, where `length` is not NULL, the path's length. */
 double sp_elements_squares(const struct sp_elements *elements, const sp_pair *charts, double *length);
+
+/* The path's parameter, 0 … 1, where element e begins. */
+double sp_elements_border(const struct sp_elements *elements, int32_t e);
 
 /* Assembles the rows of all nodes (diagonal blocks, right-hand sides) but not yet the couplings. As sp_polyline_assemble. `held`: two masks
  * a pair. */

@@ -6,6 +6,9 @@
 /* Implicit, measured: 2 to 9 N^2 cells with a change of sign, 40 to 60 edges each. */
 enum { PARAMETRIC_EDGES = 32, IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
 
+/* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it; how many may be. */
+static const double BENT = 1.02, MOST_BENT = 0.01;
+
 static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
 double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options) {
@@ -20,6 +23,18 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     return cells * (vertex + 16 + IMPLICIT_EDGES * edge) + lookup * sizeof(int32_t) + 4096;
 }
 
+/* Whether edges follow the surface: few are much longer than their chords. */
+static int is_resolved(const struct sp_graph *graph) {
+    int32_t bent = 0;
+    for (int32_t i = 0; i < graph->vertex_count; i++)
+        for (int32_t e = graph->first[i]; e < graph->first[i + 1]; e++) {
+            const double *from = graph->samples + (size_t)graph->width * (size_t)i;
+            const double *to = graph->samples + (size_t)graph->width * (size_t)graph->edges[e].to;
+            bent += (double)graph->edges[e].length > BENT * sp_distance3(from, to);
+        }
+    return bent <= MOST_BENT * graph->edge_count;
+}
+
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph) {
     struct sp_graph_options clean = *options;
@@ -32,7 +47,9 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
         double side = clean.box[2 * j + 1] - clean.box[2 * j];
         if (!(side > 0 || (clean.cell > 0 && side == 0)) || !sp_is_finite(side)) return SP_NOT_FINITE;
     }
-    return surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
+    int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
+    graph->resolved = status == SP_CONVERGED && surface->metric == SP_INDUCED && is_resolved(graph);
+    return status;
 }
 
 int sp_builder_take(struct sp_builder *builder) {

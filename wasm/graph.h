@@ -42,6 +42,7 @@ struct sp_graph {
     int32_t collapsed[4]; /* the edges u = min, u = max, v = min, v = max of the rectangle that are points: poles, apexes */
     int32_t count[2], wraps[2];
     int32_t width;
+    int32_t resolved; /* 1: nearly all edges are about as long as their chords: few details are smaller than they are. 0 with a metric */
 };
 
 /* What a search found. */
@@ -75,12 +76,14 @@ void sp_graph_keep(struct sp_graph *graph, void *block);
 double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count);
 
 /* Finds ways through the graph from one point to another: the shortest, then the shortest through a vertex away from all those found before
- * (at least a tenth of the shortest), as long as they are at most a quarter longer, at most eight; ways over a collapsed edge pass it on
- * both sides. Each is resampled by length and smoothed; implicit, its places are near f = 0.
+ * (by a fifth of the shortest; when there are no more such, by a tenth), as long as they are at most a quarter longer, at most sixteen;
+ * ways over a collapsed edge pass it on both sides. With `all` = 0 only those are looked for that may become the shortest path: on a
+ * surface that the graph resolves such are at most 6 % longer. Each is resampled by length and smoothed; implicit, its places are near f =
+ * 0.
  *
  * `from`, `to`: u v, or x y z on the surface. Returns SP_CONVERGED, SP_DISCONNECTED, SP_OFF_SURFACE (no vertex near an end), SP_NOT_FINITE
  * (an end), SP_OUT_OF_MEMORY. */
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
-                        struct sp_arena *arena, struct sp_graph_answer *answer);
+                        int32_t all, struct sp_arena *arena, struct sp_graph_answer *answer);
 
 #endif

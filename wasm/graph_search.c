@@ -2,19 +2,20 @@
  * shortest path". */
 #include "graph_search.h"
 
-/* Ways up to a quarter longer than the shortest are looked at; one that keeps within a tenth of it is the same. */
-static const double LONGEST = 1.25, APART = 0.1, GROWTH = 1.25, ROUNDING = 1e-6;
+/* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
+ * keeps within a fifth of it is taken for the same at first, then within a tenth. */
+static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1}, GROWTH = 1.25, ROUNDING = 1e-6;
 
-enum { MOST_WAYS = 8 };
+enum { MOST_WAYS = 16, ROUNDS = sizeof(APART) / sizeof(APART[0]) };
 
 struct search {
     const struct sp_surface *surface;
     const struct sp_graph *graph;
     const double *ends[2];
     struct sp_attachment attached[2];
-    struct sp_front front[2], taken;     /* distances from the ends, and from the ways already found */
-    int32_t *vertices;                   /* those of one way */
-    double best, target[SP_GRAPH_WIDTH]; /* length of the best way; sample at the second end */
+    struct sp_front front[2], taken;              /* distances from the ends, and from the ways already found */
+    int32_t *vertices;                            /* those of one way */
+    double longest, best, target[SP_GRAPH_WIDTH]; /* ways of interest, in units of the best; its length; sample at the second end */
 };
 
 static enum sp_status attach(struct search *search) {
@@ -27,12 +28,12 @@ static enum sp_status attach(struct search *search) {
 /* From now on only the vertices of ways of interest are visited. In space no way is shorter than its chord. */
 static void bound(struct search *search) {
     struct sp_front *front = search->front, *others[2] = {front + 1, &search->taken};
-    double most = (LONGEST + ROUNDING) * search->best;
+    double most = (search->longest + ROUNDING) * search->best;
     if (search->surface->metric == SP_INDUCED) {
         sp_graph_sample(search->surface, search->ends[1], search->target);
         front->target = search->target, front->most = most;
     }
-    front[0].farthest = front[1].farthest = LONGEST * search->best, search->taken.farthest = APART * search->best;
+    front[0].farthest = front[1].farthest = search->longest * search->best, search->taken.farthest = APART[0] * search->best;
     for (int i = 0; i < 2; i++)
         others[i]->through[0] = front[0].distance, others[i]->through[1] = front[1].distance, others[i]->most = most;
 }
@@ -59,12 +60,12 @@ static enum sp_status measure(struct search *search) {
 }
 
 /* The vertex with the shortest way through it that is not near a way already found; -1: none is short enough. */
-static int32_t best_via(const struct search *search) {
-    double least = LONGEST * search->best;
+static int32_t best_via(const struct search *search, double apart) {
+    double least = search->longest * search->best;
     int32_t best = -1;
     for (int32_t i = 0; i < search->graph->vertex_count; i++) {
         double length = search->front[0].distance[i] + search->front[1].distance[i];
-        if (!(length < least) || search->taken.distance[i] < APART * search->best) continue;
+        if (!(length < least) || search->taken.distance[i] < apart * search->best) continue;
         least = length, best = i;
     }
     return best;
@@ -83,8 +84,10 @@ static int32_t trace(const struct search *search, int32_t via) {
 }
 
 static enum sp_status find_ways(struct search *search, struct sp_arena *arena, struct sp_graph_answer *answer) {
-    for (int32_t found = 0; found < MOST_WAYS; found++) {
-        int32_t via = best_via(search);
+    for (int32_t found = 0, round = 0; found < MOST_WAYS && round < ROUNDS; found++) {
+        int32_t via = best_via(search, APART[round]);
+        while (via < 0 && ++round < ROUNDS)
+            via = best_via(search, APART[round]);
         if (via < 0) break;
         struct sp_way way = {search->surface, search->graph, search->ends[0], search->ends[1], search->vertices, trace(search, via)};
         double length = search->front[0].distance[via] + search->front[1].distance[via];
@@ -108,8 +111,9 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) 
 }
 
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
-                        struct sp_arena *arena, struct sp_graph_answer *answer) {
+                        int32_t all, struct sp_arena *arena, struct sp_graph_answer *answer) {
     struct search search = {.surface = surface, .graph = graph, .ends = {ends, ends + 3}};
+    search.longest = graph->resolved && !all ? LONGEST_RESOLVED : LONGEST;
     size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};

@@ -47,7 +47,7 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
 /* Chords between the joints, to be solved, and their charts. Returns 0 if the arena is full. */
 static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, struct sp_arena *arena) {
     if (!sp_reference_make(&newton->system.elements.reference, 1, arena)) return 0;
-    newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST);
+    newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST), newton->system.elements.spread = NULL;
     struct sp_polyline *line = &newton->system.line;
     fill(piece, &newton->system);
     line->touches = sp_parametric_clip(line->surface, sp_fold_unknown(line->fold), line->nodes.places + 2);
@@ -79,7 +79,8 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     struct sp_iterate *history = newton->history;
     int32_t *singular = newton->system.elements.singular;
     singular[0] = piece->joint[0].singular, singular[1] = piece->joint[1].singular;
-    int has_elements = piece->system.elements.reference.degree > 1, is_graded = singular[0] || singular[1], ready = 1;
+    int has_elements = piece->system.elements.reference.degree > 1 && piece->first == 0 && piece->last == 1,
+        is_graded = singular[0] || singular[1], ready = 1;
     newton->history = NULL; /* a piece is not the path */
     if (has_elements)
         start = piece->system, move_ends(piece, &start);

@@ -76,7 +76,10 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     struct sp_storage storage;
     int32_t across = edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
-    double value = edge % 2 ? surface->upper[across] : surface->lower[across], around[2] = {0, 0};
+    double value = edge % 2 ? surface->upper[across] : surface->lower[across], around[2];
+    for (int i = 0; i < 2; i++)
+        around[i] = sp_fold_get(line->fold, line->nodes.places, 2, i ? last : 0, 1 - across);
+    double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */
     arcs->count = 0;
     if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
@@ -90,7 +93,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
         none.outcome.status = SP_SINGULAR_METRIC;
-        if (!fit(newton, options, &piece, across, surface->upper[1 - across] - surface->lower[1 - across], arena)) break;
+        if (!fit(newton, options, &piece, across, range, arena)) break;
         around[i] = piece.joint[1].place[1 - across];
         arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }

@@ -7,11 +7,19 @@
 
 struct rung {
     int32_t degree, count;
+    const double *spread; /* of its elements */
 };
 
-static const struct rung LADDER[] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}};
+static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL},   {8, 16, NULL}, {12, 16, NULL},
+                                     {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}};
+static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
+                                     {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
+/* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
+static const double UNEVEN = 3;
+enum { SPREAD_NODES = 64 };
+/* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
+enum { LEAST_RUNGS = 3 };
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* Why these: MATH.md, "The ladder". */
@@ -75,7 +83,7 @@ static enum sp_status start_rung(struct sp_newton *newton, const struct sp_syste
     struct sp_system *system = &newton->system;
     struct sp_elements *elements = &system->elements;
     size_t order = (size_t)sp_elements_order(rung.degree);
-    elements->count = rung.count;
+    elements->count = rung.count, elements->spread = rung.spread;
     elements->matrices = sp_arena_take(arena, order * order * (size_t)rung.count / 2, sizeof(sp_pair));
     elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 2), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
@@ -166,16 +174,58 @@ static int first_rung(const struct sp_system *first) {
 
 static double distance(double a, double b) { return a > b ? a - b : b - a; }
 
+/* The chord from node i to the next, of length 1. */
+static struct sp_vector direction(const struct sp_polyline *line, int32_t i) {
+    sp_pair chord[3];
+    for (int32_t j = 0; j < 3; j++)
+        chord[j] = sp_splat(sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i + 1, j) -
+                            sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j));
+    struct sp_vector all = sp_load(chord);
+    sp_pair squared = sp_dot(all, all);
+    return sp_scale(all, sp_select(squared > 0.0, 1.0 / sp_square_root(squared), sp_splat(0.0)));
+}
+
+/* By how many radians the path turns at node i, about. */
+static double turn(const struct sp_polyline *line, int32_t i) {
+    if (i < 1 || i > line->fold.inner) return 0;
+    struct sp_vector by = sp_subtract(direction(line, i), direction(line, i - 1));
+    return root(sp_dot(by, by)[0]);
+}
+
+/* Where elements meet if they are to be equally long, the path's parameter and the angle by which it turns taken together: `spread`.
+ * Returns 0 if that is nearly even. */
+static int spread_elements(const struct sp_system *system, double spread[SP_SPREAD + 1]) {
+    const struct sp_polyline *line = &system->line;
+    int32_t last = line->fold.inner + 1, k = 1;
+    double total = 1, passed = 0, most = 0;
+    for (int32_t i = 1; i < last; i++)
+        total += turn(line, i);
+    for (int32_t i = 0; i < last; i++) {
+        double from = sp_sample_parameter(&system->elements, i), span = sp_sample_parameter(&system->elements, i + 1) - from;
+        double part = span + 0.5 * (turn(line, i) + turn(line, i + 1));
+        most = larger(most, part / span);
+        for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
+            spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
+        passed += part;
+    }
+    for (spread[0] = 0; k <= SP_SPREAD; k++)
+        spread[k] = 1;
+    return most > UNEVEN * total;
+}
+
 /* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
                                    const struct sp_system *first, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
-    double last = first_length, change = first_length, moved = 0;
-    int settled = 0;
+    double last = first_length, change = first_length, moved = 0, error = 0, allowed = 0;
+    double spread[SP_SPREAD + 1], *present = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
+    int follows = 0, uneven = first->elements.spread != NULL;
+    for (int k = 0; uneven && k <= SP_SPREAD; k++)
+        spread[k] = first->elements.spread[k];
     struct start start;
     struct sp_storage storage;
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
+    if (!present || !sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
     size_t floor = arena->used, bottom = floor;
     for (int r = 0; r < rungs; r++) {
@@ -188,8 +238,11 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
             bottom = arena->used;
         }
         aim(newton, options, r < rungs - 1);
-        now = climb_guarded(newton, options, &before, first, first_length, ladder[r], &start, arena);
-        double allowed = tolerance_of(newton, options, now.length) * now.length;
+        struct rung rung = ladder[r];
+        for (int k = 0; uneven && k <= SP_SPREAD; k++)
+            present[k] = spread[k], rung.spread = present;
+        now = climb_guarded(newton, options, &before, first, first_length, rung, &start, arena);
+        allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length);
         int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
         if (agrees && newton->draft) {
@@ -199,29 +252,31 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         }
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, distance(now.length, last));
-        settled = !astray && from_elements && change <= allowed;
         double previous = change;
+        follows = !astray && from_elements;
         change = distance(now.length, last);
         last = now.length;
-        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed))
-            return finish(newton, now, larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)));
+        error = follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change;
+        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed)) return finish(newton, now, error);
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
         else
             before = sp_storage_keep(&storage, &newton->system);
+        if (!astray && newton->system.line.kind->components == 0 && rung.degree * rung.count >= SPREAD_NODES)
+            uneven = spread_elements(&newton->system, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
-    double enough = LENGTH_ALONE * tolerance_of(newton, options, now.length) * now.length;
-    if (now.outcome.status == SP_CONVERGED && !(settled && change <= enough)) now.outcome.status = SP_TOLERANCE_NOT_MET;
-    return finish(newton, now, change);
+    int settled = follows && change <= LENGTH_ALONE * allowed && error <= allowed;
+    if (now.outcome.status == SP_CONVERGED && !settled) now.outcome.status = SP_TOLERANCE_NOT_MET;
+    return finish(newton, now, error);
 }
 
 /* The largest rung, two stored paths. */
 double sp_refine_bytes(void) {
     struct rung last = LADDER[RUNGS - 1];
     double order = sp_elements_order(last.degree), half = last.count / 2, degree = last.degree, pairs = SP_REFINE_INNER / 2 + 3;
-    double numbers = order * order * half + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs;
+    double numbers = order * order * half + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
     return 4 * sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
@@ -250,7 +305,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     struct sp_chord_sums sums = {0, 0};
     if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
         return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
-    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0;
+    newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0, newton->system.elements.spread = NULL;
     first = find_first(newton, options, &storage);
     if (first.outcome.status < 0) return finish(newton, first, 0);
     enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale, &sums);
@@ -269,14 +324,14 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
     int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
     const struct rung *ladder = graded ? GRADED : LADDER;
     int32_t nodes = from->elements.reference.degree * from->elements.count;
-    while (lowest + 1 < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
+    while (lowest + LEAST_RUNGS < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
         lowest++;
     return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena) {
-    struct rung rung = {from->elements.reference.degree, from->elements.count};
+    struct rung rung = {from->elements.reference.degree, from->elements.count, from->elements.spread};
     struct start start;
     aim(newton, options, 0);
     newton->decrement = larger(newton->decrement, 10 * options->tolerance);
@@ -291,7 +346,7 @@ struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_opt
     newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
     struct climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     if (sp_reference_make(&newton->system.elements.reference, 1, arena))
-        chords = climb(newton, options, from, (struct rung){1, count}, &start, arena);
+        chords = climb(newton, options, from, (struct rung){1, count, NULL}, &start, arena);
     struct sp_chord_sums sums = {0, 0};
     if (chords.outcome.status < 0) return finish(newton, chords, 0);
     sp_check_chords(&newton->system.line, newton->scale, &sums);

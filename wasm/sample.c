@@ -69,10 +69,17 @@ static double from_reference(const struct sp_elements *elements, int32_t e, doub
 /* The place of elements at t in lane 0; at 1 - t in lane 1, unless it is graded otherwise there. */
 static void element_place(const struct sp_system *system, double t, sp_pair place[3]) {
     const struct sp_elements *elements = &system->elements;
-    int32_t p = elements->reference.degree, e = (int32_t)(t * elements->count);
+    int32_t p = elements->reference.degree, e = (int32_t)(t * elements->count), step = 1;
     if (e > elements->count - 1) e = elements->count - 1;
-    double weights[SP_MAX_DEGREE + 1];
-    sp_reference_interpolate(&elements->reference, to_reference(elements, e, t * elements->count - e), weights);
+    double weights[SP_MAX_DEGREE + 1], x = t * elements->count - e;
+    if (elements->spread) {
+        for (e = 0; 2 * step < elements->count; step *= 2) {
+        }
+        for (; step > 0; step /= 2)
+            if (e + step < elements->count && sp_elements_border(elements, e + step) <= t) e += step;
+        x = (t - sp_elements_border(elements, e)) / (sp_elements_border(elements, e + 1) - sp_elements_border(elements, e));
+    }
+    sp_reference_interpolate(&elements->reference, to_reference(elements, e, x), weights);
     combine(system, e * p, p + 1, weights, place);
 }
 
@@ -84,7 +91,7 @@ static void place_pair(const struct sp_system *system, double t, sp_pair place[3
         return;
     }
     element_place(system, t, place);
-    if (elements->singular[0] == elements->singular[1]) return;
+    if (elements->singular[0] == elements->singular[1] && !elements->spread) return;
     sp_pair other[3];
     element_place(system, 1 - t, other);
     for (int j = 0; j < 3; j++)
@@ -100,13 +107,15 @@ void sp_sample_place(const struct sp_system *system, double t, double place[3]) 
 
 double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
     int32_t p = elements->reference.degree, e = p > 1 ? i / p : i;
-    return (e + (p > 1 ? from_reference(elements, e, elements->reference.node[i - e * p]) : 0)) / elements->count;
+    double within = p > 1 ? from_reference(elements, e, elements->reference.node[i - e * p]) : 0, border = sp_elements_border(elements, e);
+    if (elements->spread) return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
+    return (e + within) / elements->count;
 }
 
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
     int32_t dimension = from->line.kind->dimension;
     struct sp_fold fold = sp_fold_of(to->reference.degree * to->count - 1);
-    int alike = to->singular[0] == to->singular[1];
+    int alike = to->singular[0] == to->singular[1] && !to->spread;
     for (int32_t k = 0; k <= sp_fold_unknown(fold); k++) {
         sp_pair place[3];
         double t = sp_sample_parameter(to, k), other = alike ? 1 - t : sp_sample_parameter(to, fold.inner + 1 - k);
@@ -144,7 +153,8 @@ int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner
     storage->places = sp_arena_take(arena, (size_t)sp_fold_pairs(sp_fold_of(inner)) * (size_t)dimension, sizeof(sp_pair));
     storage->node = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
     storage->barycentric = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
-    return storage->places && storage->node && storage->barycentric;
+    storage->spread = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
+    return storage->places && storage->node && storage->barycentric && storage->spread;
 }
 
 struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct sp_system *system) {
@@ -156,6 +166,9 @@ struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct 
         storage->node[i] = system->elements.reference.node[i];
         storage->barycentric[i] = system->elements.reference.barycentric[i];
     }
+    for (int32_t k = 0; system->elements.spread && k <= SP_SPREAD; k++)
+        storage->spread[k] = system->elements.spread[k];
+    kept.elements.spread = system->elements.spread ? storage->spread : NULL;
     kept.line.nodes.places = storage->places;
     kept.elements.reference.node = storage->node, kept.elements.reference.barycentric = storage->barycentric;
     return kept;

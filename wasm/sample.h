@@ -23,7 +23,7 @@ int sp_sample_point(const struct sp_surface *surface, double scale, const double
 /* Memory for a path that outlives the arrays it was solved in. */
 struct sp_storage {
     sp_pair *places;
-    double *node, *barycentric;
+    double *node, *barycentric, *spread;
 };
 
 /* Room for any path of the ladder. Returns 0 if the arena is full. */

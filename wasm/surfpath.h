@@ -212,7 +212,7 @@ SP_SIZE(sp_graph_options, 64);
 SP_AT(sp_graph_options, box, 0);
 SP_AT(sp_graph_options, cell, 48);
 SP_AT(sp_graph_options, resolution, 56);
-SP_SIZE(sp_graph, 88);
+SP_SIZE(sp_graph, 96);
 SP_AT(sp_graph, spacing, 0);
 SP_AT(sp_graph, vertex_count, 36);
 SP_AT(sp_graph, edge_count, 40);

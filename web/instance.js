@@ -1,5 +1,6 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
+import { DISPOSE } from './dispose.js';
 import { checkNames, describe } from './path.js';
 import { compileSolver, Solver } from './runtime/solver.js';
 import { PARAMETRIC_KINDS } from './shapes.js';
@@ -100,6 +101,11 @@ export class Surfpath {
     this.#solver = null;
   }
 
+  /** As {@link dispose}: for `using`. */
+  [DISPOSE]() {
+    this.dispose();
+  }
+
   /** @param {string} kind @param {any} definition */
   #add(kind, definition) {
     if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
@@ -108,8 +114,6 @@ export class Surfpath {
     return surface;
   }
 }
-
-if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surfpath.prototype, Symbol.dispose, { value: Surfpath.prototype.dispose });
 
 /** @type {Map<unknown, Promise<WebAssembly.Module>>} modules compiled so far, by where they came from */
 const compiled = new Map();

@@ -2,6 +2,7 @@
 
 import { NOT_FINITE, OFF_SURFACE, readPairs, readPairOptions } from './batch.js';
 import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
+import { DISPOSE } from './dispose.js';
 import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
 import { measureField, readFieldOptions } from './field.js';
@@ -305,6 +306,11 @@ export class Surface {
     this.#forget();
   }
 
+  /** As {@link dispose}: for `using`. */
+  [DISPOSE]() {
+    this.dispose();
+  }
+
   /** @param {string} caller */
   #checkAlive(caller) {
     if (this.#disposed) throw new Error(`${caller}: this surface was disposed`);
@@ -533,8 +539,6 @@ export class Surface {
     return Array.from(/** @type {Float64Array} */ (grid.parameters).subarray(2 * best, 2 * best + 2));
   }
 }
-
-if (typeof Symbol.dispose === 'symbol') Object.defineProperty(Surface.prototype, Symbol.dispose, { value: Surface.prototype.dispose });
 
 /** Position and unit normal from jets of 18 numbers. @param {Float64Array} jets */
 function positionsAndNormals(jets) {

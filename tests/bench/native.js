@@ -48,15 +48,9 @@ export function buildNative(program, surfaces, build = 'native') {
   const core = path(`../../build/${build}/core.o`);
   if (isStale(core)) throw new Error(`${core} is missing, or older than wasm/; it is built by: make build/${build}/core.o`);
   const folder = path(`../../build/bench/${program}-${build}/`);
-  mkdirSync(folder, { recursive: true });
-  const sources = Object.entries(surfaces).map(([name, { entry }]) => {
-    const { compiled, variableCount } = compileEntry(entry);
-    writeFileSync(`${folder}${name}.c`, writeC(compiled, name, variableCount));
-    return `${folder}${name}.c`;
-  });
-  writeFileSync(`${folder}table.c`, writeTable(surfaces));
+  const sources = writeSources(folder, surfaces);
   const binary = `${folder}native`;
-  execFileSync('gcc', [...flags, ...MARCH[build], ...includes, path('native.c'), `${folder}table.c`, ...sources, core, '-o', binary]);
+  execFileSync('gcc', [...flags, ...MARCH[build], ...includes, path('native.c'), ...sources, core, '-o', binary]);
   return {
     /** @param {string} name @param {[number[], number[]][]} pairs @param {number} points or, below 1, tolerance @param {number} repetitions @returns {NativeSample} */
     solve: (name, pairs, points, repetitions) =>
@@ -83,8 +77,25 @@ function sample(binary, parameters, numbers) {
   return JSON.parse(execFileSync(binary, parameters.map(String), { input, encoding: 'utf8' }));
 }
 
+/**
+ * Writes surfaces as C, one file each, and the table of them.
+ * @param {string} folder made if it is missing; ends in a slash @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces by C name
+ * @returns {string[]} the files
+ */
+export function writeSources(folder, surfaces) {
+  mkdirSync(folder, { recursive: true });
+  const texts = Object.entries(surfaces).map(([name, { entry }]) => {
+    const { compiled, variableCount } = compileEntry(entry);
+    return [name, writeC(compiled, name, variableCount)];
+  });
+  return [...texts, ['table', writeTable(surfaces)]].map(([name, text]) => {
+    writeFileSync(`${folder}${name}.c`, text);
+    return `${folder}${name}.c`;
+  });
+}
+
 /** @param {Record<string, { entry: GalleryEntry, surface: Surface }>} surfaces */
-export function writeTable(surfaces) {
+function writeTable(surfaces) {
   const names = Object.keys(surfaces);
   const declarations = names.map(
     (name) => `void ${name}_jet(int32_t, const sp_pair *, sp_pair *);\nvoid ${name}_value(int32_t, const sp_pair *, sp_pair *);`,

@@ -246,6 +246,56 @@ test('a density and a metric change the path, and the presets fit any rectangle'
   await page.waitForSelector('#problem-density pre');
 });
 
+test('a metric over space on an implicit surface: presets, six fields, a mistake marked, a link that keeps it', async () => {
+  await openEntry(page, 'own-implicit');
+  const plain = await length();
+  await page.evaluate(() => document.querySelector('#measure-card')?.setAttribute('open', ''));
+  await doing(() => page.click('[data-preset=climb]'));
+  assert.equal(await status(), 'converged', await text('#advice'));
+  assert.ok((await length()) > plain, 'what counts more is longer');
+  assert.equal(await page.inputValue('[id="field-metric.zz"]'), '9');
+  const strokes = () => page.evaluate(() => /** @type {any} */ (window).surfpathView.strokes);
+  assert.ok((await strokes()) > 100, 'the metric is drawn');
+  await doing(() => page.click('[data-preset=grain]'));
+  assert.equal(await status(), 'converged', await text('#advice'));
+  const turning = await length();
+  await doing(() => page.click('[data-preset=none]'));
+  assert.equal(await length(), plain);
+  assert.equal(await strokes(), 0);
+  // Entries off the diagonal are 0 where nothing is written.
+  for (const [name, value] of Object.entries({ xx: '4', yy: '4', zz: '4' })) await page.fill(`[id="field-metric.${name}"]`, value);
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.ok(Math.abs((await length()) / (2 * plain) - 1) < 1e-8, 'four times the metric is twice the length');
+  assert.equal(await page.inputValue('[id="field-metric.xy"]'), '0');
+  await page.waitForSelector('#scale:not([hidden])');
+  assert.match(await text('#scale'), /Length counts/);
+  await page.fill('[id="field-metric.zz"]', '4+k');
+  await page.waitForSelector('[id="problem-metric.zz"] pre');
+  assert.match(await text('[id="problem-metric.zz"] p'), /^Unknown name k/);
+  assert.notEqual(turning, plain);
+});
+
+test('a surface that is small in its box is drawn as it is', async () => {
+  await openEntry(page, 'own-implicit');
+  await page.fill('#field-f', 'x^2+y^2+z^2-1');
+  for (const axis of ['x', 'y', 'z'])
+    for (const [end, value] of [
+      ['from', '-1e6'],
+      ['to', '1e6'],
+    ])
+      await page.fill(`#field-${axis}-${end}`, value);
+  await page.waitForTimeout(400);
+  await settled(page);
+  assert.equal(await status(), 'converged');
+  const { count, radius } = await page.evaluate(() => {
+    const { geometry } = /** @type {any} */ (window).surfpathView.surface;
+    return { count: geometry.getAttribute('position').count, radius: geometry.boundingSphere.radius };
+  });
+  assert.ok(count > 1000, `${count} vertices`);
+  assert.ok(radius > 0.99 && radius < 1.2, `radius ${radius}`);
+});
+
 test('each status is said in words', () => {
   for (const name of STATUS.values()) {
     const [words, advice] = describeStatus(name, { start: 'straight', task: 'path' });

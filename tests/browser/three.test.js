@@ -381,6 +381,38 @@ for (const [title, name] of Object.entries(RELEASES))
       });
     });
 
+    test('no contour line is drawn where a large area lies on a level, and one beside it is', async () => {
+      await begin(null);
+      const rows = await page.evaluate(() => {
+        const { THREE, draw, surfpath, scene, camera, renderer, mesh, render } = /** @type {any} */ (window).view;
+        const surface = surfpath.graph({ z: 0, x: [-2, 2], y: [-1, 1] });
+        // 1 on the left half, a level exactly, then a ramp to 3: eleven levels, a fifth apart.
+        const colour = (/** @type {{ positions: Float64Array }} */ { positions }) =>
+          Array.from({ length: positions.length / 3 }, (_, i) => 1 + Math.max(0, positions[3 * i]));
+        const geometry = draw.surfaceGeometry(surface, { resolution: 40, colour });
+        const material = draw.surfaceMaterial(geometry);
+        const plane = new THREE.Mesh(geometry, material);
+        scene.remove(mesh);
+        scene.add(plane);
+        camera.position.set(0, -0.01, 8);
+        camera.lookAt(0, 0, 0);
+        render();
+        const canvas = Object.assign(document.createElement('canvas'), { width: 640, height: 480 });
+        const drawing = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        drawing.drawImage(renderer.domElement, 0, 0);
+        const { data } = drawing.getImageData(0, 230, 640, 1);
+        scene.remove(plane);
+        scene.add(mesh);
+        for (const thing of [geometry, material]) thing.dispose();
+        return Array.from({ length: 640 }, (_, i) => data[4 * i] + data[4 * i + 1] + data[4 * i + 2]);
+      });
+      const steps = (/** @type {number} */ from, /** @type {number} */ to) =>
+        rows.slice(from, to).map((x, i) => Math.abs(x - rows[from + i + 1]));
+      assert.ok(Math.max(...steps(140, 300)) < 12, 'the flat half is of one brightness');
+      const lines = steps(330, 500).filter((step) => step > 40).length;
+      assert.ok(lines >= 6, `the ramp has lines: ${lines} steps`);
+    });
+
     test('forty surfaces, lines and handles leave nothing behind', async () => {
       await begin(null);
       const counts = await page.evaluate(() => {

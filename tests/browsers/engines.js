@@ -5,8 +5,15 @@ import { ENTRIES } from '../../demo/entries.js';
 import { serve } from '../../demo/serve.js';
 import { openFirefox, openWebKit } from '../helpers/engines.js';
 import { openBrowser, openPage } from '../helpers/page.js';
+import { serveSite } from '../helpers/site.js';
 
 /** @typedef {import('../helpers/engines.js').Engine} Engine */
+
+/** @param {string} body */
+const elementPage = (body) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>Elements</title>
+<script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/" } }</script>
+<script type="module" src="/dist/element.js"></script>
+<main>${body}</main>`;
 
 /** @returns {Promise<Engine>} */
 async function openChromium() {
@@ -109,5 +116,105 @@ for (const open of [openChromium, openFirefox, openWebKit])
       })()`);
       assert.match(words, /\^.*sin/s);
       assert.equal(await engine.evaluate(`document.getElementById('length').dataset.exact`), lengths.get('saddle'));
+    });
+
+    const length = () => engine.evaluate(`Number(document.getElementById('length').dataset.exact)`);
+    /** Does something in the page, and waits until what follows from it is computed. @param {string} script */
+    const act = (script) =>
+      engine.evaluate(`(async () => { ${script}; await new Promise((resolve) => setTimeout(resolve, 500)); return ${SETTLED}; })()`);
+    const write = (/** @type {string} */ id, /** @type {string} */ value) =>
+      `(() => { const input = document.getElementById('${id}'); input.value = '${value}'; input.dispatchEvent(new Event('input', { bubbles: true })); })()`;
+
+    test('an end is moved by arrow keys, and back by undo', async () => {
+      await openEntry(engine, 'parametricTorus');
+      const before = await length();
+      const press = `document.getElementById('handle-B').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }))`;
+      await act(`for (let i = 0; i < 3; i++) ${press}`);
+      assert.ok(Math.abs((await length()) - before) > 1e-3);
+      await act(`document.getElementById('undo').click()`);
+      assert.equal(await length(), before);
+    });
+
+    test('a slider deforms surface and path; a link brings both back', async () => {
+      await openEntry(engine, 'parametricTorus');
+      await act(write('value-a', '1.2'));
+      const moved = await length();
+      assert.notEqual(String(moved), lengths.get('parametricTorus'));
+      if (!lengths.has('moved')) lengths.set('moved', String(moved));
+      assert.equal(String(moved), lengths.get('moved'));
+      await engine.evaluate(`new Promise((resolve) => setTimeout(resolve, 500))`);
+      const link = await engine.evaluate('location.hash.slice(1)');
+      await openEntry(engine, 'saddle');
+      await engine.evaluate(`(delete document.getElementById('status').dataset.status, location.hash = '${link}', 0)`);
+      await engine.evaluate(SETTLED);
+      assert.equal(await length(), moved);
+      assert.equal(await engine.evaluate(`document.getElementById('value-a').value`), '1.2');
+    });
+
+    test('exports hold what is shown', async () => {
+      await openEntry(engine, 'parametricTorus');
+      const files = await engine.evaluate(`(async () => {
+        const { createObjectURL } = URL;
+        const { click } = HTMLAnchorElement.prototype;
+        HTMLAnchorElement.prototype.click = () => {};
+        const files = {};
+        for (const name of ['png', 'svg', 'csv', 'json', 'gltf']) {
+          const blob = await new Promise((resolve) => {
+            URL.createObjectURL = (given) => (resolve(given), 'about:blank');
+            document.querySelector('[data-export=' + name + ']').click();
+          });
+          files[name] = name === 'png' ? Array.from(new Uint8Array(await blob.slice(0, 8).arrayBuffer())).concat(blob.size) : await blob.text();
+        }
+        Object.assign(URL, { createObjectURL });
+        HTMLAnchorElement.prototype.click = click;
+        return files;
+      })()`);
+      assert.deepEqual(files.png.slice(1, 4), [80, 78, 71]);
+      assert.ok(files.png.at(-1) > 10_000, 'not an empty picture');
+      assert.match(files.svg, /<polyline[^>]*class="path"/);
+      assert.equal(files.csv.trim().split('\n').length, 67);
+      assert.equal(String(JSON.parse(files.json).path.length), lengths.get('parametricTorus'));
+      assert.equal(JSON.parse(files.gltf).meshes.length, 2);
+    });
+
+    test('a metric over space on an implicit surface', async () => {
+      await openEntry(engine, 'own-implicit');
+      await act(`document.querySelector('[data-preset=grain]').click()`);
+      const exact = String(await length());
+      if (!lengths.has('grain')) lengths.set('grain', exact);
+      assert.equal(exact, lengths.get('grain'));
+      assert.ok((await engine.evaluate('window.surfpathView.strokes')) > 100);
+    });
+
+    test('several elements on one page, under a strict policy, one context', async () => {
+      const body = ['saddle', 'sphere', 'vase'].map((name) => `<surface-path surface="${name}" controls></surface-path>`).join('');
+      const site = await serveSite({ page: elementPage(body) });
+      try {
+        await engine.open(`${site.address}/page`);
+        const found = await engine.evaluate(`new Promise((resolve) => {
+          const all = [...document.querySelectorAll('surface-path')];
+          const look = () => all.every((element) => element.path) ? resolve(all.map((element) => String(element.path.length))) : setTimeout(look, 50);
+          look();
+        })`);
+        assert.deepEqual(
+          found,
+          ['saddle', 'sphere', 'vase'].map((name) => lengths.get(name)),
+        );
+        const colours = await engine.evaluate(`(async () => {
+          const all = [...document.querySelectorAll('surface-path')];
+          for (const element of all) element.style.width = '300px';
+          await new Promise((resolve) => setTimeout(resolve, 1500));
+          return all.map((element) => {
+            const small = Object.assign(document.createElement('canvas'), { width: 40, height: 30 });
+            const drawing = small.getContext('2d');
+            drawing.drawImage(element.shadowRoot.querySelector('canvas'), 0, 0, 40, 30);
+            const { data } = drawing.getImageData(0, 0, 40, 30);
+            return new Set(Array.from({ length: 1200 }, (_, i) => data.slice(4 * i, 4 * i + 3).join())).size;
+          });
+        })()`);
+        for (const count of colours) assert.ok(count > 20, `${count} colours: an element is not drawn`);
+      } finally {
+        await site.close();
+      }
     });
   });

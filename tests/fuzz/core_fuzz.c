@@ -274,7 +274,7 @@ static void fuzz_search(struct input *input, const struct sp_surface *surface, c
     struct sp_arena arena = read_arena(input, sp_graph_search_bytes(graph, points), &whole);
     struct sp_graph_answer answer;
     memset(&answer, 0xa5, sizeof answer);
-    int32_t status = sp_graph_search(surface, graph, ends, points, &arena, &answer);
+    int32_t status = sp_graph_search(surface, graph, ends, points, points & 1, &arena, &answer);
     DEMAND(!whole || status != SP_OUT_OF_MEMORY, "the promised size is not enough");
     check_answer(&arena, &answer, status, dimension);
     free(arena.base);

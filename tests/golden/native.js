@@ -1,9 +1,8 @@
 /** The golden cases that C alone can solve, straight starts on parametric and implicit surfaces, in native builds of the same sources. */
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { compileEntry, writeTable } from '../bench/native.js';
-import { writeC } from '../helpers/write-c.js';
+import { writeSources } from '../bench/native.js';
 import { nativeEntries, straightProblems } from './cases.js';
 
 /** @typedef {import('./cases.js').StraightProblem} StraightProblem */
@@ -20,15 +19,9 @@ const ALGORITHMS = ['elements', 'polyline', 'paper'];
  */
 export function buildGolden(compiler, level, core, surfaces) {
   const folder = path(`../../build/golden/${compiler}${level}/`);
-  mkdirSync(folder, { recursive: true });
-  const sources = Object.entries(surfaces).map(([name, { entry }]) => {
-    const { compiled, variableCount } = compileEntry(entry);
-    writeFileSync(`${folder}${name}.c`, writeC(compiled, name, variableCount));
-    return `${folder}${name}.c`;
-  });
-  writeFileSync(`${folder}table.c`, writeTable(surfaces));
+  const sources = writeSources(folder, surfaces);
   const binary = `${folder}native`;
-  execFileSync(compiler, [...FLAGS, level, ...INCLUDES, path('native.c'), `${folder}table.c`, ...sources, ...core, '-o', binary]);
+  execFileSync(compiler, [...FLAGS, level, ...INCLUDES, path('native.c'), ...sources, ...core, '-o', binary]);
   return binary;
 }
 

@@ -79,9 +79,9 @@ export async function settled(page, timeout = 60000) {
 /** Opens an entry of the gallery, and waits until it is solved. @param {import('playwright-core').Page} page @param {string} name */
 export async function openEntry(page, name) {
   const sketch = Buffer.from(JSON.stringify({ entry: name })).toString('base64url');
-  // The same address again would change nothing.
-  await page.evaluate(() => history.replaceState(null, '', '#'));
   await page.evaluate((hash) => {
+    // The same address again would change nothing; in one go, as the page rewrites the address by itself.
+    history.replaceState(null, '', '#');
     delete document.getElementById('status')?.dataset.status;
     location.hash = hash;
   }, `1.${sketch}`);

@@ -38,6 +38,9 @@ const MISTAKES = [
 /** Comments blanked, so that nothing is found there. @param {string} text */
 const withoutComments = (text) => text.replace(/\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
 
+/** Names and sizes of C variables, no values: room for more than is used is no mistake. @param {string} code */
+const isDeclaration = (code) => /^\s*(?!return\b)(?:\w+ )+\*?\w+(?:\[[^\]]*\])*(?:, \*?\w+(?:\[[^\]]*\])*)*;$/.test(code);
+
 /**
  * Every mutant of a file.
  * @param {string} folder @param {string} file in it
@@ -49,7 +52,7 @@ export function findMutants(folder, file, seed) {
   return withoutComments(lines.join('\n'))
     .split('\n')
     .flatMap((code, number) => {
-      if (/^\s*(#|import|export \{)/.test(code)) return [];
+      if (/^\s*(#|import|export \{)/.test(code) || isDeclaration(code)) return [];
       return changesOf(code).map(({ at, length, by }) => {
         const line = lines[number];
         const changed = line.slice(0, at) + by + line.slice(at + length);

@@ -2,6 +2,7 @@
  * the ladder. */
 #include "elements.h"
 #include "newton.h"
+#include "sample.h"
 #include "surfaces.h"
 #include "surfpath.h"
 #include "testing.h"
@@ -35,7 +36,15 @@ static void check_reference(int32_t degree) {
     CHECK(fabs(interpolated - pow(at, degree)) <= 1e-14, "degree %d: interpolation", degree);
 }
 
-/* A random path of `count` elements of a degree, and room for one step. */
+/* Elements that get longer from the first to the last. */
+static const double *growing(void) {
+    static double spread[SP_SPREAD + 1];
+    for (int k = 0; k <= SP_SPREAD; k++)
+        spread[k] = k * (k + 20.0) / (SP_SPREAD * (SP_SPREAD + 20.0));
+    return spread;
+}
+
+/* A random path of `count` elements of a degree, evenly long or growing, and room for one step. */
 static struct sp_newton random_elements(const struct sp_surface *surface, int32_t degree, int32_t count, uint64_t *seed) {
     struct sp_newton newton = {0};
     struct sp_options options = {.point_count = 1, .max_iterations = 10};
@@ -45,6 +54,7 @@ static struct sp_newton random_elements(const struct sp_surface *surface, int32_
     arena.used = 0;
     CHECK(sp_newton_take(&newton, surface, &options, last - 1, &arena) && sp_reference_make(&elements->reference, degree, &arena), "arena");
     elements->count = count;
+    elements->spread = count > 2 ? growing() : NULL;
     elements->matrices = sp_arena_take(&arena, order * order * (size_t)count / 2, sizeof(sp_pair));
     elements->velocity = sp_arena_take(&arena, 3 * ((size_t)degree + 1), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(&arena, (size_t)count / 2 + 1, sizeof(struct sp_row));
@@ -55,7 +65,7 @@ static struct sp_newton random_elements(const struct sp_surface *surface, int32_
         wave[j][0] = random_unit(seed) - 0.5, wave[j][1] = 3 * random_unit(seed);
     for (int32_t i = 0; i <= last; i++)
         for (int j = 0; j < dimension; j++) {
-            double t = (i / degree + elements->reference.node[i % degree]) / count;
+            double t = sp_sample_parameter(elements, i);
             double value =
                 wave[j][0] * (1 - t) + 0.9 * t * sin(wave[j][1] * t) + 0.02 * random_unit(seed) + (dimension == 3 && j == 0 ? 2.5 : 0);
             line->nodes.places[dimension * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = value;
@@ -89,7 +99,8 @@ static double hessian_entry(const struct sp_newton *newton, int32_t i, int a, in
     double sum = 0, product = 0;
     for (int32_t e = 0; e < elements->count; e++)
         if (i >= e * p && i <= (e + 1) * p && j >= e * p && j <= (e + 1) * p)
-            sum += elements->reference.stiffness[(i - e * p) * (p + 1) + j - e * p];
+            sum += elements->reference.stiffness[(i - e * p) * (p + 1) + j - e * p] /
+                   (elements->count * (sp_elements_border(elements, e + 1) - sp_elements_border(elements, e)));
     for (int32_t k = 0; k < 3; k++)
         product += sp_fold_get(fold, newton->system.line.nodes.charts, SP_CHART, i, (a ? SP_CHART_2 : SP_CHART_1) + k) *
                    sp_fold_get(fold, newton->system.line.nodes.charts, SP_CHART, j, (b ? SP_CHART_2 : SP_CHART_1) + k);

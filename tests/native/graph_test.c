@@ -20,17 +20,6 @@ static void cylinder(int32_t count, const sp_pair *in, sp_pair *out, int values)
     }
 }
 
-/* A cusp along v = 0: (u, v^2, v^3). */
-static void cusp(int32_t count, const sp_pair *in, sp_pair *out, int values) {
-    for (; count > 0; count--, in += 2, out += values) {
-        sp_pair v = in[1], zero = sp_splat(0.0), one = sp_splat(1.0), two = sp_splat(2.0);
-        sp_pair jet[SP_PARAMETRIC_JET] = {in[0], v * v, v * v * v, one,  zero, zero, zero, 2.0 * v, 3.0 * v * v,
-                                          zero,  zero,  zero,      zero, zero, zero, zero, two,     6.0 * v};
-        for (int j = 0; j < values; j++)
-            out[j] = jet[j];
-    }
-}
-
 /* Two spheres of radius 1, apart: their product. */
 static void two_spheres_value(int32_t count, const sp_pair *in, sp_pair *out) {
     for (; count > 0; count--, in += 3, out += 4) {
@@ -41,14 +30,10 @@ static void two_spheres_value(int32_t count, const sp_pair *in, sp_pair *out) {
 }
 
 COMPILED(cylinder, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
-COMPILED(cusp, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 
 #define WRAPPED -INFINITY
 static const struct sp_surface round_cylinder = {cylinder_jet, cylinder_value, SP_PARAMETRIC, 0, {WRAPPED, -1}, {INFINITY, 1}, 0};
 static const struct sp_surface cut_cylinder = {cylinder_jet, cylinder_value, SP_PARAMETRIC, 0, {0, -1}, {2 * 3.14159265358979323846, 1}, 0};
-static const struct sp_surface cusp_surface = {cusp_jet, cusp_value, SP_PARAMETRIC, 0, {-1, -1}, {1, 1}, 0};
-static const struct sp_surface whole_globe = {
-    globe_jet, globe_value, SP_PARAMETRIC, 0, {WRAPPED, -1.57079632679489661923}, {INFINITY, 1.57079632679489661923}, 0};
 static const struct sp_surface two_spheres = {NULL, two_spheres_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 7};
 
 static const struct sp_graph_options round_box = {{0, 6.28318530717958647692, -1, 1}, 0, 64, 0};
@@ -100,7 +85,7 @@ static void drop(struct fixture *fixture) {
 static int32_t search(struct fixture *fixture, const double from[3], const double to[3]) {
     double ends[6] = {from[0], from[1], from[2], to[0], to[1], to[2]};
     struct sp_graph_answer *answer = &fixture->answer;
-    int32_t status = sp_graph_search(fixture->surface, &fixture->graph, ends, 65, &fixture->arena, answer);
+    int32_t status = sp_graph_search(fixture->surface, &fixture->graph, ends, 65, 1, &fixture->arena, answer);
     int dimension = fixture->surface->kind == SP_IMPLICIT ? 3 : 2;
     CHECK((status == SP_CONVERGED) == (answer->candidate_count > 0), "status %d, %d candidates", status, answer->candidate_count);
     for (int32_t c = 0; c < answer->candidate_count; c++) {
@@ -154,7 +139,7 @@ static double great_circle(const double a[2], const double b[2]) {
 }
 
 static void test_poles(void) {
-    struct fixture fixture = make(&whole_globe, &globe_box);
+    struct fixture fixture = make(&whole_globe_surface, &globe_box);
     double from[3] = {0.3, 1.3}, to[3] = {0.3 + PI - 0.2, 1.2}, pole[3] = {0.7, 1.57079632679489661923};
     CHECK(fixture.graph.collapsed[2] && fixture.graph.collapsed[3] && !fixture.graph.collapsed[0], "two poles");
     check_distance(&fixture, from, to, great_circle(from, to), 0.04, "over the pole");
@@ -241,7 +226,7 @@ static void test_tiny_arenas(void) {
         refused = 0;
         for (double part = 0; part <= 1; part += 0.0625) {
             struct sp_arena arena = allocate_arena(part * needed + 16);
-            int32_t status = sp_graph_search(whole.surface, &whole.graph, ends, 65, &arena, &whole.answer);
+            int32_t status = sp_graph_search(whole.surface, &whole.graph, ends, 65, 1, &arena, &whole.answer);
             CHECK(status == SP_OUT_OF_MEMORY || status == SP_CONVERGED, "status %d", status);
             refused += status == SP_OUT_OF_MEMORY;
             CHECK(part < 1 || status == SP_CONVERGED, "status %d with all its memory", status);

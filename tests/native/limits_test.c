@@ -11,17 +11,6 @@ enum { SIZES = 400 };
 
 static const double HALF_TURN = 3.14159265358979323846;
 
-/* A cusp along v = 0: (u, v^2, v^3). */
-static void cusp(int32_t count, const sp_pair *in, sp_pair *out, int values) {
-    for (; count > 0; count--, in += 2, out += values) {
-        sp_pair v = in[1], zero = sp_splat(0.0), one = sp_splat(1.0), two = sp_splat(2.0);
-        sp_pair jet[SP_PARAMETRIC_JET] = {in[0], v * v, v * v * v, one,  zero, zero, zero, 2.0 * v, 3.0 * v * v,
-                                          zero,  zero,  zero,      zero, zero, zero, zero, two,     6.0 * v};
-        for (int j = 0; j < values; j++)
-            out[j] = jet[j];
-    }
-}
-
 /* E = G = 1 + u^2, F = 0. */
 static void tensor_jet(int32_t count, const sp_pair *in, sp_pair *out) {
     for (; count > 0; count--, in += 2, out += SP_PARAMETRIC_TENSOR_JET) {
@@ -32,14 +21,9 @@ static void tensor_jet(int32_t count, const sp_pair *in, sp_pair *out) {
     }
 }
 
-COMPILED(cusp, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
-
-static const struct sp_surface cusp_surface = {cusp_jet, cusp_value, SP_PARAMETRIC, 0, {-1, -1}, {1, 1}, 0};
 static const struct sp_surface tensor_surface = {tensor_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-1, -1}, {1, 1}, 0};
 /* Its walls at v = 0.9 are in the way of great circles. */
 static const struct sp_surface cap = {globe_jet, globe_value, SP_PARAMETRIC, 0, {-10, -1.5}, {10, 0.9}, 0};
-static const struct sp_surface whole_globe = {
-    globe_jet, globe_value, SP_PARAMETRIC, 0, {-INFINITY, -1.57079632679489661923}, {INFINITY, 1.57079632679489661923}, 0};
 
 static struct sp_options default_options(void) {
     struct sp_options options;
@@ -95,7 +79,7 @@ static void check_solves(void) {
     check_solve("tensor, polyline", &tensor_surface, over_cusp, polyline, 0);
     check_solve("cusp", &cusp_surface, over_cusp, elements, 1);
     check_solve("wall", &cap, at_wall, elements, 0);
-    check_solve("pole", &whole_globe, past_pole, elements, 1);
+    check_solve("pole", &whole_globe_surface, past_pole, elements, 1);
 }
 
 static void check_traces(void) {
@@ -127,7 +111,7 @@ static void check_questions(const struct sp_surface *surface, const struct sp_gr
     struct sp_field_request field = {{ends[0], ends[1], ends[2]}, ends + 3, &length, 1, 0};
     for (int i = 0; i <= SIZES / 4; i++) {
         arena.size = (size_t)(searching * 4 * i / SIZES) & ~(size_t)15;
-        int32_t status = sp_graph_search(surface, graph, ends, 65, &arena, &answer);
+        int32_t status = sp_graph_search(surface, graph, ends, 65, 1, &arena, &answer);
         CHECK(status == SP_CONVERGED || (status == SP_OUT_OF_MEMORY && i < SIZES / 4), "search: %zu bytes: status %d", arena.size, status);
         CHECK((status == SP_CONVERGED) == (answer.candidate_count > 0), "search: %d candidates", answer.candidate_count);
         arena.size = (size_t)(spreading * 4 * i / SIZES) & ~(size_t)15;
@@ -153,7 +137,7 @@ static void check_graph(const struct sp_surface *surface, struct sp_graph_option
 static void check_graphs(void) {
     const struct sp_graph_options round = {{0, 2 * HALF_TURN, -HALF_TURN / 2, HALF_TURN / 2}, 0, 8, 0};
     const struct sp_graph_options box = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 16, 0}, flood = {{5.5, 5.5, 0, 0, 0, 0}, 1, 0, 0};
-    check_graph(&whole_globe, round, (double[6]){0.3, 1.3, 0, 0.3 + HALF_TURN, 1.2, 0});
+    check_graph(&whole_globe_surface, round, (double[6]){0.3, 1.3, 0, 0.3 + HALF_TURN, 1.2, 0});
     check_graph(&torus_surface, box, (double[6]){5.5, 0, 0, -5.5, 0, 0});
     check_graph(&torus_surface, flood, (double[6]){5.5, 0, 0, 4, 0, 1.5});
 }
@@ -229,11 +213,11 @@ static void check_graph_options(void) {
     struct sp_arena rest = allocate(1 << 24);
     const double ends[6] = {-0.9, -1, 0, 0.9, 1, 0}, nowhere[6] = {-0.9, -1, 0, NAN, 1, 0};
     for (int32_t points = 0; points < 6000; points += 3000) {
-        int32_t status = sp_graph_search(&saddle_surface, &graph, ends, points, &rest, &answer);
+        int32_t status = sp_graph_search(&saddle_surface, &graph, ends, points, 1, &rest, &answer);
         CHECK(status == SP_CONVERGED && answer.point_count == (points ? SP_GRAPH_MAX_POINTS : 3), "%d points: status %d, %d", points,
               status, answer.point_count);
     }
-    CHECK(sp_graph_search(&saddle_surface, &graph, nowhere, 9, &rest, &answer) == SP_NOT_FINITE, "an end that is not a number");
+    CHECK(sp_graph_search(&saddle_surface, &graph, nowhere, 9, 1, &rest, &answer) == SP_NOT_FINITE, "an end that is not a number");
     free(rest.base), free(arena.base);
 }
 
@@ -247,10 +231,10 @@ static void check_not_finite(void) {
         double start[6] = {0.1, -0.7, bad[i], 0.2, 1.4, 0.9};
         struct sp_request ends = {{0.1, bad[i], 0}, {1.4, 0.9, 0}, NULL, 0, 0}, by_start = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0};
         struct sp_request space = {{5.5, bad[i], 0}, {3, 4, 1}, NULL, 0, 0};
-        CHECK(sp_solve_path(&whole_globe, &by_start, &options, &arena, &result) < 0 && !result.points, "start %g: %d", bad[i],
+        CHECK(sp_solve_path(&whole_globe_surface, &by_start, &options, &arena, &result) < 0 && !result.points, "start %g: %d", bad[i],
               result.status);
         CHECK(sp_solve_path(&torus_surface, &space, &options, &arena, &result) < 0 && !result.points, "end %g: %d", bad[i], result.status);
-        int32_t status = sp_solve_path(&whole_globe, &ends, &options, &arena, &result);
+        int32_t status = sp_solve_path(&whole_globe_surface, &ends, &options, &arena, &result);
         CHECK(isfinite(bad[i]) || (status == SP_NOT_FINITE && isnan(result.length)), "end %g: status %d", bad[i], status);
     }
     free(arena.base);

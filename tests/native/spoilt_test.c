@@ -86,7 +86,7 @@ static void check_others(const struct sp_surface *surface, const double from[3],
     sp_graph_keep(&graph, kept);
     double ends[6] = {from[0], from[1], from[2], to[0], to[1], to[2]};
     struct sp_graph_answer answer;
-    status = sp_graph_search(surface, &graph, ends, 9, &arena, &answer);
+    status = sp_graph_search(surface, &graph, ends, 9, 1, &arena, &answer);
     int32_t numbers = answer.candidate_count * answer.point_count * (surface->kind == SP_IMPLICIT ? 3 : 2);
     CHECK((status == SP_CONVERGED) == (answer.candidate_count > 0), "search: status %d, %d candidates", status, answer.candidate_count);
     CHECK(are_finite(answer.places, numbers), "search: status %d; beyond %g: %g, manner %d", status, spoilt.beyond, spoilt.by,

@@ -1,10 +1,12 @@
-/* Surfaces written by hand, as the solver wants them (wasm/surface.h): a saddle, a bumpy height field, a torus and a sphere in both forms.
- */
+/* Surfaces written by hand, as the solver wants them (wasm/surface.h): a saddle, a bumpy height field, a torus and a sphere in both forms,
+ * a cusp. */
 #ifndef SURFPATH_TEST_SURFACES_H
 #define SURFPATH_TEST_SURFACES_H
 
 #include "functions.h"
 #include "surface.h"
+
+#include <math.h>
 
 /* A height field (u, v, h) from h and its derivatives. */
 static void write_height(sp_pair u, sp_pair v, const sp_pair h[6], int values, sp_pair *out) {
@@ -70,6 +72,17 @@ static void globe(int32_t count, const sp_pair *in, sp_pair *out, int values) {
     }
 }
 
+/* A cusp along v = 0: (u, v^2, v^3). */
+static void cusp(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    for (; count > 0; count--, in += 2, out += values) {
+        sp_pair v = in[1], zero = sp_splat(0.0), one = sp_splat(1.0), two = sp_splat(2.0);
+        sp_pair jet[SP_PARAMETRIC_JET] = {in[0], v * v, v * v * v, one,  zero, zero, zero, 2.0 * v, 3.0 * v * v,
+                                          zero,  zero,  zero,      zero, zero, zero, zero, two,     6.0 * v};
+        for (int j = 0; j < values; j++)
+            out[j] = jet[j];
+    }
+}
+
 #define COMPILED(name, jet_size, value_size)                                                                                               \
     static void name##_jet(int32_t count, const sp_pair *in, sp_pair *out) { name(count, in, out, jet_size); }                             \
     static void name##_value(int32_t count, const sp_pair *in, sp_pair *out) { name(count, in, out, value_size); }
@@ -77,12 +90,17 @@ static void globe(int32_t count, const sp_pair *in, sp_pair *out, int values) {
 COMPILED(saddle, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 COMPILED(bumpy, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 COMPILED(globe, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
+COMPILED(cusp, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 COMPILED(torus, SP_IMPLICIT_JET, SP_IMPLICIT_VALUES)
 COMPILED(sphere, SP_IMPLICIT_JET, SP_IMPLICIT_VALUES)
 
 static const struct sp_surface saddle_surface = {saddle_jet, saddle_value, SP_PARAMETRIC, 0, {-1, -1.1}, {1, 1.1}, 0};
 static const struct sp_surface bumpy_surface = {bumpy_jet, bumpy_value, SP_PARAMETRIC, 0, {-3.2, -3.2}, {3.2, 3.2}, 0};
 static const struct sp_surface globe_surface = {globe_jet, globe_value, SP_PARAMETRIC, 0, {-10, -1.5}, {10, 1.5}, 0};
+/* With its poles, and closed in u. */
+static const struct sp_surface whole_globe_surface = {
+    globe_jet, globe_value, SP_PARAMETRIC, 0, {-INFINITY, -1.57079632679489661923}, {INFINITY, 1.57079632679489661923}, 0};
+static const struct sp_surface cusp_surface = {cusp_jet, cusp_value, SP_PARAMETRIC, 0, {-1, -1}, {1, 1}, 0};
 static const struct sp_surface torus_surface = {torus_jet, torus_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 19.7};
 static const struct sp_surface sphere_surface = {sphere_jet, sphere_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 3.5};
 

@@ -115,7 +115,6 @@ static const struct sp_surface catenoid_surface = CHART(catenoid, -INFINITY, -5,
 static const struct sp_surface paraboloid_surface = CHART(paraboloid, -9, -9, 9, 9);
 static const struct sp_surface ends_at_edge_surface = CHART(ends_at_edge, 0, -1, 1, 1);
 static const struct sp_surface cubic_plane_surface = CHART(cubic_plane, -1, -1, 1, 1);
-static const struct sp_surface whole_globe_surface = CHART(globe, -INFINITY, -1.5707963267948966, INFINITY, 1.5707963267948966);
 static const struct sp_surface overlapping_globe_surface = CHART(globe, -INFINITY, -3, INFINITY, 3);
 static const struct sp_surface cone_surface = {cone_jet, cone_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 4};
 

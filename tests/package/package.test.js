@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { findUnreachable } from '../helpers/prune-types.js';
 import { pack, run } from './pack.js';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -43,6 +44,10 @@ describe('the package', () => {
     const paths = packed.files.map((file) => file.path);
     const missing = promisedFiles(exports).filter((path) => !paths.includes(path));
     assert.deepEqual(missing, []);
+  });
+
+  test('holds no types that no entry leads to, and all that one leads to', async () => {
+    assert.deepEqual(await findUnreachable(join(root, 'dist/types')), []);
   });
 
   test('is at most 400 KB', () => {

@@ -1,4 +1,4 @@
-// `start: 'global'` and `geodesics`, of polylines: the globally shortest paths of the open data, reversal, seams, floods, disconnected ends, memory, misuse.
+// `start: 'global'` and `geodesics`, mostly of polylines: the globally shortest paths of the open data, reversal, seams, floods, disconnected ends, memory, misuse.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { load } from '../../web/index.js';
@@ -351,23 +351,109 @@ test('misuse of geodesics', () => {
   assert.throws(() => surface.geodesics([0, 0], [1, 1]), /disposed/);
 });
 
+/** @type {any} */
+const dini = {
+  x: '2*cos(u)*sin(v)',
+  y: '2*sin(u)*sin(v)',
+  z: '2*(cos(v) + log(tan(v/2)) + 0.4*u)',
+  u: ['-2*pi', '2*pi'],
+  v: [0.1, 2],
+};
+
 test('two ends beyond a cusp: the shortest path crosses it twice', () => {
-  const dini = surfpath.parametric({
-    x: '2*cos(u)*sin(v)',
-    y: '2*sin(u)*sin(v)',
-    z: '2*(cos(v) + log(tan(v/2)) + 0.4*u)',
-    u: ['-2*pi', '2*pi'],
-    v: [0.1, 2],
-  });
+  const surface = make(dini);
   const [from, to] = [
     [4.795361300721137, 1.8774924020261037],
     [-2.4873834935722763, 1.8146692353626248],
   ];
-  const [path, round] = dini.geodesics(from, to);
+  const [path, round] = surface.geodesics(from, to);
   assert.ok(path.converged && path.crossesSingularity && !path.touchesBoundary);
   // Along the wall v = 2 it is half as long again. In between is a way that starts from a given crossing of v < pi/2.
   assert.ok(round.touchesBoundary && round.length > 1.45 * path.length);
   const start = [...from, 1, 1, ...to];
-  assert.ok(Math.abs(dini.shortestPath(from, to, { start }).length - path.length) < 1e-9 * path.length);
-  dini.dispose();
+  assert.ok(Math.abs(surface.shortestPath(from, to, { start }).length - path.length) < 1e-9 * path.length);
+  surface.dispose();
+});
+
+describe('across a cusp and along a wall', () => {
+  // Lengths by minimising the energy of 6,400 segments over u and 2 log sin v, in which the metric is regular at the cusp, by another program.
+  for (const { from, to, relaxed } of [
+    { from: [4.192669470495284, 0.13609194888267667], to: [-2 * Math.PI, 2], relaxed: 8.7855 },
+    { from: [1.1736778105404122, 2], to: [-0.45106699099071523, 1.409163585258648], relaxed: 3.3086 },
+    { from: [-2 * Math.PI, 1.1199486588127912], to: [-2 * Math.PI, 2], relaxed: 0.40052 },
+    { from: [-3.8131209953606793, 0.1], to: [4.094127931878949, 1.6272836345480755], relaxed: 11.07897 },
+  ])
+    test(`${from} to ${to}`, () => {
+      const surface = make(dini);
+      const path = surface.shortestPath(from, to, { points: 199 });
+      assert.ok(path.converged && path.crossesSingularity && path.touchesBoundary);
+      assert.ok(path.length < relaxed + 1e-5 && path.length > relaxed * (1 - 1e-4));
+      const parameters = /** @type {Float64Array} */ (path.parameters);
+      // Its parts are shortest, too: those from the middle of where it runs along a wall.
+      const inner = Array.from({ length: 199 }, (_, i) => Array.from(parameters.subarray(2 * i + 2, 2 * i + 4)));
+      const along = inner.filter(([u, v]) => Math.abs(u) === 2 * Math.PI || v === 0.1 || v === 2);
+      const middle = along[along.length >> 1];
+      const parts = [surface.shortestPath(from, middle), surface.shortestPath(middle, to)];
+      assert.ok(parts.every(({ converged }) => converged));
+      assert.ok(Math.abs(parts[0].length + parts[1].length - path.length) < 1e-8 * path.length);
+      surface.dispose();
+    });
+});
+
+describe('a surface with more detail than its graph has', () => {
+  const surface = () => make(/** @type {any} */ (cases.find(({ expected }) => expected.surface === 'bc_printed')).definition);
+
+  // The shortest known, found by exhaustive multistart (tests/accuracy/global.js) from another mesh.
+  for (const { from, to, known } of [
+    {
+      from: [0.437048214252527, 0.359821943359998, 0.8754339331355235],
+      to: [1.0096938056675344, 0.1166940145051134, 0.9132729219451433],
+      known: 1.0304488778343575,
+    },
+    {
+      from: [0.9829503354252677, -0.3337799831116453, -0.8377082559703201],
+      to: [0.4374938128987541, -0.3972861595398495, -0.5409276550066953],
+      known: 0.8049650987913071,
+    },
+    {
+      from: [0.9065483343518143, 0.5315371918474328, 0.7658836060622063],
+      to: [0.3199869703927145, 0.03877544237915018, -0.1487309900277899],
+      known: 1.3358236492307418,
+    },
+  ])
+    test(`a way that seven shorter ones of the graph hide, ${known}`, () => {
+      const eq47 = surface();
+      const path = eq47.shortestPath(from, to);
+      assert.ok(path.converged && path.length < known * (1 + 1e-8));
+      eq47.dispose();
+    });
+
+  // One turns by a radian within a two-hundredth of its length: equally spread elements leave 2e-9 and 7e-9.
+  for (const [from, to] of [
+    [
+      [0.9996046266992197, -0.15586883085134973, -0.3597557695486259],
+      [-0.9487694658939032, -0.17618609319517106, -0.9731072604290322],
+    ],
+    [
+      [0.8815817170546718, 0.4453107285927626, 0.3515704887971923],
+      [-0.9940509041529135, 0.27159314161851167, -0.8534061435547244],
+    ],
+  ])
+    test(`elements lie closer where a path turns, ${from}`, () => {
+      const eq47 = surface();
+      const path = eq47.shortestPath(from, to, { tolerance: 1e-11, points: 999 });
+      assert.ok(path.converged && path.lengthError < 1e-11 * path.length);
+      const part = (/** @type {number} */ first, /** @type {number} */ last) =>
+        eq47.shortestPath(
+          Array.from(path.points.subarray(3 * first, 3 * first + 3)),
+          Array.from(path.points.subarray(3 * last, 3 * last + 3)),
+          {
+            start: path.points.slice(3 * first, 3 * last + 3),
+          },
+        );
+      const parts = [part(0, 300), part(300, 700), part(700, 1000)];
+      const sum = parts.reduce((length, one) => length + one.length, 0);
+      assert.ok(Math.abs(sum - path.length) < 1e-10 * path.length);
+      eq47.dispose();
+    });
 });

@@ -201,8 +201,13 @@ describe('dispose', () => {
       refuses(call, Error, /this surface was disposed/);
   });
 
-  test('both dispose by Symbol.dispose where the engine has it', () => {
-    for (const object of [saddle, surfpath]) assert.equal(anything(object)[Symbol.dispose], Symbol.dispose && object.dispose);
+  test('both dispose by Symbol.dispose, as `using` does', async () => {
+    const other = await load();
+    const surface = other.surface(gallery.saddle);
+    surface[Symbol.dispose]();
+    refuses(() => surface.evaluate([0, 0]), Error, /this surface was disposed/);
+    other[Symbol.dispose]();
+    refuses(() => other.surface(gallery.saddle), Error, /this instance was disposed/);
   });
 
   test('a disposed instance takes its surfaces along, and no others', async () => {

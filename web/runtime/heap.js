@@ -43,7 +43,7 @@ export const LAYOUT = {
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
-  sp_graph: { bytes: 88, spacing: 0, vertex_count: 36, edge_count: 40, unique: 44, singular: 48 },
+  sp_graph: { bytes: 96, spacing: 0, vertex_count: 36, edge_count: 40, unique: 44, singular: 48 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
@@ -326,9 +326,10 @@ export class Heap {
   /**
    * Runs sp_graph_search.
    * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {number[]} to @param {number} points of a candidate
+   * @param {boolean} all not only ways that may become the shortest path
    * @returns {{ status: number, distance: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
    */
-  searchGraph(surface, graph, from, to, points) {
+  searchGraph(surface, graph, from, to, points, all) {
     const { numbers, arena, answer } = this.#structs;
     const dimension = from.length;
     if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
@@ -336,7 +337,7 @@ export class Heap {
     this.#writePoint(numbers, from);
     this.#writePoint(numbers + 24, to);
     this.#writeWords(arena, this.#arenaBase, this.#arenaSize, 0);
-    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, arena, answer);
+    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), arena, answer);
     const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
     const candidates = Array.from({ length: count }, (_, i) =>
       this.#doubles(places + 8 * dimension * written * i, dimension * written).slice(),

@@ -1,6 +1,7 @@
 /** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
 
 import { NOT_FINITE, readPairNumbers, readPairOptions } from '../batch.js';
+import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
 import { checkNames, describe, makePath } from '../path.js';
 import { Crew } from './crew.js';
 import { emptyPath } from './heap.js';
@@ -37,7 +38,16 @@ function readSettings(settings = {}) {
   const { workers, worker } = settings;
   if (workers !== undefined && !(Number.isInteger(workers) && workers >= 1 && workers <= MOST_WORKERS))
     throw new RangeError(`${caller}: options.workers must be a whole number from 1 to ${MOST_WORKERS}, not ${describe(workers)}`);
-  return { workers, script: worker === undefined ? undefined : new URL(String(worker), globalThis.location?.href) };
+  return { workers, script: worker === undefined ? undefined : readScript(caller, worker) };
+}
+
+/** @param {string} caller @param {any} worker */
+function readScript(caller, worker) {
+  const text = typeof worker === 'string' ? worker : worker?.href;
+  try {
+    if (typeof text === 'string') return new URL(text, globalThis.location?.href);
+  } catch {}
+  throw new TypeError(`${caller}: options.worker must be the URL of worker.js, not ${describe(worker)}`);
 }
 
 /**
@@ -130,6 +140,16 @@ export class Pool {
     await this.#crew.dispose(new Error('surfpath: this pool was disposed'));
   }
 
+  /** As {@link dispose}, not waited for: for `using`. */
+  [DISPOSE]() {
+    this.dispose();
+  }
+
+  /** As {@link dispose}: for `await using`. */
+  [ASYNC_DISPOSE]() {
+    return this.dispose();
+  }
+
   /**
    * @template {Float64Array | Path[]} Results
    * @param {'lengths' | 'shortestPaths'} method
@@ -220,9 +240,6 @@ export class Pool {
     if (this.#disposed) throw new Error(`${caller}: this pool was disposed`);
   }
 }
-
-for (const symbol of [Symbol.dispose, Symbol.asyncDispose])
-  if (typeof symbol === 'symbol') Object.defineProperty(Pool.prototype, symbol, { value: Pool.prototype.dispose });
 
 /** Copies, which the caller does not change any more; null: they cannot be copied. @param {AnyDefinition} definition @param {any[]} args */
 function freeze(definition, args) {

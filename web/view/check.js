@@ -12,6 +12,12 @@ export function checkDrawable(caller, surface) {
   if (kind !== 'parametric' && kind !== 'implicit') throw new TypeError(`${caller}: surface must be a Surface, not ${describe(surface)}`);
 }
 
+/** Refuses what is no geometry of a surface. @param {string} caller @param {unknown} geometry */
+export function checkGeometry(caller, geometry) {
+  const { attributes } = /** @type {{ attributes?: { position?: unknown } }} */ (geometry ?? {});
+  if (!attributes?.position) throw new TypeError(`${caller}: geometry must be one that surfaceGeometry made, not ${describe(geometry)}`);
+}
+
 /**
  * The points of a path, or of a flat list x y z …; null for a path that was not found.
  * @param {string} caller @param {unknown} given

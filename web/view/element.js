@@ -3,36 +3,26 @@
  * where there are custom elements, and does nothing elsewhere, in Node for example.
  */
 
-import { load } from '../index.js';
 import {
   LOOK_ATTRIBUTES,
   PATH_ATTRIBUTES,
   readDefinition,
   readLook,
-  readNumbers,
+  readEnds,
   readOptions,
   SURFACE_ATTRIBUTES,
 } from './element/attributes.js';
 import { filmOf } from './element/film.js';
+import { getSolver } from './element/solver.js';
 import { Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
+import { watch } from './element/watch.js';
 import { describePath, describeProblem } from './element/words.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../surface.js').Surface} Surface */
 /** @typedef {import('../instance.js').Surfpath} Surfpath */
 /** @typedef {import('../instance.js').AnyDefinition} AnyDefinition */
-
-/** One solver for all elements of a page. @type {Promise<Surfpath> | null} */
-let solver = null;
-
-function getSolver() {
-  solver ??= load();
-  solver.catch(() => {
-    solver = null;
-  });
-  return solver;
-}
 
 /** What must be done again, from the least to the most. */
 const [LOOK, PATH, SURFACE] = [1, 2, 3];
@@ -113,14 +103,11 @@ export class SurfacePathElement extends Base {
 
   connectedCallback() {
     this.#connection = new AbortController();
-    const { signal } = this.#connection;
-    const seen = new IntersectionObserver((entries) => this.#see(entries.at(-1)?.isIntersecting ?? false));
-    const sized = new ResizeObserver(() => this.#stage?.resize(this.clientWidth, this.clientHeight));
-    for (const observer of [seen, sized]) {
-      observer.observe(this);
-      signal.addEventListener('abort', () => observer.disconnect());
-    }
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#stage?.setTheme(readTheme(this)), { signal });
+    watch(this, this.#connection.signal, {
+      see: (isVisible) => this.#see(isVisible),
+      resize: () => this.#stage?.resize(this.clientWidth, this.clientHeight),
+      repaint: () => this.#stage?.setTheme(readTheme(this)),
+    });
     this.#renew(SURFACE);
   }
 
@@ -159,7 +146,7 @@ export class SurfacePathElement extends Base {
       what = this.#stale;
       this.#stale = 0;
       if (what === SURFACE) this.#build(surfpath);
-      if (what >= PATH) this.#readEnds();
+      if (what >= PATH) this.#ends = readEnds((name) => this.getAttribute(name), this.definition);
       if (what >= PATH) this.#solve();
       this.#isUndrawn = true;
       this.#isUnplayed = what >= PATH;
@@ -179,16 +166,6 @@ export class SurfacePathElement extends Base {
     this.#surface?.dispose();
     this.#surface = surface;
     this.#title = definition.title ?? 'Surface';
-  }
-
-  /** The attributes, else the pair that the gallery suggests; none: the surface alone. */
-  #readEnds() {
-    const suggested = /** @type {Record<string, any>} */ (this.definition);
-    this.#ends = ['from', 'to'].flatMap((name) => {
-      const text = this.getAttribute(name);
-      const point = text === null ? suggested[name] : readNumbers(name, text);
-      return point ? [Array.from(point)] : [];
-    });
   }
 
   /** @param {Path | null} [start] an earlier path, while an end is dragged */

@@ -1,6 +1,8 @@
 /** Where a camera must stand so that a surface just fills its view. */
 
 import { Vector3 } from 'three';
+import { describe } from '../path.js';
+import { checkGeometry } from './check.js';
 
 /** The fit is exact for the distance, and centred to a per cent after so many rounds: perspective moves the middle a little. */
 const ROUNDS = 3;
@@ -13,9 +15,10 @@ const [NEAR, FAR] = [0.02, 4];
  * @param {import('three').BufferGeometry} geometry of {@link surfaceGeometry}, with a bounding sphere
  * @param {ArrayLike<number>} towards the camera from the surface, x y z of any length; not along `up`
  * @param {number} [margin] share of the view that stays free around it, in [0, 1); default 0.1
- * @returns {Vector3} the point that the camera looks at: the target for its controls
+ * @returns {Vector3} the point that the camera looks at: the target for its controls. Throws TypeError or RangeError naming the argument
  */
 export function fitCamera(camera, geometry, towards, margin = 0.1) {
+  check(camera, geometry, towards, margin);
   const { center } = /** @type {import('three').Sphere} */ (geometry.boundingSphere);
   const back = new Vector3(towards[0], towards[1], towards[2]).normalize();
   const right = new Vector3().crossVectors(camera.up, back).normalize();
@@ -30,6 +33,17 @@ export function fitCamera(camera, geometry, towards, margin = 0.1) {
   [camera.near, camera.far] = [NEAR * distance, FAR * distance];
   camera.updateProjectionMatrix();
   return target;
+}
+
+/** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {ArrayLike<number>} towards @param {number} margin */
+function check(camera, geometry, towards, margin) {
+  const caller = 'fitCamera';
+  if (!camera?.isPerspectiveCamera) throw new TypeError(`${caller}: camera must be a PerspectiveCamera, not ${describe(camera)}`);
+  checkGeometry(caller, geometry);
+  const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
+  if (!(length > 0 && Number.isFinite(length)))
+    throw new TypeError(`${caller}: towards must be a direction x y z, not ${describe(towards)}`);
+  if (!(margin >= 0 && margin < 1)) throw new RangeError(`${caller}: margin must be in [0, 1), not ${describe(margin)}`);
 }
 
 /**

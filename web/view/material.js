@@ -1,6 +1,7 @@
 /** The look of a surface: matte, lit on both sides, with thin antialiased parameter lines and contours that keep their width at any zoom. */
 
 import { DoubleSide, MeshStandardMaterial, Vector2 } from 'three';
+import { checkGeometry } from './check.js';
 
 /**
  * @typedef {object} LineOptions
@@ -46,7 +47,10 @@ float faceDirection = farSide ? -1.0 : 1.0;
 vec3 normal = faceDirection * normalize(vNormal);
 vec3 nonPerturbedNormal = normal;`;
 
-/** Darkens the far side a little, and lines; those that crowd closer than a few pixels fade out. */
+/**
+ * Darkens the far side a little, and lines; those that crowd closer than a few pixels fade out. Where a large area lies on a level there is no line: rounding
+ * alone would draw it; and a band begins a hair before its level, so that the area has one brightness.
+ */
 const SHADING = /* glsl */ `
 #include <color_fragment>
 if (farSide) diffuseColor.rgb *= vec3(0.93, 0.9, 0.86);
@@ -60,19 +64,20 @@ if (farSide) diffuseColor.rgb *= vec3(0.93, 0.9, 0.86);
 #ifdef CONTOURS
   float width = max(fwidth(vContour), 1e-6);
   float contourLine = 1.0 - clamp(abs(fract(vContour - 0.5) - 0.5) / width - 0.25, 0.0, 1.0);
-  contourLine *= 1.0 - smoothstep(0.12, 0.4, width);
-  diffuseColor.rgb *= 1.0 - band * mod(floor(vContour), 2.0);
+  contourLine *= smoothstep(4e-6, 4e-5, width) * (1.0 - smoothstep(0.12, 0.4, width));
+  diffuseColor.rgb *= 1.0 - band * mod(floor(vContour + 1e-4), 2.0);
   diffuseColor.rgb *= 1.0 - 0.38 * contourLine;
 #endif`;
 
 /**
  * Makes a material for a geometry of {@link surfaceGeometry}: a MeshStandardMaterial, seen from both sides, its colours those of the geometry if it has any.
- * It fits geometries with the same attributes; make another one where they differ. Dispose it as any material.
+ * It fits geometries with the same attributes; make another one where they differ. Dispose it as any material. TypeError for what is no such geometry.
  * @param {import('three').BufferGeometry} geometry
  * @param {LineOptions & import('three').MeshStandardMaterialParameters} [options]
  * @returns {MeshStandardMaterial}
  */
 export function surfaceMaterial(geometry, options = {}) {
+  checkGeometry('surfaceMaterial', geometry);
   const coloured = geometry.hasAttribute('contour') && geometry.hasAttribute('color');
   const { lines = !coloured, contours = true, ...parameters } = options;
   const { scale, cells = [CELLS, CELLS] } = geometry.userData;

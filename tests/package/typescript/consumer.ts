@@ -18,6 +18,12 @@ const pool = createPool({ workers: 2 });
 const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' } as const;
 const report = ({ done, total }: { done: number; total: number }) => console.log(done / total);
 const lengths: Float64Array = await pool.lengths(sphere, [1, 0, 0, 0, 1, 0], { signal: AbortSignal.timeout(50), onProgress: report });
+{
+  using short = surfpath.implicit({ f: 'x^2 + y^2 + z^2 - 1' });
+  using instance = await load();
+  await using workers = createPool();
+  console.log(short.kind, instance.surface(sphere).kind, workers);
+}
 const one: number = (await pool.shortestPath(sphere, [1, 0, 0], [0, 1, 0], { tolerance: 1e-6 })).length;
 await pool.dispose();
 

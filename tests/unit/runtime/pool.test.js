@@ -250,6 +250,8 @@ describe('the exceptions of the main thread', () => {
 test('settings, signals and listeners are checked', async () => {
   assert.throws(() => createPool(anything(5)), /createPool: options must be an object, not 5/);
   assert.throws(() => createPool(anything({ threads: 2 })), /there is no option 'threads'; the options are workers, worker/);
+  for (const worker of [5, '', 'not a URL', null])
+    assert.throws(() => createPool(anything({ worker })), { name: 'TypeError', message: /^createPool: options.worker must be the URL/ });
   for (const workers of [0, 1.5, 257, Number.NaN]) assert.throws(() => createPool({ workers }), RangeError);
   await assert.rejects(pool.lengths(gallery.saddle, [], { signal: anything(1) }), /lengths: options.signal must be an AbortSignal, not 1/);
   await assert.rejects(

@@ -133,6 +133,26 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.ok(implicit.defines && !('PARAMETER_LINES' in implicit.defines));
     });
 
+    test('surfaceMaterial and fitCamera say which argument is wrong', () => {
+      const none = /** @type {any} */ (undefined);
+      const wrong = (/** @type {RegExp} */ message, name = 'TypeError') => ({ name, message });
+      assert.throws(
+        () => draw.surfaceMaterial(none),
+        wrong(/^surfaceMaterial: geometry must be one that surfaceGeometry made, not undefined/),
+      );
+      assert.throws(() => draw.surfaceMaterial(/** @type {any} */ (torus)), wrong(/^surfaceMaterial: geometry/));
+      const [camera, geometry] = [new THREE.PerspectiveCamera(32, 1), draw.surfaceGeometry(torus, { resolution: 4 })];
+      assert.throws(() => draw.fitCamera(none, geometry, [1, 0, 0]), wrong(/^fitCamera: camera must be a PerspectiveCamera/));
+      assert.throws(() => draw.fitCamera(camera, none, [1, 0, 0]), wrong(/^fitCamera: geometry must/));
+      for (const towards of [none, [0, 0, 0], [1, 2], [1, Number.NaN, 0]])
+        assert.throws(() => draw.fitCamera(camera, geometry, towards), wrong(/^fitCamera: towards must be a direction/));
+      for (const margin of [-0.1, 1, Number.NaN])
+        assert.throws(
+          () => draw.fitCamera(camera, geometry, [1, 0, 0], margin),
+          wrong(/^fitCamera: margin must be in \[0, 1\)/, 'RangeError'),
+        );
+    });
+
     test('fitCamera fills the view and centres what is seen', () => {
       for (const [aspect, towards] of /** @type {const} */ ([
         [2, [1, -2, 1]],

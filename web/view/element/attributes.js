@@ -24,6 +24,7 @@ const SIGNS = /** @type {const} */ ([
   ['u', 'parametric'],
   ['z', 'graph'],
 ]);
+const COLOURS = ['none', 'curvature', 'distance'];
 const METRIC = { implicit: ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'], other: ['E', 'F', 'G'] };
 
 const named = [...new Set(Object.values(KINDS).flatMap(({ formulas, lists, ranges }) => [...formulas, ...lists, ...ranges]))];
@@ -123,6 +124,19 @@ export function readDefinition(attribute) {
   return /** @type {any} */ (definition);
 }
 
+/**
+ * Both ends: the attributes, else the pair that the gallery suggests; none: the surface alone.
+ * @param {Attributes} attribute @param {Record<string, any>} definition
+ * @returns {number[][]}
+ */
+export function readEnds(attribute, definition) {
+  return ['from', 'to'].flatMap((name) => {
+    const text = attribute(name);
+    const point = text === null ? definition[name] : readNumbers(name, text);
+    return point ? [Array.from(point)] : [];
+  });
+}
+
 /** Options for `shortestPath`; only those that are given. @param {Attributes} attribute @returns {import('../../path.js').PathOptions} */
 export function readOptions(attribute) {
   /** @type {Record<string, any>} */
@@ -147,6 +161,10 @@ export function readOptions(attribute) {
  */
 export function readLook(attribute, definition, from) {
   const [colour, resolution, camera] = ['colour', 'resolution', 'camera'].map(attribute);
+  if (colour !== null && !COLOURS.includes(colour))
+    throw new RangeError(
+      `surface-path: colour must be one of ${COLOURS.join(', ')}, not ${describe(colour)}; the surface's own is the custom property --surfpath-surface`,
+    );
   return {
     colour: /** @type {any} */ (colour ?? 'none'),
     ...(colour === 'distance' ? { from } : {}),

@@ -1,0 +1,92 @@
+/** The eye of the view: a camera that looks at a whole surface until the reader turns it. */
+
+import { PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { fitView } from './fit.js';
+
+const ELEVATION = Math.PI / 6;
+const FIELD_OF_VIEW = 32;
+/** CSS pixels at the lower edge that the player covers. */
+const COVERED = 64;
+/** Share of the view that stays free around the surface, both sides together. */
+const MARGIN = 0.1;
+/** In CSS pixels, at least: the legend stands there on small screens. */
+const LEAST_MARGIN = 56;
+
+export class Eye {
+  camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
+  controls;
+  #bounds = new Sphere(new Vector3(), 1);
+  /** What must fit into the view. @type {import('three').BufferAttribute | import('three').InterleavedBufferAttribute | null} */ #points =
+    null;
+  #size = { width: 1, height: 1 };
+  /** Whether the reader has turned the view: then it is not ours to change. */
+  #touched = false;
+
+  /** @param {HTMLCanvasElement} canvas @param {() => void} onChange */
+  constructor(canvas, onChange) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
+    this.controls.addEventListener('change', onChange);
+    this.controls.addEventListener('start', () => {
+      this.#touched = true;
+    });
+  }
+
+  /** @param {import('three').BufferGeometry} geometry @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  setSurface(geometry) {
+    const last = this.#bounds.clone();
+    this.#bounds.copy(/** @type {Sphere} */ (geometry.boundingSphere));
+    this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
+    this.#points = geometry.getAttribute('position');
+    const growth = this.#bounds.radius / last.radius;
+    return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
+  }
+
+  /** Looks at the whole surface from 30 degrees above, from the side where something is. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] to look from instead */
+  frame(something, direction) {
+    const { center, radius } = this.#bounds;
+    const towards = something ? new Vector3(something[0], something[1], something[2]).sub(center).setZ(0) : new Vector3();
+    if (towards.length() < 0.08 * radius) towards.set(0.6, -1, 0);
+    towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION));
+    if (direction) towards.fromArray(direction).normalize();
+    // Straight from above there is no "up": a hair from the front.
+    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
+    this.controls.minDistance = 0.15 * radius;
+    this.controls.maxDistance = 20 * radius;
+    this.#touched = false;
+    this.#fit(towards);
+  }
+
+  /** @param {number} width in CSS pixels @param {number} height */
+  resize(width, height) {
+    this.#size = { width, height };
+    this.camera.aspect = width / height;
+    this.camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
+    if (!this.#touched) this.#fit(this.camera.position.clone().sub(this.controls.target).normalize());
+  }
+
+  /** @param {Vector3} towards the camera, unit length */
+  #fit(towards) {
+    if (!this.#points) return;
+    const { width, height } = this.#size;
+    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
+    const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
+    const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
+    const { target, distance } = fitView(this.#points, this.#bounds.center, towards, this.camera.up, slopes);
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(towards, distance);
+    this.controls.update();
+  }
+
+  /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */
+  update() {
+    this.controls.update();
+    const { center, radius } = this.#bounds;
+    const distance = this.camera.position.distanceTo(center);
+    this.camera.near = Math.max(distance - 1.6 * radius, 0.01 * radius);
+    this.camera.far = distance + 1.6 * radius;
+    this.camera.updateProjectionMatrix();
+  }
+}

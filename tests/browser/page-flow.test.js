@@ -1,0 +1,215 @@
+// What the page computes, in which order: changes that overtake each other, long tasks with progress and cancel, workers that die. It always comes to rest.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  browser = await openBrowser();
+  ({ page, complaints } = await openPage(browser.context, browser.address));
+  await settled(page);
+});
+after(() => browser?.close());
+
+const text = async (/** @type {string} */ selector) => (await page.textContent(selector)) ?? '';
+const status = () => page.getAttribute('#status', 'data-status');
+const length = async () => Number.parseFloat(await text('#length'));
+
+/** What follows from a change is computed. */
+async function rest() {
+  await page.waitForTimeout(300);
+  await settled(page);
+}
+
+/** Writes into fields in one go, without a pause between. @param {Record<string, string>} values by id */
+const writeAtOnce = (values) =>
+  page.evaluate((given) => {
+    for (const [id, value] of Object.entries(given)) {
+      const input = /** @type {HTMLInputElement} */ (document.getElementById(id));
+      input.focus();
+      input.value = value;
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+  }, values);
+
+/** Words that change a formula of x and y by nothing to speak of, and take their time. @param {number} count */
+const babble = (count) => Array.from({ length: count }, (_, i) => `+(2+sin(${i + 1}x+y))^1.1/1e9`).join('');
+/** Takes seconds to be drawn and to be solved on. */
+const LONG = `x^2+y^2+z^2-1${babble(130)}`;
+
+describe('changes that overtake each other', () => {
+  test('ends that a new formula has left behind are put onto the surface', async () => {
+    await openEntry(page, 'own-implicit');
+    await page.fill('#field-f', 'x^2+y^2+z^2-0.04');
+    await page.waitForTimeout(400);
+    await settled(page);
+    assert.equal(await status(), 'converged', await text('#advice'));
+    const [x, y, z] = await Promise.all([0, 1, 2].map(async (i) => Number(await page.inputValue(`#end-0-${i}`))));
+    assert.ok(Math.abs(Math.hypot(x, y, z) - 0.2) < 0.01, `A is at ${[x, y, z]}`);
+  });
+
+  test('a slider that makes the surface vanish says so, the last good one stays, and the way back is open', async () => {
+    await openEntry(page, 'sphere');
+    const before = await text('#length');
+    const name = (await page.locator('#sliders input[type=number]').first().getAttribute('id')) ?? '';
+    const value = await page.inputValue(`#${name}`);
+    for (const wrong of ['1.1', '1.05', '50']) await page.fill(`#${name}`, wrong);
+    await rest();
+    assert.match(await text('#formula-problem'), /no point with f = 0/);
+    assert.notEqual(await text('#length'), '–');
+    await page.fill(`#${name}`, value);
+    await rest();
+    assert.equal(await page.isVisible('#formula-problem'), false);
+    assert.equal(await text('#length'), before);
+  });
+
+  test('an end that is dragged, then written wrong, leaves the page at rest', async () => {
+    await openEntry(page, 'saddle');
+    await page.focus('#handle-B');
+    await page.keyboard.press('ArrowRight');
+    await writeAtOnce({ 'end-1-0': '7' });
+    await rest();
+    assert.match(await text('#ends-problem'), /must lie between/);
+    assert.match(await text('#advice'), /must lie between/, 'also where a phone shows it');
+  });
+
+  test('a formula, then an end, before the surface is there: both count', async () => {
+    await openEntry(page, 'saddle');
+    await writeAtOnce({ 'field-z': 'u^2-v^2+u' });
+    await page.waitForTimeout(152);
+    await writeAtOnce({ 'end-0-0': '0.4' });
+    await rest();
+    const [both, typeset] = [await length(), await text('#typeset')];
+    await openEntry(page, 'saddle');
+    await page.fill('#end-0-0', '0.4');
+    await rest();
+    await page.fill('#field-z', 'u^2-v^2+u');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await length(), both);
+    assert.equal(await text('#typeset'), typeset);
+  });
+
+  test('a slider, then a wrong formula: the last good surface stays, and its ends can be moved', async () => {
+    await openEntry(page, 'parametricTorus');
+    await page.fill('#value-a', '1.4');
+    await writeAtOnce({ 'field-z': 'a*sin(v' });
+    await rest();
+    await page.waitForSelector('#problem-z pre');
+    const before = await length();
+    assert.ok(before > 0);
+    await page.fill('#end-0-0', '1.6');
+    await rest();
+    assert.ok((await length()) > before + 0.01, 'the path follows on the last good surface');
+    assert.equal(await status(), 'converged');
+    assert.ok(await page.isVisible('#problem-z pre'));
+  });
+
+  test('a link that is followed just after a change opens what it says', async () => {
+    await openEntry(page, 'saddle');
+    await page.fill('#end-0-0', '0.3');
+    await page.waitForTimeout(330);
+    // The page writes its own address 400 ms after a change: now, before the link has its turn.
+    await page.evaluate(
+      (hash) => {
+        location.hash = hash;
+        const end = performance.now() + 150;
+        while (performance.now() < end);
+      },
+      `1.${Buffer.from('{"entry":"vase"}').toString('base64url')}`,
+    );
+    await rest();
+    assert.equal(await text('#entry-title'), 'Vase');
+  });
+
+  test('a hundred changes in a row end in the last one', async () => {
+    await openEntry(page, 'parametricTorus');
+    const values = Array.from({ length: 100 }, (_, i) => String(1 + (i % 10) / 20));
+    await page.evaluate(async (all) => {
+      const input = /** @type {HTMLInputElement} */ (document.getElementById('value-a'));
+      for (const value of all) {
+        input.value = value;
+        input.dispatchEvent(new Event('input', { bubbles: true }));
+        await new Promise((resolve) => setTimeout(resolve, 5));
+      }
+    }, values);
+    await rest();
+    const last = await text('#length');
+    await openEntry(page, 'parametricTorus');
+    await page.fill('#value-a', /** @type {string} */ (values.at(-1)));
+    await rest();
+    assert.equal(await text('#length'), last);
+  });
+});
+
+describe('what takes long', () => {
+  test('is said with a way to cancel it, which works at once', async () => {
+    await openEntry(page, 'sphere');
+    assert.equal(await page.isVisible('#progress'), false);
+    await page.fill('#field-f', LONG);
+    await page.waitForSelector('#progress:not([hidden])');
+    assert.match(await text('#progress-words'), /^(?:Drawing the surface|Searching for paths)$/);
+    const isHidden = await page.evaluate(() => {
+      document.getElementById('cancel')?.click();
+      return document.getElementById('progress')?.hidden;
+    });
+    assert.equal(isHidden, true);
+    await settled(page);
+    assert.match(`${await text('#formula-problem')}${await text('#ends-problem')}`, /^Cancelled/);
+  });
+
+  test('is given up for another surface, at once', async () => {
+    await openEntry(page, 'sphere');
+    await page.fill('#field-f', LONG);
+    await page.waitForSelector('#progress:not([hidden])');
+    const begin = Date.now();
+    await openEntry(page, 'saddle');
+    assert.equal(await status(), 'converged');
+    assert.equal(await page.isVisible('#progress'), false);
+    const quick = Date.now() - begin;
+    assert.ok(quick < 6000, `${quick} ms`);
+    assert.equal(await text('#entry-title'), 'Saddle');
+  });
+
+  test('plots say how far they are, and a cancelled one says so', async () => {
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', `x*y/4${babble(130)}`);
+    await rest();
+    await page.click('#plots-card summary');
+    await page.evaluate(() => {
+      const seen = /** @type {any} */ (window);
+      seen.shares = [];
+      const bar = /** @type {HTMLProgressElement} */ (document.getElementById('progress-bar'));
+      new MutationObserver(() => seen.shares.push(bar.value)).observe(bar, { attributes: true });
+    });
+    await page.selectOption('#plot-choice', 'time');
+    await page.waitForSelector('#progress:not([hidden])');
+    assert.equal(await text('#progress-words'), 'Measuring paths');
+    await page.waitForFunction(() => /** @type {any} */ (window).shares.some((/** @type {number} */ share) => share > 0 && share < 1));
+    await page.click('#cancel');
+    await page.waitForFunction(() => /^Cancelled/.test(document.getElementById('plot')?.textContent ?? ''));
+    assert.equal(await page.isVisible('#progress'), false);
+    assert.equal(await status(), 'converged', 'the path is still there');
+    await page.selectOption('#plot-choice', 'convergence');
+    await page.waitForSelector('#plot polyline.series');
+    await page.click('#plots-card summary');
+  });
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});
+
+test('a worker that cannot be started is said, and started again with the next change', async () => {
+  await page.route('**/worker.js', (route) => route.abort());
+  await page.goto('about:blank');
+  await page.goto(browser.address);
+  await page.waitForFunction(() => /worker could not be started/.test(document.getElementById('advice')?.textContent ?? ''));
+  await settled(page);
+  await page.unroute('**/worker.js');
+  await openEntry(page, 'saddle');
+  assert.equal(await status(), 'converged');
+});

@@ -1,0 +1,291 @@
+/* Paths made of arcs against closed forms: round the walls of a wavy strip, over poles, across cusps; and that too few steps or too little
+ * memory end them honestly, wherever in the making they run out. */
+#include "surfaces.h"
+#include "surfpath.h"
+#include "testing.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZES = 150, STEPS = 40 };
+
+static const double PI = 3.14159265358979323846;
+
+/* The plane as (u, v + sin u): lines v = const are waves. */
+static void wavy(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    for (; count > 0; count--, in += 2, out += values) {
+        sp_pair cosine, sine = sp_sincos(in[0], &cosine), zero = sp_splat(0.0), one = sp_splat(1.0);
+        sp_pair jet[SP_PARAMETRIC_JET] = {in[0], in[1] + sine, zero, one, cosine, zero, zero, one, zero, zero, -sine, zero};
+        for (int j = 0; j < values; j++)
+            out[j] = j < 12 ? jet[j] : zero;
+    }
+}
+
+/* The plane under the length element r^2 ds. */
+static void funnel_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 2, out += SP_PARAMETRIC_TENSOR_JET) {
+        sp_pair u = in[0], v = in[1], r = u * u + v * v;
+        sp_pair jet[6] = {r * r, 4.0 * r * u, 4.0 * r * v, 4.0 * r + 8.0 * u * u, 8.0 * u * v, 4.0 * r + 8.0 * v * v};
+        for (int j = 0; j < 6; j++)
+            out[3 * j] = out[3 * j + 2] = jet[j], out[3 * j + 1] = sp_splat(0.0);
+    }
+}
+
+/* (cos u cos v, cos u sin v, sin u): the poles at the ends of u. */
+static void upright(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    for (; count > 0; count--, in += 2, out += values) {
+        static const int exchanged[6] = {0, 2, 1, 5, 4, 3};
+        sp_pair place[2] = {in[1], in[0]}, jet[SP_PARAMETRIC_JET];
+        globe_jet(1, place, jet);
+        for (int j = 0; j < values; j++)
+            out[j] = jet[3 * exchanged[j / 3] + j % 3];
+    }
+}
+
+/* The ellipsoid of semiaxes 3/2, 1 and 7/10, as longitude and latitude and as f = 0. */
+static const double AXES[3] = {1.5, 1, 0.7};
+static int32_t ellipsoid_pairs; /* evaluated so far */
+
+static void ellipsoid(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    ellipsoid_pairs += count;
+    for (; count > 0; count--, in += 2, out += values) {
+        sp_pair jet[SP_PARAMETRIC_JET];
+        globe_jet(1, in, jet);
+        for (int j = 0; j < values; j++)
+            out[j] = AXES[j % 3] * jet[j];
+    }
+}
+
+static void quadric(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    for (; count > 0; count--, in += 3, out += values) {
+        sp_pair zero = sp_splat(0.0), jet[SP_IMPLICIT_JET] = {sp_splat(-1.0), zero, zero, zero, zero, zero, zero, zero, zero, zero};
+        for (int j = 0; j < 3; j++) {
+            double weight = 1 / (AXES[j] * AXES[j]);
+            jet[0] += weight * in[j] * in[j], jet[1 + j] = 2 * weight * in[j], jet[j == 0 ? 4 : 5 + 2 * j] = sp_splat(2 * weight);
+        }
+        for (int j = 0; j < values; j++)
+            out[j] = jet[j];
+    }
+}
+
+/* Five cusps, at v = 0, +-A and +-B: (u, y, z) with y' = p, z' = v p, p = v (v^2 - A^2) (v^2 - B^2). Bent out of a plane: u and the length
+ * along v are Cartesian coordinates of it. */
+static const double A = 0.4, B = 0.8;
+
+static void pleated(int32_t count, const sp_pair *in, sp_pair *out, int values) {
+    double s = A * A + B * B, q = A * A * B * B;
+    for (; count > 0; count--, in += 2, out += values) {
+        sp_pair v = in[1], w = v * v, zero = sp_splat(0.0), one = sp_splat(1.0);
+        sp_pair p = v * (w * w - s * w + q), slope = 5.0 * w * w - 3.0 * s * w + q;
+        sp_pair y = w * (w * w / 6.0 - s * w / 4.0 + q / 2.0), z = v * w * (w * w / 7.0 - s * w / 5.0 + q / 3.0);
+        sp_pair jet[SP_PARAMETRIC_JET] = {in[0], y,    z,    one,  zero, zero, zero, p,     v * p,
+                                          zero,  zero, zero, zero, zero, zero, zero, slope, p + v * slope};
+        for (int j = 0; j < values; j++)
+            out[j] = jet[j];
+    }
+}
+
+/* An integral of |p| sqrt(1 + v^2) where p has one sign. */
+static double integral(double v) {
+    double s = A * A + B * B, q = A * A * B * B, w = 1 + v * v;
+    return w * sqrt(w) * (w * w / 7 - (2 + s) * w / 5 + (1 + s + q) / 3);
+}
+
+/* The length along v between two places, and how many cusps are in between. */
+static double pleated_distance(double from, double to, int *cusps) {
+    const double all[] = {-B, -A, 0, A, B};
+    double sum = 0;
+    *cusps = 0;
+    for (int i = 0; i < 5; i++) {
+        if (all[i] <= from || all[i] >= to) continue;
+        sum += fabs(integral(all[i]) - integral(from)), from = all[i], ++*cusps;
+    }
+    return sum + fabs(integral(to) - integral(from));
+}
+
+COMPILED(wavy, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
+COMPILED(upright, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
+COMPILED(ellipsoid, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
+COMPILED(quadric, SP_IMPLICIT_JET, SP_IMPLICIT_VALUES)
+COMPILED(pleated, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
+
+static const struct sp_surface strip = {wavy_jet, wavy_value, SP_PARAMETRIC, 0, {-4, -0.3}, {10, 0.3}, 0};
+static const struct sp_surface corner = {funnel_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {0.01, 0.01}, {1, 1}, 0};
+static const struct sp_surface sector = {
+    globe_jet, globe_value, SP_PARAMETRIC, 0, {0, -1.57079632679489661923}, {4, 1.57079632679489661923}, 0};
+static const struct sp_surface upright_globe = {
+    upright_jet, upright_value, SP_PARAMETRIC, 0, {-1.57079632679489661923, -INFINITY}, {1.57079632679489661923, INFINITY}, 0};
+static const struct sp_surface ellipsoid_surface = {
+    ellipsoid_jet, ellipsoid_value, SP_PARAMETRIC, 0, {-INFINITY, -1.57079632679489661923}, {INFINITY, 1.57079632679489661923}, 0};
+static const struct sp_surface quadric_surface = {quadric_jet, quadric_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 4};
+static const struct sp_surface pleats = {pleated_jet, pleated_value, SP_PARAMETRIC, 0, {-2, -1}, {2, 1}, 0};
+
+static struct sp_arena arena;
+
+static struct sp_result solve(const struct sp_surface *surface, struct sp_request request, struct sp_options options) {
+    struct sp_result result;
+    sp_solve_path(surface, &request, &options, &arena, &result);
+    return result;
+}
+
+static struct sp_options options_of(double tolerance) {
+    struct sp_options options;
+    sp_default_options(&options);
+    options.tolerance = tolerance;
+    return options;
+}
+
+/* With fewer steps no path is shorter than the shortest, beyond the error it admits; with less memory there is none, or the same. */
+static void check_starved(const char *name, const struct sp_surface *surface, struct sp_request request, double length) {
+    struct sp_options options = options_of(1e-9);
+    size_t enough = (size_t)sp_solve_bytes(surface, &options, 0) & ~(size_t)15;
+    arena.size = enough;
+    struct sp_result all = solve(surface, request, options);
+    double whole = all.length;
+    CHECK(all.status == SP_CONVERGED && fabs(whole - length) <= 1e-9 * length, "%s: the promised memory: status %d", name, all.status);
+    for (options.max_iterations = 0; options.max_iterations <= STEPS; options.max_iterations++) {
+        struct sp_result result = solve(surface, request, options);
+        CHECK(result.iterations <= options.max_iterations, "%s: %d steps of %d", name, result.iterations, options.max_iterations);
+        CHECK(result.status < 0 ? !result.points : result.length >= length - result.length_error - 1e-9 * length,
+              "%s: %d steps: status %d, length %.17g", name, options.max_iterations, result.status, result.length);
+    }
+    options = options_of(1e-9);
+    for (size_t i = 0; i < SIZES; i++) {
+        arena.size = enough * i / SIZES & ~(size_t)15;
+        struct sp_result result = solve(surface, request, options);
+        CHECK(result.status < 0 ? !result.points && isnan(result.length) : result.length == whole,
+              "%s: %zu of %zu bytes: status %d, length %.17g", name, arena.size, enough, result.status, result.length);
+    }
+    arena.size = enough;
+}
+
+static void check_length(const char *name, struct sp_result result, double length, double tolerance) {
+    CHECK(result.status == SP_CONVERGED, "%s: status %d", name, result.status);
+    CHECK(fabs(result.length - length) <= tolerance * length, "%s: length %.17g, not %.17g", name, result.length, length);
+    CHECK(fabs(result.length - length) <= result.length_error + 4e-15 * length, "%s: error %g, said %g", name, result.length - length,
+          result.length_error);
+}
+
+/* A taut string from (0, 0) to (2 pi, 0) between y = sin x - 0.3 and sin x + 0.3: straight to the lower wave, along its crest, straight
+ * through (pi, 0) to the upper one, and the same upside down. Each bend is symmetric about its crest. */
+static double taut_length(void) {
+    double low = 0.1, high = PI / 2, arc = 0;
+    for (int i = 0; i < 200; i++) {
+        double t = 0.5 * (low + high);
+        if (cos(t) * t > sin(t) - 0.3)
+            low = t;
+        else
+            high = t;
+    }
+    /* Simpson's rule over the crest. */
+    for (int i = 0, panels = 2000; i <= panels; i++) {
+        double x = low + (PI - 2 * low) * i / panels;
+        arc += (i % panels == 0 ? 1 : i % 2 ? 4 : 2) * sqrt(1 + cos(x) * cos(x)) * (PI - 2 * low) / panels / 3;
+    }
+    return 2 * (arc + 2 * hypot(low, sin(low) - 0.3));
+}
+
+static void test_walls(void) {
+    struct sp_request request = {{0, 0, 0}, {2 * PI, 0, 0}, NULL, 0, 0};
+    for (double tolerance = 1e-4; tolerance > 1e-13; tolerance *= 1e-4) {
+        struct sp_result result = solve(&strip, request, options_of(tolerance));
+        check_length("strip", result, taut_length(), tolerance);
+        CHECK(result.touches_boundary == 1, "touches no wall");
+    }
+    check_starved("strip", &strip, request, taut_length());
+}
+
+/* Round a corner in which length is nearly nothing there is no arc between the edges: chords, which say how far they are off. The shortest
+ * path cuts the corner: it is a little less than both edges, 2 (r^3/3 + r/10^4) from r = 0.01 to 1, by less than the edges inside 0.04. */
+static void test_corner(void) {
+    struct sp_request request = {{1, 0.01, 0}, {0.01, 1, 0}, NULL, 0, 0};
+    struct sp_result result = solve(&corner, request, options_of(1e-9));
+    double edges = 2 * ((1 - 1e-6) / 3 + 0.99e-4), inside = 2 * ((64e-6 - 1e-6) / 3 + 0.03e-4);
+    CHECK(result.status == SP_TOLERANCE_NOT_MET && result.touches_boundary == 1, "status %d", result.status);
+    CHECK(result.length - result.length_error <= edges && result.length + result.length_error >= edges - inside,
+          "length %.12g +- %g, not %.12g", result.length, result.length_error, edges);
+}
+
+static void test_poles(void) {
+    const double turns[] = {PI, -PI, 3 * PI};
+    for (int i = 0; i < 3; i++) {
+        struct sp_request north = {{0.3, 1.3, 0}, {0.3 + turns[i], 1.2, 0}, NULL, 0, 4};
+        struct sp_request south = {{0.3, -1.3, 0}, {0.3 + turns[i], -1.2, 0}, NULL, 0, 3};
+        struct sp_request upright_north = {{1.3, 0.3, 0}, {1.2, 0.3 + turns[i], 0}, NULL, 0, 2};
+        check_length("north", solve(&whole_globe_surface, north, options_of(1e-9)), PI - 2.5, 1e-9);
+        check_length("south", solve(&whole_globe_surface, south, options_of(1e-9)), PI - 2.5, 1e-9);
+        check_length("upright", solve(&upright_globe, upright_north, options_of(1e-9)), PI - 2.5, 1e-9);
+    }
+    struct sp_request over = {{0.3, 1.3, 0}, {0.3 + PI, 1.2, 0}, NULL, 0, 4};
+    check_starved("pole", &whole_globe_surface, over, PI - 2.5);
+    /* Between walls a path over the pole is the shortest from half a turn on; else it has a corner that is shorter cut. */
+    for (double apart = 0.5; apart < 3.9; apart += 0.3) {
+        struct sp_result result = solve(&sector, (struct sp_request){{0.05, 1.3, 0}, {0.05 + apart, 1.2, 0}, NULL, 0, 4}, options_of(1e-9));
+        CHECK(result.status == (apart >= PI ? SP_CONVERGED : SP_STALLED), "%g apart: status %d", apart, result.status);
+        CHECK(fabs(result.length - (PI - 2.5)) <= 1e-9, "%g apart: length %.17g", apart, result.length);
+    }
+}
+
+/* Where longitude is no polar angle a path that arrives straight turns, in the chart, on its way to the pole. Between places opposite to
+ * each other it goes on in the opposite direction; else it would have to turn there, and is no geodesic. */
+static void test_turning(void) {
+    for (double u = 0.1; u < 3; u += 0.4)
+        for (double v = 0.3; v < 1.5; v += 0.4) {
+            struct sp_request over = {{u, v, 0}, {u + PI, v, 0}, NULL, 0, 4}, turned = {{u, v, 0}, {u + PI, v + 0.1, 0}, NULL, 0, 4};
+            struct sp_request around = {{0}, {0}, NULL, 0, 0};
+            double place[3] = {AXES[0] * cos(v) * cos(u), AXES[1] * cos(v) * sin(u), AXES[2] * sin(v)};
+            double start[9] = {place[0], place[1], place[2], 0, 0, AXES[2], -place[0], -place[1], place[2]};
+            around.start = start, around.start_count = 3;
+            memcpy(around.from, start, sizeof place), memcpy(around.to, start + 6, sizeof place);
+            struct sp_result in_space = solve(&quadric_surface, around, options_of(1e-12));
+            CHECK(in_space.status == SP_CONVERGED || in_space.status == SP_SADDLE, "(%g, %g): status %d", u, v, in_space.status);
+            for (double tolerance = 1e-6; tolerance > 1e-13; tolerance *= 1e-3)
+                check_length("ellipsoid", solve(&ellipsoid_surface, over, options_of(tolerance)), in_space.length, tolerance);
+            ellipsoid_pairs = 0;
+            int32_t status = solve(&ellipsoid_surface, turned, options_of(1e-9)).status;
+            CHECK(status == SP_STALLED, "(%g, %g) turned: status %d", u, v, status);
+            /* Two or three rounds; 14,715 at most were measured. */
+            CHECK(ellipsoid_pairs < 20000, "(%g, %g): %d pairs evaluated", u, v, ellipsoid_pairs);
+        }
+}
+
+/* Across up to three cusps a path is the closed form's, or none; across more, none. */
+static void test_cusps(void) {
+    int asked[6] = {0}, solved[6] = {0}, cusps;
+    uint64_t seed = 5;
+    for (int i = 0; i < 60; i++) {
+        double u = 2 * random_unit(&seed) - 1, v = 2 * random_unit(&seed) - 1, to_u = 2 * random_unit(&seed) - 1;
+        double to_v = v + (1 - v) * random_unit(&seed), length = hypot(to_u - u, pleated_distance(v, to_v, &cusps));
+        struct sp_result result = solve(&pleats, (struct sp_request){{u, v, 0}, {to_u, to_v, 0}, NULL, 0, 0}, options_of(1e-9));
+        asked[cusps]++;
+        if (result.status == SP_SINGULAR_METRIC) continue;
+        solved[cusps]++;
+        CHECK(result.status == SP_CONVERGED || result.status == SP_TOLERANCE_NOT_MET, "%d cusps: status %d", cusps, result.status);
+        CHECK(result.crosses_singularity == (cusps > 0), "%d cusps: %d", cusps, result.crosses_singularity);
+        double error = fabs(result.length - length);
+        int is_right = error <= result.length_error + 4e-15 * length && error <= 1e-9 * length;
+        /* Arcs that did not settle to the tolerance did so to another; MATH.md, "Limits", says what their error is worth. */
+        if (result.status == SP_TOLERANCE_NOT_MET) is_right = error <= 1e-3 * length;
+        CHECK(is_right, "(%.17g, %.17g) to (%.17g, %.17g): error %g, said %g", u, v, to_u, to_v, error, result.length_error);
+    }
+    CHECK(solved[0] == asked[0] && solved[1] == asked[1] && 2 * solved[2] > asked[2] && solved[3] > 0, "solved: %d, %d, %d, %d", solved[0],
+          solved[1], solved[2], solved[3]);
+    CHECK(asked[4] > 0 && solved[4] == 0 && solved[5] == 0, "solved: %d of four cusps, %d of five", solved[4], solved[5]);
+    struct sp_request three = {{-0.9, -0.6, 0}, {0.8, 0.7, 0}, NULL, 0, 0};
+    double length = hypot(1.7, pleated_distance(-0.6, 0.7, &cusps));
+    check_length("three cusps", solve(&pleats, three, options_of(1e-9)), length, 1e-9);
+    check_starved("three cusps", &pleats, three, length);
+}
+
+int main(void) {
+    arena = (struct sp_arena){aligned_alloc(16, 1 << 24), 1 << 24, 0};
+    test_walls();
+    test_corner();
+    test_poles();
+    test_turning();
+    arena.size = 1 << 24;
+    test_cusps();
+    free(arena.base);
+    return checks_failed();
+}

@@ -1,0 +1,25 @@
+/* Paths that touch walls, cut into free arcs and pieces of edges. MATH.md, "Arcs". */
+#ifndef SURFPATH_CONTACT_H
+#define SURFPATH_CONTACT_H
+
+#include "piece.h"
+
+/* A path from end to end: its free arcs, and all arcs, in order. */
+struct sp_contact {
+    struct sp_piece pieces[SP_MAX_ARCS];
+    int32_t made; /* pieces; -1: they cannot be cut */
+    struct sp_arcs arcs;
+};
+
+/* Cuts a path in a closed rectangle where runs of its nodes lie on walls; the pieces are still to be fitted. */
+void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact);
+
+/* Slides the contacts of a piece until it is tangent to its edges, on the surface without walls: what leaves the rectangle has been cut
+ * wrongly. newton->system then holds its path. `checked`: to the tolerance. Returns 0 where that fails. */
+int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
+
+/* Takes the fitted pieces into the list of arcs and lets the edge arcs begin and end where they touch. Returns 0 if an edge arc would run
+ * backwards. */
+int sp_contact_assemble(struct sp_contact *contact);
+
+#endif

@@ -1,0 +1,15 @@
+/** What happens to an element from outside: it comes on screen, it is resized, the reader's colours change. */
+
+/**
+ * Calls back until the signal is aborted, the first time soon.
+ * @param {HTMLElement} element @param {AbortSignal} signal
+ * @param {{ see: (isVisible: boolean) => void, resize: () => void, repaint: () => void }} on
+ */
+export function watch(element, signal, { see, resize, repaint }) {
+  const seen = new IntersectionObserver((entries) => see(entries.at(-1)?.isIntersecting ?? false));
+  for (const observer of [seen, new ResizeObserver(resize)]) {
+    observer.observe(element);
+    signal.addEventListener('abort', () => observer.disconnect());
+  }
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal });
+}
