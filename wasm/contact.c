@@ -239,8 +239,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
     if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
     struct sp_system walled = sp_storage_keep(&storage, &newton->system);
-    int32_t count = walled.line.fold.inner + 1;
-    struct sp_refined chords = sp_refine_chords(newton, options, count < CONTACT_NODES ? CONTACT_NODES : count, &walled, arena);
+    int32_t count = walled.line.fold.inner + 1, chosen = count < CONTACT_NODES     ? CONTACT_NODES
+                                                         : count > FALLBACK_CHORDS ? FALLBACK_CHORDS
+                                                                                   : count;
+    struct sp_refined chords = sp_refine_chords(newton, options, chosen, &walled, arena);
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     sp_contact_cut(&walled, &contact);

@@ -176,3 +176,12 @@ describe('what a path of arcs says of itself', () => {
     }
   });
 });
+
+test('a path into a corner that touches a wall beside it, seen by the finest elements only', () => {
+  const [one] = loadCases({ families: 'C' }).filter(({ id }) => id.startsWith('C-paraboloid'));
+  const paraboloid = surfpath.surface(/** @type {any} */ (one.definition));
+  const { u, v } = /** @type {{ u: number[], v: number[] }} */ (paraboloid.domain);
+  const path = paraboloid.shortestPath([-0.4074405827559531, -0.2793148849937226], [u[1], v[0]]);
+  assert.ok(path.converged, path.status);
+  paraboloid.dispose();
+});
