@@ -80,11 +80,9 @@ const MOST_TRACE_STEPS = 200_000;
  * @property {number} block address of its arrays
  * @property {number} bytes of them
  * @property {number} vertices
- * @property {number} edges
  * @property {number} spacing implicit: diagonal of a cell
  * @property {boolean} unique geodesics of this surface are taken as unique
  * @property {boolean} singular the normal vanishes along a curve
- * @property {boolean} flooded made around one point
  */
 
 export class Heap {
@@ -227,10 +225,9 @@ export class Heap {
       lengthError,
       iterations: steps,
       touchesBoundary: touches !== 0,
-      crossesSingularity: false,
       conjugate: Number.isNaN(conjugate) ? null : conjugate,
-      points: pointsAt ? this.#doubles(pointsAt, 3 * count).slice() : new Float64Array(0),
-      parameters: parametersAt ? this.#doubles(parametersAt, 2 * count).slice() : null,
+      points: pointsAt ? this.#copyDoubles(pointsAt, 3 * count) : new Float64Array(0),
+      parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
     };
   }
 
@@ -271,8 +268,8 @@ export class Heap {
       if (status !== 0) return emptyMesh(status);
       return {
         status,
-        positions: this.#doubles(positionsAt, 3 * vertexCount).slice(),
-        normals: this.#doubles(normalsAt, 3 * vertexCount).slice(),
+        positions: this.#copyDoubles(positionsAt, 3 * vertexCount),
+        normals: this.#copyDoubles(normalsAt, 3 * vertexCount),
         indices: new Uint32Array(this.#words(indicesAt, 3 * triangleCount)),
       };
     }
@@ -299,22 +296,17 @@ export class Heap {
     const block = status === 0 ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
-    if (!block)
-      return {
-        status: status || OUT_OF_MEMORY,
-        at: 0,
-        block,
-        bytes,
-        vertices: 0,
-        edges: 0,
-        spacing: 0,
-        unique: false,
-        singular: false,
-        flooded: false,
-      };
-    const [vertices, edges, unique, singular] = this.#words(at + LAYOUT.sp_graph.vertex_count, 4);
-    const spacing = this.#doubles(at, 1)[0];
-    return { status, at, block, bytes, vertices, edges, spacing, unique: unique !== 0, singular: singular !== 0, flooded: cell > 0 };
+    const [vertices, , unique, singular] = block ? this.#words(at + LAYOUT.sp_graph.vertex_count, 4) : [0, 0, 0, 0];
+    return {
+      status: block ? 0 : status || OUT_OF_MEMORY,
+      at: block && at,
+      block,
+      bytes,
+      vertices,
+      spacing: block ? this.#doubles(at, 1)[0] : 0,
+      unique: unique !== 0,
+      singular: singular !== 0,
+    };
   }
 
   /** @param {Graph} graph */
@@ -471,10 +463,12 @@ export class Heap {
 
 /** @param {number} status @returns {RawPath} */
 export function emptyPath(status) {
-  const none = { length: Number.NaN, lengthError: Number.NaN, energy: Number.NaN, gradientNorm: Number.NaN };
   return {
     status,
-    ...none,
+    length: Number.NaN,
+    lengthError: Number.NaN,
+    energy: Number.NaN,
+    gradientNorm: Number.NaN,
     iterations: 0,
     index: -1,
     touchesBoundary: false,
