@@ -115,21 +115,17 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
     return 0;
 }
 
-/* Smaller eigenvalue of P relative to M: the smaller root of det(P - x M) = 0. */
-static sp_pair relative_eigenvalue(const struct sp_row *row) {
-    sp_pair e = row->weight * row->e, f = row->weight * row->f, g = row->weight * row->g;
-    sp_pair second = e * g - f * f, first = 0.5 * (row->pa * g + row->pd * e - 2.0 * row->pb * f);
-    sp_pair zeroth = row->pa * row->pd - row->pb * row->pb, squared = first * first - second * zeroth;
-    return zeroth / (first + sp_square_root(sp_select(squared > sp_splat(0.0), squared, sp_splat(0.0))));
+/* Whether P - bound M is positive definite, lane by lane; of what a singular pivot has spoilt nothing is said. */
+static sp_mask exceeds(const struct sp_row *row, sp_pair bound) {
+    sp_pair by = bound * row->weight, a = row->pa - by * row->e, b = row->pb - by * row->f, d = row->pd - by * row->g;
+    return ~((a <= sp_splat(0.0)) | (a * d - b * b <= sp_splat(0.0)));
 }
 
-double sp_blocks_conditioning(struct sp_fold fold, const struct sp_row *rows) {
-    sp_pair smallest = 0.5 * (fold.inner + 1) * relative_eigenvalue(rows + sp_fold_unknown(fold));
-    smallest = sp_splat(smallest[1]);
-    for (int32_t k = 1; k <= fold.both; k++) {
-        sp_pair value = relative_eigenvalue(rows + k);
-        if (is_meeting(fold, k, 1)) value[1] = smallest[1];
-        smallest = sp_select(value < smallest, value, smallest);
-    }
-    return smallest[0] < smallest[1] ? smallest[0] : smallest[1];
+int sp_blocks_exceed(struct sp_fold fold, const struct sp_row *rows, double bound) {
+    double met = 2 * bound / (fold.inner + 1);
+    sp_mask all = exceeds(rows + sp_fold_unknown(fold), sp_splat(met));
+    all = (sp_mask){all[1], all[1]};
+    for (int32_t k = 1; k <= fold.both; k++)
+        all &= exceeds(rows + k, (sp_pair){bound, is_meeting(fold, k, 1) ? met : bound});
+    return all[0] && all[1];
 }

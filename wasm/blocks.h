@@ -35,8 +35,8 @@ void sp_blocks_solve(struct sp_fold fold, const struct sp_row *rows, sp_pair *x)
  * carried outwards by L^-T. Returns 0, writing nothing, if there is none. */
 int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x);
 
-/* The smallest eigenvalue of a pivot block relative to M, 1 and about 1/2 … 1 along a straight line; the block in the middle, where both
- * halves meet, is scaled by (n + 1)/2 so that a straight line gives 1 there too. It vanishes where the ends become conjugate. */
-double sp_blocks_conditioning(struct sp_fold fold, const struct sp_row *rows);
+/* Whether the smallest eigenvalue of the pivots relative to M is above `bound`, after a factorisation: the one where the halves meet times
+ * (n + 1)/2, which on a straight line in a plane makes it 1. */
+int sp_blocks_exceed(struct sp_fold fold, const struct sp_row *rows, double bound);
 
 #endif

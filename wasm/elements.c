@@ -397,6 +397,6 @@ int sp_elements_descent(const struct sp_elements *elements, sp_pair *x) {
     return 1;
 }
 
-double sp_elements_conditioning(const struct sp_elements *elements) {
-    return sp_blocks_conditioning(skeleton_fold(elements), elements->skeleton);
+int sp_elements_exceed(const struct sp_elements *elements, double bound) {
+    return sp_blocks_exceed(skeleton_fold(elements), elements->skeleton, bound);
 }

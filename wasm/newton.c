@@ -69,8 +69,15 @@ static int normals_kept(const struct sp_newton *newton) {
     return 1;
 }
 
-/* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
-static double try_step(struct sp_newton *newton, double scale) {
+/* What one round of Newton found out and decided. */
+struct round {
+    struct sp_energy energy;
+    struct sp_inertia inertia;
+    double gradient_norm, decrement, shift;
+};
+
+/* Puts the places of the path moved by scale * step into `trial`. Returns 0 where it may not go there. */
+static int move(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
     sp_pair *places = newton->trial.places;
@@ -78,13 +85,25 @@ static double try_step(struct sp_newton *newton, double scale) {
         places[j] = line->nodes.places[j];
     int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
                                  newton->system.straight + 1, scale, places + dimension);
-    if (!moved) return not_a_number();
     newton->trial_touches = moved == 2;
     sp_fold_mirror(line->fold, places, dimension);
+    return moved;
+}
+
+/* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
+static double try_step(struct sp_newton *newton, double scale) {
+    struct sp_polyline *line = &newton->system.line;
+    if (!move(newton, scale)) return not_a_number();
     sp_polyline_charts(line, newton->trial);
     if ((line->surface->kind == SP_IMPLICIT || is_singular(newton)) && !normals_kept(newton)) return not_a_number();
     return newton->trial_squares =
                sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
+}
+
+/* The full step of a draft of which nothing but places is needed: as try_step, but the charts stay as they are, and the energy is that of
+ * the quadratic model. */
+static double try_blindly(struct sp_newton *newton, const struct round *round) {
+    return move(newton, 1) ? round->energy.squares - round->inertia.descent : not_a_number();
 }
 
 static void accept(struct sp_newton *newton) {
@@ -143,13 +162,6 @@ static double search_escape(struct sp_newton *newton, double squares) {
     return 0;
 }
 
-/* What one round of Newton found out and decided. */
-struct round {
-    struct sp_energy energy;
-    struct sp_inertia inertia;
-    double gradient_norm, decrement, shift, conditioning;
-};
-
 static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
 
 static double norm_of(const struct sp_newton *newton, double gradient_squared) {
@@ -161,7 +173,7 @@ static void assemble(struct sp_newton *newton, const struct sp_options *options,
     round->energy = sp_system_assemble(&newton->system, hessian);
     round->inertia = round->energy.inertia;
     round->gradient_norm = norm_of(newton, round->energy.gradient_squared);
-    round->decrement = round->conditioning = not_a_number();
+    round->decrement = not_a_number();
     if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
 }
 
@@ -229,8 +241,8 @@ static int is_certain(const struct sp_newton *newton, struct round *round) {
     const struct sp_system *system = &newton->system;
     int keeps = sp_system_is_plain(system) || system->elements.reference.degree > 1; /* rows of the others hold the factorisation, too */
     if (!keeps || !is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
-    round->conditioning = sp_system_conditioning(system);
-    return round->decrement <= CERTAIN * round->conditioning;
+    double least = round->decrement / CERTAIN;
+    return sp_system_exceeds(system, least > CONDITIONING ? least : CONDITIONING);
 }
 
 /* Energy and gradient where the step in `trial` led, without a matrix. Returns 0 where that needs one: some coordinate is held. */
@@ -248,7 +260,8 @@ static void take_step(struct sp_newton *newton, const struct sp_options *options
     if (newton->history) newton->history[newton->history_count - 1].step = scale;
     accept(newton);
     newton->steps_left--;
-    if (!look(newton, round) || round->gradient_norm > tolerance) assemble(newton, options, round);
+    newton->looked = look(newton, round) && round->gradient_norm <= tolerance;
+    if (!newton->looked) assemble(newton, options, round);
     newton->certain = 0;
     note(newton, round);
 }
@@ -283,8 +296,7 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
-    double conditioning = is_finite(round->conditioning) ? round->conditioning : sp_system_conditioning(&newton->system);
-    return conditioning < CONDITIONING ? SP_ILL_CONDITIONED : SP_CONVERGED;
+    return newton->looked || sp_system_exceeds(&newton->system, CONDITIONING) ? SP_CONVERGED : SP_ILL_CONDITIONED;
 }
 
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
@@ -296,9 +308,8 @@ static int32_t idle_count(int32_t idle, const struct round *before, const struct
 /* Stationary, and some pivot is zero up to rounding: no step can be computed because none is needed (ends exactly conjugate). */
 static int is_undetermined(struct sp_newton *newton, const struct round *round) {
     sp_system_factor(&newton->system, 0);
-    double conditioning = sp_system_conditioning(&newton->system);
-    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && conditioning < CONDITIONING &&
-           conditioning > -CONDITIONING;
+    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && !sp_system_exceeds(&newton->system, CONDITIONING) &&
+           sp_system_exceeds(&newton->system, -CONDITIONING);
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
@@ -328,7 +339,9 @@ static int polish(struct sp_newton *newton, const struct sp_options *options, st
     newton->certain = (!newton->draft || newton->system.elements.reference.degree > 1) && is_certain(newton, round);
     newton->last_decrement = round->decrement;
     sp_system_solve(&newton->system, newton->step);
-    double now = try_step(newton, 1);
+    int positions = !newton->draft || newton->record || !sp_system_is_plain(&newton->system);
+    int blind = !positions && newton->system.line.surface->kind == SP_PARAMETRIC;
+    double now = blind ? try_blindly(newton, round) : try_step(newton, 1);
     if (!(now <= round->energy.squares * (1 + SLACK))) return newton->certain = 0;
     if (newton->draft) {
         leave(newton, now, round);
@@ -358,7 +371,7 @@ static void converge(struct sp_newton *newton, const struct sp_options *options,
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
     struct round round = {0};
-    newton->certain = 0;
+    newton->certain = newton->looked = 0;
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
         enum sp_status metric = sp_metric_check(&newton->system.line, newton->scale);

@@ -17,13 +17,16 @@ struct sp_newton {
     int32_t steps_left;                   /* Newton steps that may still be taken, in all runs together */
     int32_t trial_touches;                /* as system.line.touches */
     int32_t certain;                      /* 1: the factorisation at hand also speaks for where the step in `trial` leads */
+    int32_t looked;                       /* 1: so it does for the path, which is assembled no more */
     double trial_squares, trial_gradient; /* energy of `trial`; its gradient, of a plain polyline if `certain` */
     double last_decrement;                /* before the last step of a draft */
-    int32_t draft;                        /* 1: the step more is the last thing done, and where it leads neither assembled nor certified */
-    double scale;                         /* size of the coordinates, for rounding */
-    double size;                          /* the same in the unit of length, which a metric may change */
-    double decrement;                     /* stop at this relative Newton decrement, and take one step more */
-    double enough;                        /* at this one without that step */
+    /* 1: the step more is the last thing done, and where it leads neither assembled nor certified; of a plain polyline on a parametric
+     * surface only the places are known there. */
+    int32_t draft;
+    double scale;     /* size of the coordinates, for rounding */
+    double size;      /* the same in the unit of length, which a metric may change */
+    double decrement; /* stop at this relative Newton decrement, and take one step more */
+    double enough;    /* at this one without that step */
 };
 
 /* How a run ended. */

@@ -174,35 +174,39 @@ static int first_rung(const struct sp_system *first) {
 
 static double distance(double a, double b) { return a > b ? a - b : b - a; }
 
-/* The chord from node i to the next, of length 1. */
-static struct sp_vector direction(const struct sp_polyline *line, int32_t i) {
-    sp_pair chord[3];
-    for (int32_t j = 0; j < 3; j++)
-        chord[j] = sp_splat(sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i + 1, j) -
-                            sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j));
-    struct sp_vector all = sp_load(chord);
-    sp_pair squared = sp_dot(all, all);
-    return sp_scale(all, sp_select(squared > 0.0, 1.0 / sp_square_root(squared), sp_splat(0.0)));
+/* Of length 1; zero stays zero. */
+static struct sp_vector direction(struct sp_vector chord) {
+    sp_pair squared = sp_dot(chord, chord);
+    return sp_scale(chord, sp_select(squared > 0.0, 1.0 / sp_square_root(squared), sp_splat(0.0)));
 }
 
-/* By how many radians the path turns at node i, about. */
-static double turn(const struct sp_polyline *line, int32_t i) {
-    if (i < 1 || i > line->fold.inner) return 0;
-    struct sp_vector by = sp_subtract(direction(line, i), direction(line, i - 1));
-    return root(sp_dot(by, by)[0]);
+/* By how many radians the path turns at its nodes, about: a number a pair. */
+static void measure_turns(const struct sp_polyline *line, sp_pair *turns) {
+    const sp_pair *chart = line->nodes.charts;
+    struct sp_vector next = direction(sp_subtract(sp_load(chart + SP_CHART), sp_load(chart)));
+    turns[0] = sp_splat(0.0);
+    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
+        struct sp_vector before = next, mirrored = sp_swap_vector(before);
+        chart += SP_CHART;
+        next = k > line->fold.both ? sp_scale(mirrored, sp_splat(-1.0)) : direction(sp_subtract(sp_load(chart + SP_CHART), sp_load(chart)));
+        struct sp_vector by = sp_subtract(next, before);
+        turns[k] = sp_square_root(sp_dot(by, by));
+    }
 }
 
 /* Where elements meet if they are to be equally long, the path's parameter and the angle by which it turns taken together: `spread`.
- * Returns 0 if that is nearly even. */
-static int spread_elements(const struct sp_system *system, double spread[SP_SPREAD + 1]) {
-    const struct sp_polyline *line = &system->line;
-    int32_t last = line->fold.inner + 1, k = 1;
-    double total = 1, passed = 0, most = 0;
+ * Returns 0 if that is nearly even. `turns`: scratch, a number a pair. */
+static int spread_elements(const struct sp_system *system, sp_pair *turns, double spread[SP_SPREAD + 1]) {
+    struct sp_fold fold = system->line.fold;
+    int32_t last = fold.inner + 1, k = 1;
+    double total = 1, passed = 0, most = 0, to = 0, turn = 0;
+    measure_turns(&system->line, turns);
     for (int32_t i = 1; i < last; i++)
-        total += turn(line, i);
+        total += sp_fold_get(fold, turns, 1, i, 0);
     for (int32_t i = 0; i < last; i++) {
-        double from = sp_sample_parameter(&system->elements, i), span = sp_sample_parameter(&system->elements, i + 1) - from;
-        double part = span + 0.5 * (turn(line, i) + turn(line, i + 1));
+        double from = to, before = turn;
+        to = sp_sample_parameter(&system->elements, i + 1), turn = sp_fold_get(fold, turns, 1, i + 1, 0);
+        double span = to - from, part = span + 0.5 * (before + turn);
         most = larger(most, part / span);
         for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
             spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
@@ -265,7 +269,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
             before = sp_storage_keep(&storage, &newton->system);
         /* In the plane of u and v, where lengths are not those of a tensor, turns say nothing. */
         if (!astray && newton->system.line.kind->components != 3 && rung.degree * rung.count >= SPREAD_NODES)
-            uneven = spread_elements(&newton->system, spread);
+            uneven = spread_elements(&newton->system, newton->step, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
     int settled = follows && change <= LENGTH_ALONE * allowed && error <= allowed;

@@ -107,9 +107,10 @@ void sp_sample_place(const struct sp_system *system, double t, double place[3]) 
 
 double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
     int32_t p = elements->reference.degree, e = p > 1 ? i / p : i;
-    double within = p > 1 ? from_reference(elements, e, elements->reference.node[i - e * p]) : 0, border = sp_elements_border(elements, e);
-    if (elements->spread) return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
-    return (e + within) / elements->count;
+    double within = p > 1 ? from_reference(elements, e, elements->reference.node[i - e * p]) : 0;
+    if (!elements->spread) return (e + within) / elements->count;
+    double border = sp_elements_border(elements, e);
+    return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
 }
 
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {

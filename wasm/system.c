@@ -54,9 +54,9 @@ int sp_system_negative(const struct sp_system *system, sp_pair *x) {
     return sp_elements_descent(&system->elements, x);
 }
 
-double sp_system_conditioning(const struct sp_system *system) {
-    if (is_polyline(system)) return sp_blocks_conditioning(system->line.fold, system->rows);
-    return sp_elements_conditioning(&system->elements);
+int sp_system_exceeds(const struct sp_system *system, double bound) {
+    if (is_polyline(system)) return sp_blocks_exceed(system->line.fold, system->rows, bound);
+    return sp_elements_exceed(&system->elements, bound);
 }
 
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {

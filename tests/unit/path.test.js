@@ -123,25 +123,34 @@ describe('options', () => {
     assert.ok(path.history.slice(0, -1).every((entry) => entry.gradientNorm > 0.5));
   });
 
-  test('history: one entry a step and one for the end; record keeps the polylines', () => {
-    const [from, to, points] = [[0.5, 0.6], [2.6, 1.2], 7];
-    const plain = ring.shortestPath(from, to, { ...STRAIGHT, points });
-    const path = ring.shortestPath(from, to, { ...STRAIGHT, points, record: true });
-    assert.equal(path.history.length, path.iterations + 1);
-    assert.ok(plain.history.every((entry) => !('points' in entry)));
-    for (const entry of path.history) {
-      assert.deepEqual(Object.keys(entry), ['energy', 'gradientNorm', 'decrement', 'step', 'points']);
-      assert.equal(entry.points?.length, 3 * (points + 2));
-    }
-    const last = /** @type {import('../../web/runtime/heap.js').Iterate} */ (path.history.at(-1));
-    assert.deepEqual([last.step, last.energy, last.gradientNorm], [0, path.energy, path.gradientNorm]);
-    assert.deepEqual(last.points, path.points);
-    const energies = path.history.map((entry) => entry.energy);
-    assert.deepEqual(
-      [...energies].sort((a, b) => b - a),
-      energies,
-    );
-  });
+  for (const { points, to } of [
+    { points: 7, to: [2.6, 1.2] },
+    { points: 200, to: [2.6, 1.2] },
+    { points: 200, to: [0.52, 0.63] },
+  ])
+    test(`history of ${points} points to ${to}: one entry a step and one for the end; record keeps the polylines`, () => {
+      const from = [0.5, 0.6];
+      const plain = ring.shortestPath(from, to, { ...STRAIGHT, points });
+      const path = ring.shortestPath(from, to, { ...STRAIGHT, points, record: true });
+      assert.equal(path.history.length, path.iterations + 1);
+      assert.ok(plain.history.every((entry) => !('points' in entry)));
+      for (const entry of path.history) {
+        assert.deepEqual(Object.keys(entry), ['energy', 'gradientNorm', 'decrement', 'step', 'points']);
+        assert.equal(entry.points?.length, 3 * (points + 2));
+        assert.deepEqual([entry.points?.slice(0, 3), entry.points?.slice(-3)], [path.points.slice(0, 3), path.points.slice(-3)]);
+      }
+      const last = /** @type {import('../../web/runtime/heap.js').Iterate} */ (path.history.at(-1));
+      assert.deepEqual([last.step, last.energy, last.gradientNorm], [0, path.energy, path.gradientNorm]);
+      assert.deepEqual(last.points, path.points);
+      for (const { history } of [plain, path]) {
+        const energies = history.map((entry) => entry.energy);
+        assert.deepEqual(
+          [...energies].sort((a, b) => b - a),
+          energies,
+        );
+      }
+      assert.deepEqual(plain.points, path.points);
+    });
 
   test('start: a polyline, an earlier path, one of another number of points', () => {
     const [from, to] = [

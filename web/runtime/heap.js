@@ -80,11 +80,9 @@ const MOST_TRACE_STEPS = 200_000;
  * @property {number} block address of its arrays
  * @property {number} bytes of them
  * @property {number} vertices
- * @property {number} edges
  * @property {number} spacing implicit: diagonal of a cell
  * @property {boolean} unique geodesics of this surface are taken as unique
  * @property {boolean} singular the normal vanishes along a curve
- * @property {boolean} flooded made around one point
  */
 
 export class Heap {
@@ -285,18 +283,16 @@ export class Heap {
     const block = status === 0 ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
-    const [vertices, edges, unique, singular] = block ? this.#words(at + LAYOUT.sp_graph.vertex_count, 4) : [0, 0, 0, 0];
+    const [vertices, , unique, singular] = block ? this.#words(at + LAYOUT.sp_graph.vertex_count, 4) : [0, 0, 0, 0];
     return {
       status: block ? 0 : status || OUT_OF_MEMORY,
       at: block && at,
       block,
       bytes,
       vertices,
-      edges,
-      spacing: block && this.#doubles(at, 1)[0],
+      spacing: block ? this.#doubles(at, 1)[0] : 0,
       unique: unique !== 0,
       singular: singular !== 0,
-      flooded: cell > 0,
     };
   }
 
@@ -458,10 +454,12 @@ export class Heap {
 
 /** @param {number} status @returns {RawPath} */
 export function emptyPath(status) {
-  const none = { length: Number.NaN, lengthError: Number.NaN, energy: Number.NaN, gradientNorm: Number.NaN };
   return {
     status,
-    ...none,
+    length: Number.NaN,
+    lengthError: Number.NaN,
+    energy: Number.NaN,
+    gradientNorm: Number.NaN,
     iterations: 0,
     index: -1,
     touchesBoundary: false,
