@@ -99,7 +99,7 @@ static const struct sp_surface bumpy_surface = {bumpy_jet, bumpy_value, SP_PARAM
 static const struct sp_surface globe_surface = {globe_jet, globe_value, SP_PARAMETRIC, 0, {-10, -1.5}, {10, 1.5}, 0};
 /* With its poles, and closed in u. */
 static const struct sp_surface whole_globe_surface = {
-    globe_jet, globe_value, SP_PARAMETRIC, 0, {-INFINITY, -1.57079632679489661923}, {INFINITY, 1.57079632679489661923}, 0};
+    globe_jet, globe_value, SP_PARAMETRIC, 0, {-HUGE_VAL, -1.57079632679489661923}, {HUGE_VAL, 1.57079632679489661923}, 0};
 static const struct sp_surface cusp_surface = {cusp_jet, cusp_value, SP_PARAMETRIC, 0, {-1, -1}, {1, 1}, 0};
 static const struct sp_surface torus_surface = {torus_jet, torus_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 19.7};
 static const struct sp_surface sphere_surface = {sphere_jet, sphere_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 3.5};
