@@ -161,11 +161,12 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
         double value = runs[r].side ? surface->upper[across] : surface->lower[across];
         struct sp_arc *arc = arcs->arc + arcs->count++;
         *arc = (struct sp_arc){.on_edge = 1, .across = across, .value = value};
-        for (int e = 0; e < 2; e++)
-            arc->ends[e] = sp_fold_get(line->fold, line->nodes.places, 2, e ? runs[r].last : runs[r].first, 1 - across);
+        /* A run of one node has a direction, too: that of the nodes beside it. */
         from = runs[r].last;
+        arc->ends[0] = sp_fold_get(line->fold, line->nodes.places, 2, to > 0 ? to - 1 : 0, 1 - across);
+        arc->ends[1] = sp_fold_get(line->fold, line->nodes.places, 2, from < last ? from + 1 : last, 1 - across);
         start = (struct sp_joint){from < last, across, 0, {0, 0}, {0, 0}};
-        start.place[across] = value, start.place[1 - across] = arc->ends[1];
+        start.place[across] = value, start.place[1 - across] = sp_fold_get(line->fold, line->nodes.places, 2, from, 1 - across);
     }
     return made;
 }
@@ -233,6 +234,25 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
     return sum;
 }
 
+/* A path that was thought to touch: as one free arc. */
+static void cut_nothing(const struct sp_system *system, struct sp_contact *contact) {
+    const struct sp_polyline *line = &system->line;
+    struct sp_piece *whole = contact->pieces;
+    *whole = (struct sp_piece){.system = *system, .last = 1};
+    for (int end = 0; end < 2; end++)
+        for (int32_t j = 0; j < 2; j++)
+            whole->joint[end].place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end ? line->fold.inner + 1 : 0, j);
+    contact->made = contact->arcs.count = 1, contact->arcs.arc[0].on_edge = 0;
+}
+
+/* Solves all pieces and joins them. */
+static int fit_all(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena) {
+    int fits = contact->made >= 0;
+    for (int32_t i = 0; fits && i < contact->made; i++)
+        fits = sp_contact_fit(newton, options, 1, contact->pieces + i, arena);
+    return fits && sp_contact_assemble(contact);
+}
+
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_contact contact;
     struct sp_storage storage;
@@ -246,13 +266,17 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     sp_contact_cut(&walled, &contact);
+    size_t bottom = arena->used;
     if (!take_storage(contact.pieces, contact.made, arena)) return refined;
-    int fits = contact.made >= 0;
-    for (int32_t i = 0; fits && i < contact.made; i++)
-        fits = sp_contact_fit(newton, options, 1, contact.pieces + i, arena);
-    if (!fits || !sp_contact_assemble(&contact)) return arcs->count = 0, fall_back(newton, options, &walled, arena);
+    int touches = fit_all(newton, options, &contact, arena);
+    if (!touches) {
+        arena->used = bottom;
+        cut_nothing(&walled, &contact);
+        if (!take_storage(contact.pieces, 1, arena)) return refined;
+        if (!fit_all(newton, options, &contact, arena)) return arcs->count = 0, fall_back(newton, options, &walled, arena);
+    }
     *arcs = contact.arcs;
     refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
-    refined.outcome.active = 1;
+    refined.outcome.active = touches;
     return refined;
 }

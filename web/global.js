@@ -30,7 +30,9 @@ import { emptyPath } from './runtime/heap.js';
 
 const STATUS = {
   converged: 0,
+  iterationLimit: 1,
   stalled: 2,
+  toleranceNotMet: 3,
   illConditioned: 4,
   disconnected: -1,
   singular: -2,
@@ -98,24 +100,29 @@ function choosePaths(problem, options, most, ways) {
     i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
   /** @type {Found[]} */
   let usable = [];
-  /** @type {RawPath | undefined} */
-  let failed;
+  /** @type {RawPath[]} */
+  const failed = [];
   for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
     const fine = { to: found.to, path: refine(problem, found, options) };
     if (holds(fine)) usable = distinct([...usable, fine]);
-    else failed ??= fine.path;
+    else failed.push(fine.path);
   }
-  usable.push(...acrossCusps(problem, options, crossing));
+  for (const crossed of acrossCusps(problem, options, crossing))
+    if (holds(crossed)) usable.push(crossed);
+    else failed.push(crossed.path);
   const beside = besidePoles(problem, options, ways, usable);
   usable.push(...beside.filter(holds));
   usable.push(...shorterOverPole(ways, usable));
   const chosen = distinct(usable);
-  const weak = most === 1 && chosen.length > 0 && stalledBeside(problem, tried, options, chosen[0].path);
+  const weak =
+    most === 1 &&
+    chosen.length > 0 &&
+    (failed.find((path) => isShorterAnyway(path, chosen[0].path, options)) ?? stalledBeside(problem, tried, options, chosen[0].path));
   if (weak) return [weak];
   if (chosen.length > 0) return chosen.slice(0, most).map(({ path }) => path);
   const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
-  return [failed ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
+  return [failed[0] ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
 }
 
 /**
@@ -215,15 +222,20 @@ function stalledBeside(problem, tried, options, best) {
 }
 
 /**
+ * Whether a path that was not solved to the tolerance shows that the best of those that were is not the shortest: it is one on the surface, and shorter.
+ * @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
+ */
+const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =>
+  (status === STATUS.iterationLimit || status === STATUS.toleranceNotMet) &&
+  length + lengthError < best.length * (1 - tolerance) - best.lengthError;
+
+/**
  * Paths across a cuspidal edge, which polylines cannot cross: ways of the graph that do are solved as they are.
  * @param {Problem} problem @param {SolveOptions} options @param {Start[]} crossing
  */
 function acrossCusps({ solve }, options, crossing) {
   if (options.algorithm !== ELEMENTS) return [];
-  return crossing
-    .slice(0, MOST_CROSSING)
-    .map(({ to, start }) => ({ to, path: solve(to, start, options) }))
-    .filter(holds);
+  return crossing.slice(0, MOST_CROSSING).map(({ to, start }) => ({ to, path: solve(to, start, options) }));
 }
 
 /**

@@ -209,3 +209,10 @@ test('a path into a corner that touches a wall beside it, seen by the finest ele
   assert.ok(path.converged, path.status);
   paraboloid.dispose();
 });
+
+test('a path that chords take for one along a wall: no edge is run backwards', () => {
+  const path = wideDini.shortestPath([-5.492295252759976, 0.7137449670350179], [4.922743088671927, 0.9885680797277018]);
+  assert.ok(path.converged && !path.touchesBoundary);
+  // From the energy of 6,400 segments, minimised by another program; the way back and forth along the wall is 0.7 % longer.
+  assert.ok(Math.abs(path.length - 11.5506361) < 1e-6, String(path.length));
+});
