@@ -10,7 +10,7 @@
 enum {
     SP_GRAPH_MAX_RESOLUTION = 256,
     SP_GRAPH_FLOOD_CELLS = 40000, /* a flood stops at this many cells */
-    SP_GRAPH_MAX_CANDIDATES = 16, /* candidates of one search */
+    SP_GRAPH_MAX_CANDIDATES = 32, /* candidates of one search */
     SP_GRAPH_MAX_POINTS = 1000,   /* points of a candidate */
 };
 

@@ -4,9 +4,10 @@
 
 /* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
  * keeps within a fifth of it is taken for the same at first, then within a tenth. */
-static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1}, GROWTH = 1.25, ROUNDING = 1e-6;
+static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.25, ROUNDING = 1e-6;
 
-enum { MOST_WAYS = 16, ROUNDS = sizeof(APART) / sizeof(APART[0]) };
+/* At first, and where the graph does not resolve the surface. */
+enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
 
 struct search {
     const struct sp_surface *surface;
@@ -84,9 +85,10 @@ static int32_t trace(const struct search *search, int32_t via) {
 }
 
 static enum sp_status find_ways(struct search *search, struct sp_arena *arena, struct sp_graph_answer *answer) {
-    for (int32_t found = 0, round = 0; found < MOST_WAYS && round < ROUNDS; found++) {
+    int32_t rounds = search->graph->resolved ? ROUNDS : MOST_ROUNDS, most = search->graph->resolved ? WAYS : MOST_WAYS;
+    for (int32_t found = 0, round = 0; found < most && round < rounds; found++) {
         int32_t via = best_via(search, APART[round]);
-        while (via < 0 && ++round < ROUNDS)
+        while (via < 0 && ++round < rounds)
             via = best_via(search, APART[round]);
         if (via < 0) break;
         struct sp_way way = {search->surface, search->graph, search->ends[0], search->ends[1], search->vertices, trace(search, via)};

@@ -307,3 +307,28 @@ describe('results', () => {
     }
   });
 });
+
+test('gradientNorm of a polyline is that of its energy, by differences', () => {
+  const surface = surfpath.parametric({ x: 'u', y: 'v', z: 'u^2-v^2+u*v', u: [-2, 2], v: [-2, 2] });
+  const [from, to, points] = [[-1, 0.3], [1.2, -0.8], 6];
+  const nodes = Array.from({ length: points + 2 }, (_, i) => from.map((x, j) => x + ((to[j] - x) * i) / (points + 1))).flat();
+  /** (K + 1) Σ |X_i+1 − X_i|² @param {number[]} places */
+  const energy = (places) => {
+    let sum = 0;
+    for (let i = 2; i < places.length; i += 2) {
+      const [u, v, a, b] = [places[i], places[i + 1], places[i - 2], places[i - 1]];
+      sum += (u - a) ** 2 + (v - b) ** 2 + (u * u - v * v + u * v - (a * a - b * b + a * b)) ** 2;
+    }
+    return (points + 1) * sum;
+  };
+  const moved = (/** @type {number} */ k, /** @type {number} */ by) => energy(nodes.map((x, i) => (i === k ? x + by : x)));
+  let squared = 0;
+  for (let k = 2; k < nodes.length - 2; k++) squared += ((moved(k, 1e-5) - moved(k, -1e-5)) / 2e-5) ** 2;
+  const path = surface.shortestPath(from, to, { algorithm: 'polyline', start: 'straight', points });
+  assert.ok(Math.abs(path.history[0].energy / energy(nodes) - 1) < 1e-13);
+  assert.ok(
+    Math.abs(path.history[0].gradientNorm / Math.sqrt(squared) - 1) < 1e-7,
+    `${path.history[0].gradientNorm}, not ${Math.sqrt(squared)}`,
+  );
+  surface.dispose();
+});
