@@ -219,6 +219,7 @@ SP_AT(sp_graph, vertex_count, 36);
 SP_AT(sp_graph, edge_count, 40);
 SP_AT(sp_graph, unique, 44);
 SP_AT(sp_graph, singular, 48);
+SP_AT(sp_graph, resolved, 88);
 SP_SIZE(sp_graph_answer, 24);
 SP_AT(sp_graph_answer, distance, 0);
 SP_AT(sp_graph_answer, places, 8);

@@ -140,8 +140,10 @@ function findStarts(problem) {
     return status;
   };
   let status = STATUS.offSurface;
+  /* Where its cells are too coarse for an implicit surface the search begins with finer ones. */
+  let level = problem.domain || problem.graph(0)?.resolved ? 0 : 1;
   for (const find of [problem.graph, problem.flood]) {
-    for (let level = 0, graph = find(0); graph; graph = find(++level)) {
+    for (let graph = find(level); graph; graph = find(++level)) {
       status = search(graph);
       if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
       if (find === problem.graph) continue;
@@ -149,6 +151,7 @@ function findStarts(problem) {
       status = STATUS.disconnected;
     }
     if (status !== STATUS.offSurface) break;
+    level = 0;
   }
   return { starts, status };
 }

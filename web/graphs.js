@@ -8,7 +8,7 @@ import { OUT_OF_MEMORY } from './runtime/heap.js';
 /** Cells a direction, by level of refinement. */
 const RESOLUTION = [
   [64, 128],
-  [40, 64, 96],
+  [40, 56, 96],
 ];
 /** Without a box: cells between the ends. */
 const FLOOD_RESOLUTION = [14, 22, 34];

@@ -43,7 +43,7 @@ export const LAYOUT = {
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
   sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
-  sp_graph: { bytes: 96, spacing: 0, vertex_count: 36, edge_count: 40, unique: 44, singular: 48 },
+  sp_graph: { bytes: 96, spacing: 0, vertex_count: 36, unique: 44, singular: 48, resolved: 88 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
@@ -83,6 +83,7 @@ const MOST_TRACE_STEPS = 200_000;
  * @property {number} spacing implicit: diagonal of a cell
  * @property {boolean} unique geodesics of this surface are taken as unique
  * @property {boolean} singular the normal vanishes along a curve
+ * @property {boolean} resolved its lengths are nearly those of the surface
  */
 
 export class Heap {
@@ -283,16 +284,18 @@ export class Heap {
     const block = status === 0 ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
-    const [vertices, , unique, singular] = block ? this.#words(at + LAYOUT.sp_graph.vertex_count, 4) : [0, 0, 0, 0];
+    const layout = LAYOUT.sp_graph;
+    const word = (/** @type {number} */ offset) => (block ? this.#words(at + offset, 1)[0] : 0);
     return {
       status: block ? 0 : status || OUT_OF_MEMORY,
       at: block && at,
       block,
       bytes,
-      vertices,
+      vertices: word(layout.vertex_count),
       spacing: block ? this.#doubles(at, 1)[0] : 0,
-      unique: unique !== 0,
-      singular: singular !== 0,
+      unique: word(layout.unique) !== 0,
+      singular: word(layout.singular) !== 0,
+      resolved: word(layout.resolved) !== 0,
     };
   }
 
