@@ -91,7 +91,10 @@ export class Surface {
     return { ...this.#parameters };
   }
 
-  /** The closed parameter rectangle and which of its directions wrap; null for implicit surfaces. */
+  /**
+   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces.
+   * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean } } | null}
+   */
   get domain() {
     const domain = this.#domain;
     return (
@@ -126,7 +129,7 @@ export class Surface {
    * may be some.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
+   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global', max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
@@ -145,7 +148,7 @@ export class Surface {
   /**
    * The lengths of the shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
    */
   lengths(pairs, options) {
@@ -155,7 +158,7 @@ export class Surface {
   /**
    * The shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Path[]} a path a pair; status `not-finite` where a number is not, `off-surface` where a point lies outside the rectangle
    */
   shortestPaths(pairs, options) {
