@@ -129,7 +129,7 @@ export class Surface {
    * may be some.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global', max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
+   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
@@ -148,7 +148,7 @@ export class Surface {
   /**
    * The lengths of the shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
    */
   lengths(pairs, options) {
@@ -158,7 +158,7 @@ export class Surface {
   /**
    * The shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Path[]} a path a pair; status `not-finite` where a number is not, `off-surface` where a point lies outside the rectangle
    */
   shortestPaths(pairs, options) {
