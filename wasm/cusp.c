@@ -133,10 +133,10 @@ static int solve_arc(struct sp_newton *newton, const struct sp_options *options,
     return slides ? sp_contact_fit(newton, options, checked, piece, arena) : sp_piece_solve(newton, options, checked, piece, arena);
 }
 
-/* Solves all arcs to the crossings. Returns 0 where one fails. */
+/* Solves all arcs to the crossings. Returns 0 where one fails: then the length stays that of the last time all were solved. */
 static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
                         struct sp_arena *arena) {
-    bridge->length = 0;
+    double length = 0;
     for (int32_t i = 0; i < bridge->count; i++)
         bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
@@ -144,14 +144,16 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
         if (!solve_arc(newton, options, checked, piece, arena)) return 0;
-        bridge->length += piece->solved.length;
+        length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
         sp_piece_keep(newton, piece);
     }
     for (int side = 0; side < 2; side++)
-        if (bridge->beyond[side]) bridge->length += length_beyond(bridge, side, newton->system.line.surface, arena);
-    return bridge->length - bridge->length == 0;
+        if (bridge->beyond[side]) length += length_beyond(bridge, side, newton->system.line.surface, arena);
+    if (length - length != 0) return 0;
+    bridge->length = length;
+    return 1;
 }
 
 /* A first guess: steps of FIRST_STEP. */
@@ -353,6 +355,7 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
             return bridge->beyond[side] = NULL, 0;
     }
     *arc = *part;
+    bridge->length = __builtin_nan(""); /* not a path before all is solved anew */
     return 1;
 }
 
@@ -423,7 +426,7 @@ static enum sp_status settle(struct sp_newton *newton, const struct sp_options *
     for (int side = 0; side < 2; side++)
         if (bridge->piece[side ? bridge->count : 0].solved.outcome.active) meet_wall(newton, options, side, bridge, arena);
     if (finish(newton, options, bridge, spare, arena)) return SP_CONVERGED;
-    if (newton->steps_left <= 0) return SP_ITERATION_LIMIT;
+    if (newton->steps_left <= 0) return bridge->length > 0 ? SP_ITERATION_LIMIT : SP_SINGULAR_METRIC;
     return finish_loosely(newton, options, bridge, spare, arena) ? SP_TOLERANCE_NOT_MET : SP_SINGULAR_METRIC;
 }
 

@@ -91,7 +91,10 @@ export class Surface {
     return { ...this.#parameters };
   }
 
-  /** The closed parameter rectangle and which of its directions wrap; null for implicit surfaces. */
+  /**
+   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces.
+   * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean } } | null}
+   */
   get domain() {
     const domain = this.#domain;
     return (

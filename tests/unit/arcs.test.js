@@ -64,6 +64,24 @@ describe('contacts', () => {
   });
 });
 
+/** Length of the lower convex hull of v = 1 and the two ends, over arc length s and height u + v. @param {number[]} from @param {number[]} to */
+function hullLength(from, to) {
+  const count = 100_000;
+  /** @type {number[][]} */
+  const hull = [];
+  for (let i = 0; i <= count; i++) {
+    const u = from[0] + ((to[0] - from[0]) * i) / count;
+    const v = i === 0 ? from[1] : i === count ? to[1] : 1;
+    const point = [(Math.sign(u) * ((u * u + 4) ** 1.5 - 8)) / 3, u + v];
+    while (hull.length > 1 && turns(hull[hull.length - 2], hull[hull.length - 1], point) <= 0) hull.pop();
+    hull.push(point);
+  }
+  return hull.reduce((sum, [s, h], i) => (i === 0 ? 0 : sum + Math.hypot(s - hull[i - 1][0], h - hull[i - 1][1])), 0);
+}
+
+/** Positive where the way from a over b to c turns to the left. @param {number[]} a @param {number[]} b @param {number[]} c */
+const turns = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+
 describe('across a cusp', () => {
   /* Lengths: the energy of 6,400 segments minimised over u and 2 log sin v, where the metric is regular at the edge, by another program; and the least
      over the crossing of two paths that end 1e-4 beside the edge. Right to that many digits. */
@@ -84,6 +102,22 @@ describe('across a cusp', () => {
       assert.ok(error <= accuracy * length && path.lengthError <= 1e-9 * length, `error ${error}, said ${path.lengthError}`);
       assert.equal(path.points.length, 3 * 66);
     });
+
+  test('and along a wall: the length of a taut string, and never part of a path, however few steps', () => {
+    // A cylinder over the curve (u^3/3, u^2), of arc length s, and u + v up it: flat, so the path below v = 1 is the lower hull of the wall and the ends.
+    const surface = surfpath.parametric({ x: 'u^3/3', y: 'u^2', z: 'v + u', u: [-1, 1], v: [0, 1] });
+    const [from, to] = [
+      [-0.5662376605905592, 0.3650707225315273],
+      [0.16097952658310533, 0.959310844540596],
+    ];
+    const taut = hullLength(from, to);
+    assertLength(surface.shortestPath(from, to), taut, 1e-10);
+    for (let maxIterations = 0; maxIterations < 240; maxIterations += 3) {
+      const { status, length, points } = surface.shortestPath(from, to, { maxIterations });
+      if (points.length === 0) assert.deepEqual([status, length], ['singular-metric', Number.NaN]);
+      else assert.ok(length >= taut * (1 - 1e-9), `${maxIterations} steps: ${status}, ${length}`);
+    }
+  });
 });
 
 describe('poles', () => {

@@ -18,6 +18,8 @@ describe('load', () => {
       /load: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module/,
     );
     await assert.rejects(load({ wasm: new Uint8Array(4) }), WebAssembly.CompileError);
+    const empty = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+    await assert.rejects(load({ wasm: empty }), { name: 'TypeError', message: 'load: options.wasm is not surfpath.wasm' });
   });
 
   test('takes the module as bytes, a file: URL, or compiled', async () => {

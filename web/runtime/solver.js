@@ -146,6 +146,7 @@ export class Solver {
 
   #instantiate() {
     const exports = /** @type {any} */ (new WebAssembly.Instance(this.#module).exports);
+    if (!exports._initialize) throw new TypeError('load: options.wasm is not surfpath.wasm');
     exports._initialize();
     this.#freeSlots = [];
     return { exports, heap: new Heap(exports) };

@@ -9,6 +9,7 @@ const path = torus.shortestPath([4, 0, 0], [0, 3, 1], { points: 100, start: 'str
 const length: number = path.length;
 const points: Float64Array = path.points;
 const converged: boolean = path.converged;
+const range: [number, number] | undefined = torus.domain?.u;
 const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
 slim.dispose();
 const wanted: FieldOptions = { resolution: 8, exact: false };
@@ -48,4 +49,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, field, length, lengths, one, points };
+export { converged, field, length, lengths, one, points, range };
