@@ -30,9 +30,7 @@ import { emptyPath } from './runtime/heap.js';
 
 const STATUS = {
   converged: 0,
-  iterationLimit: 1,
   stalled: 2,
-  toleranceNotMet: 3,
   illConditioned: 4,
   disconnected: -1,
   singular: -2,
@@ -225,12 +223,11 @@ function stalledBeside(problem, tried, options, best) {
 }
 
 /**
- * Whether a path that was not solved to the tolerance shows that the best of those that were is not the shortest: it is one on the surface, and shorter.
+ * Whether a path that was not solved to the tolerance (iteration-limit, tolerance-not-met) shows that the best of those that were is not the shortest: it is one on the surface, and shorter.
  * @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
  */
 const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =>
-  (status === STATUS.iterationLimit || status === STATUS.toleranceNotMet) &&
-  length + lengthError < best.length * (1 - tolerance) - best.lengthError;
+  status > STATUS.converged && status !== STATUS.stalled && length + lengthError < best.length * (1 - tolerance) - best.lengthError;
 
 /**
  * Paths across a cuspidal edge, which polylines cannot cross: ways of the graph that do are solved as they are.

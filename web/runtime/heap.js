@@ -272,7 +272,8 @@ export class Heap {
    */
   buildGraph(surface, kind, { box, cell, resolution }) {
     const graphOptions = this.#structs.sp_graph_options;
-    const at = this.allocate(LAYOUT.sp_graph.bytes);
+    const layout = LAYOUT.sp_graph;
+    const at = this.allocate(layout.bytes);
     this.writeDoubles(graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
     this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
     let status = OUT_OF_MEMORY;
@@ -284,7 +285,6 @@ export class Heap {
     const block = status === 0 ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
-    const layout = LAYOUT.sp_graph;
     const word = (/** @type {number} */ offset) => (block ? this.#words(at + offset, 1)[0] : 0);
     return {
       status: block ? 0 : status || OUT_OF_MEMORY,
@@ -292,7 +292,7 @@ export class Heap {
       block,
       bytes,
       vertices: word(layout.vertex_count),
-      spacing: block ? this.#doubles(at, 1)[0] : 0,
+      spacing: block && this.#doubles(at, 1)[0],
       unique: word(layout.unique) !== 0,
       singular: word(layout.singular) !== 0,
       resolved: word(layout.resolved) !== 0,
