@@ -216,7 +216,6 @@ SP_AT(sp_graph_options, resolution, 56);
 SP_SIZE(sp_graph, 96);
 SP_AT(sp_graph, spacing, 0);
 SP_AT(sp_graph, vertex_count, 36);
-SP_AT(sp_graph, edge_count, 40);
 SP_AT(sp_graph, unique, 44);
 SP_AT(sp_graph, singular, 48);
 SP_AT(sp_graph, resolved, 88);
