@@ -5,7 +5,7 @@ import { OUT_OF_MEMORY } from './runtime/heap.js';
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 
-/** Cells a direction, by level of refinement. */
+/** Cells a direction, by level of refinement; an implicit surface that the first does not resolve begins with the second. */
 const RESOLUTION = [
   [64, 128],
   [40, 56, 96],
