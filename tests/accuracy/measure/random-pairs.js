@@ -11,8 +11,8 @@
  * What became of a question. verdict: right; wrong: the length is off by more than the tolerance; astray: the traced
  * geodesics have another length, or do not hit; unchecked: no finer solve converged; refused: not converged, with a status of the list; slow: more than 5 s; unclassified: an exception, or no
  * status of the list. error: relative, of the length. miss: how much longer the traced
- * geodesics are together, relative; infinite: one does not hit.
- * @typedef {Question & { verdict: string, status: string, length: number, fine: number, error: number, miss: number, traced: boolean, milliseconds: number }} Answer
+ * geodesics are together, relative; infinite: one does not hit. owned: the error is no larger than lengthError says, beside that of the finer solve.
+ * @typedef {Question & { verdict: string, status: string, length: number, fine: number, error: number, miss: number, traced: boolean, owned: boolean, milliseconds: number }} Answer
  */
 
 export const TOLERANCES = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
@@ -120,7 +120,7 @@ function refine(surface, { from, to, tolerance }, path) {
 
 /** @param {Surface} surface @param {Question} question @returns {Answer} */
 export function answer(surface, question) {
-  const nothing = { length: Number.NaN, fine: Number.NaN, error: Number.NaN, miss: Number.NaN, traced: false };
+  const nothing = { length: Number.NaN, fine: Number.NaN, error: Number.NaN, miss: Number.NaN, traced: false, owned: false };
   const begin = performance.now();
   let path;
   try {
@@ -145,7 +145,8 @@ function judge(surface, question, path) {
   const free = !fine.touchesBoundary && !fine.crossesSingularity;
   const miss = free ? missOf(surface, fine) : Number.NaN;
   const verdict = !(error <= question.tolerance) ? 'wrong' : Math.abs(miss) > MISS ? 'astray' : 'right';
-  return { verdict, fine: fine.length, error, miss, traced: Number.isFinite(miss) };
+  const owned = Math.abs(path.length - fine.length) <= path.lengthError + fine.lengthError;
+  return { verdict, fine: fine.length, error, miss, traced: Number.isFinite(miss), owned };
 }
 
 /**
