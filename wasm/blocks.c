@@ -12,10 +12,6 @@ static struct sp_carry add(struct sp_carry p, struct sp_carry q) {
     return (struct sp_carry){p.a + q.a, p.b + q.b, p.d + q.d, p.s1 + q.s1, p.s2 + q.s2};
 }
 
-static struct sp_carry subtract(struct sp_carry p, struct sp_carry q) {
-    return (struct sp_carry){p.a - q.a, p.b - q.b, p.d - q.d, p.s1 - q.s1, p.s2 - q.s2};
-}
-
 static struct sp_carry swap(struct sp_carry carry) {
     return (struct sp_carry){sp_swap(carry.a), sp_swap(carry.b), sp_swap(carry.d), sp_swap(carry.s1), sp_swap(carry.s2)};
 }
@@ -28,22 +24,47 @@ static struct sp_carry second_lane(struct sp_carry carry) {
                              sp_select(second, carry.s1, zero), sp_select(second, carry.s2, zero)};
 }
 
-struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, struct sp_carry carry, struct sp_tally tally) {
+/* How many eigenvalues of the pivots are negative, and whether all pivots may be solved by: what is known without a look where all are
+ * positive definite. */
+static void count_negative(struct sp_fold fold, const struct sp_row *rows, struct sp_inertia *inertia) {
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        for (int lane = k > fold.both; lane < 2; lane++) {
+            double determinant = rows[k].pa[lane] * rows[k].pd[lane] - rows[k].pb[lane] * rows[k].pb[lane];
+            if (determinant < 0)
+                inertia->negative++;
+            else if (!(determinant > 0 && determinant < __builtin_inf()))
+                inertia->usable = 0;
+            else if (rows[k].pa[lane] < 0)
+                inertia->negative += 2;
+        }
+}
+
+struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, const struct sp_sweep *sweep) {
     struct sp_row *row = rows + sp_fold_unknown(fold);
-    /* n odd: the middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is
-     * nearly singular drives them apart. n even: lane 1 of the last pair takes that of lane 0. */
-    struct sp_carry p = fold.odd ? sp_reduce(row, shift, add(carry, swap(carry))) : subtract(carry, second_lane(swap(sp_carry_of(row))));
-    sp_pivot(row, p, (sp_mask){0, -1}, &tally);
-    return (struct sp_inertia){(int32_t)(tally.negative[0] + tally.negative[1]), !sp_any(tally.unusable),
-                               tally.descent[0] + tally.descent[1]};
+    struct sp_carry p = sp_row_left(row, shift), carry = sweep->carry;
+    if (fold.odd) {
+        /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
+         * singular drives them apart. */
+        p = sp_reduce(p, add(carry, swap(carry)));
+    } else {
+        /* Lane 1 takes that of lane 0, which is the row before it. */
+        p = sp_reduce(p, carry);
+        sp_pivot(row, p);
+        p = sp_reduce(p, second_lane(swap(sp_carry_of(row))));
+    }
+    sp_mask definite = sweep->definite & sp_pivot(row, p);
+    sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){fold.odd ? 0 : last[0], last[1]};
+    struct sp_inertia inertia = {0, 1, descent[0] + descent[1]};
+    if (!(definite[0] && definite[1])) count_negative(fold, rows, &inertia);
+    return inertia;
 }
 
 struct sp_inertia sp_blocks_factor(struct sp_fold fold, struct sp_row *rows, double shift) {
-    struct sp_carry carry = {{0}, {0}, {0}, {0}, {0}};
-    struct sp_tally tally = {{0}, {0}, {0}};
-    for (int32_t k = 1; k <= fold.both; k++)
-        sp_eliminate(fold, rows, k, shift, &carry, &tally);
-    return sp_blocks_join(fold, rows, shift, carry, tally);
+    struct sp_sweep sweep = sp_sweep_start();
+    for (int32_t k = 1; k < sp_fold_unknown(fold); k++)
+        sp_eliminate(rows + k, shift, &sweep);
+    struct sp_sweep end = sweep; /* a copy, as what a pointer leads to lies in memory, for all of the loop */
+    return sp_blocks_join(fold, rows, shift, &end);
 }
 
 /* x_k = start_k + W_k x_(k+1), outwards from pair `from`. */

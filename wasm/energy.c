@@ -39,21 +39,24 @@ double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
     return length + sp_square_root(sp_dot(middle, middle))[0];
 }
 
-static inline __attribute__((always_inline)) void assemble_node(const sp_pair *chart, struct sp_vector pull, sp_pair weight,
+static inline __attribute__((always_inline)) struct sp_vector minus(struct sp_vector a) { return (struct sp_vector){-a.x, -a.y, -a.z}; }
+
+/* `force`: -D. */
+static inline __attribute__((always_inline)) void assemble_node(const sp_pair *chart, struct sp_vector force, sp_pair weight,
                                                                 sp_mask coordinate, struct sp_row *row) {
     struct sp_vector b1 = sp_load(chart + SP_CHART_1), b2 = sp_load(chart + SP_CHART_2), normal = sp_cross(b1, b2);
     row->e = sp_dot(b1, b1), row->f = sp_dot(b1, b2), row->g = sp_dot(b2, b2), row->weight = weight;
-    row->r1 = -sp_dot(b1, pull), row->r2 = -sp_dot(b2, pull);
-    struct sp_vector part = sp_scale(normal, sp_dot(pull, normal) / sp_dot(normal, normal));
-    part = (struct sp_vector){sp_select(coordinate, pull.x, part.x), sp_select(coordinate, pull.y, part.y),
-                              sp_select(coordinate, pull.z, part.z)};
-    row->a = weight * row->e + sp_dot(part, sp_load(chart + SP_CHART_11));
-    row->b = weight * row->f + sp_dot(part, sp_load(chart + SP_CHART_12));
-    row->d = weight * row->g + sp_dot(part, sp_load(chart + SP_CHART_22));
+    row->r1 = sp_dot(b1, force), row->r2 = sp_dot(b2, force);
+    struct sp_vector part = sp_scale(normal, sp_dot(force, normal) / sp_dot(normal, normal));
+    part = (struct sp_vector){sp_select(coordinate, force.x, part.x), sp_select(coordinate, force.y, part.y),
+                              sp_select(coordinate, force.z, part.z)};
+    row->a = weight * row->e - sp_dot(part, sp_load(chart + SP_CHART_11));
+    row->b = weight * row->f - sp_dot(part, sp_load(chart + SP_CHART_12));
+    row->d = weight * row->g - sp_dot(part, sp_load(chart + SP_CHART_22));
 }
 
 void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
-    assemble_node(chart, pull, weight, coordinate, row);
+    assemble_node(chart, minus(pull), weight, coordinate, row);
 }
 
 static inline __attribute__((always_inline)) void assemble_coupling(const sp_pair *chart, const sp_pair *next, struct sp_row *row) {
@@ -121,31 +124,30 @@ static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_m
 struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_hessian hessian, struct sp_row *rows, sp_mask *straight) {
     struct sp_fold fold = line->fold;
     struct sp_energy energy = {0};
-    struct sp_carry carry = {{0}, {0}, {0}, {0}, {0}};
-    struct sp_tally tally = {{0}, {0}, {0}};
-    sp_mask held[2], coordinate = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
-    sp_pair squares = sp_splat(0.0), slopes = squares, middle = squares;
+    struct sp_sweep sweep = sp_sweep_start();
+    sp_mask held[2], none = {0, 0}, coordinate = hessian == SP_COORDINATE ? ~none : none;
+    sp_pair squares = sp_splat(0.0), slopes = squares, slope = squares;
     const sp_pair *chart = line->nodes.charts + SP_CHART;
-    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
-    for (int32_t k = 1; k <= fold.both + 1; k++, chart += SP_CHART) {
-        if (k <= sp_fold_unknown(fold)) {
-            int mirrored = k > fold.both;
-            struct sp_vector next = mirrored ? sp_swap_vector(chord) : sp_subtract(sp_load(chart), sp_load(chart + SP_CHART));
-            straight[k] = coordinate;
-            assemble_node(chart, sp_add(chord, next), sp_splat(2.0), coordinate, rows + k);
-            if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
-            if (line->touches && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
-                energy.active += hold_active(line, k, held, rows, straight);
-            sp_pair slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2, zero = sp_splat(0.0);
-            squares += sp_dot(chord, chord);
-            slopes += mirrored ? zero : slope, middle = mirrored ? slope : zero;
-            chord = sp_subtract((struct sp_vector){zero, zero, zero}, next);
-        }
-        /* Q of the row before waited for the coordinates that this one holds. */
-        if (k > 1) sp_eliminate(fold, rows, k - 1, 0, &carry, &tally);
+    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART)), next;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++, chart += SP_CHART) {
+        int mirrored = k > fold.both;
+        next = mirrored ? minus(sp_swap_vector(chord)) : sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
+        straight[k] = coordinate;
+        assemble_node(chart, sp_subtract(next, chord), sp_splat(2.0), none, rows + k);
+        if (coordinate[0]) sp_row_assemble(chart, sp_subtract(chord, next), sp_splat(2.0), coordinate, rows + k);
+        if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
+        if (line->touches && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
+            energy.active += hold_active(line, k, held, rows, straight);
+        squares += sp_dot(chord, chord), slopes += slope;
+        slope = rows[k].r1 * rows[k].r1 + rows[k].r2 * rows[k].r2;
+        chord = next;
+        /* Q of the row before waited for the coordinates that this one holds; besides, nothing in this iteration waits for it. */
+        if (k > 1) sp_eliminate(rows + k - 1, 0, &sweep);
     }
-    energy.inertia = sp_blocks_join(fold, rows, 0, carry, tally);
+    struct sp_sweep end = sweep; /* a copy, as what a pointer leads to lies in memory, for all of the loop */
+    energy.inertia = sp_blocks_join(fold, rows, 0, &end);
     energy.squares = squares[0] + squares[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
-    energy.gradient_squared = slopes[0] + slopes[1] + middle[0];
+    if (!fold.odd) slopes += slope;
+    energy.gradient_squared = slopes[0] + slopes[1] + (fold.odd ? slope[0] : 0); /* the middle node counts once */
     return energy;
 }

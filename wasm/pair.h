@@ -37,7 +37,13 @@ static inline __attribute__((always_inline)) sp_pair sp_swap(sp_pair x) { return
 
 static inline __attribute__((always_inline)) sp_mask sp_swap_mask(sp_mask x) { return (sp_mask){x[1], x[0]}; }
 
-static inline __attribute__((always_inline)) int sp_any(sp_mask mask) { return (mask[0] | mask[1]) != 0; }
+static inline __attribute__((always_inline)) int sp_any(sp_mask mask) {
+#ifdef __wasm_simd128__
+    return wasm_v128_any_true((v128_t)mask);
+#else
+    return (mask[0] | mask[1]) != 0;
+#endif
+}
 
 /* Correctly rounded square root. */
 static inline __attribute__((always_inline)) sp_pair sp_square_root(sp_pair x) {
