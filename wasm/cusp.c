@@ -406,9 +406,10 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
 int32_t sp_cusp_turns(const struct sp_polyline *line) {
     const sp_pair *charts = line->nodes.charts;
     int32_t turns = 0, last = line->fold.both;
-    struct sp_vector from, to = sp_chart_normal(charts);
+    struct sp_vector to = sp_chart_normal(charts);
     for (int32_t k = 0; k <= last; k++) {
-        from = to, to = sp_chart_normal(charts + SP_CHART * (k + 1));
+        struct sp_vector from = to;
+        to = sp_chart_normal(charts + SP_CHART * (k + 1));
         sp_pair product = sp_dot(from, to);
         turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
     }

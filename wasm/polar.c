@@ -14,8 +14,8 @@ static const struct sp_polar *polar_of(const struct sp_surface *surface) { retur
 
 /* u v at the distance r from the pole, in the direction of p, q. */
 static void place_at(const struct sp_polar *polar, sp_pair r, sp_pair angle, sp_pair place[2]) {
-    place[polar->across] = polar->edge + polar->side * r;
-    place[1 - polar->across] = polar->middle + angle / polar->rate;
+    sp_pair outwards = polar->edge + polar->side * r, around = polar->middle + angle / polar->rate;
+    place[0] = polar->across ? around : outwards, place[1] = polar->across ? outwards : around;
 }
 
 void sp_polar_leave(const struct sp_polar *polar, int32_t pair_count, const sp_pair *places, sp_pair *left) {

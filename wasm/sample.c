@@ -240,7 +240,8 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
 
 int sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, int32_t reversed, double *points,
                      double *parameters) {
-    struct sheet sheet = {point_count + 1, reversed, points, parameters, {0, 0}};
+    struct sheet sheet = {.last = point_count + 1, .reversed = reversed};
+    sheet.points = points, sheet.parameters = parameters;
     int32_t half = sheet.last / 2;
     int nodes = system->elements.reference.degree == 1 && system->line.fold.inner == point_count;
     for (int32_t k = 0; k <= (nodes ? half : 0); k++)

@@ -59,7 +59,7 @@ static enum sp_status write_points(const struct sp_newton *newton, const struct 
         status = sp_arcs_sample(arcs, surface, newton->scale, point_count, reversed, result->points, result->parameters, arena);
     else if (sp_sample_points(&newton->system, newton->scale, point_count, reversed, result->points, result->parameters))
         status = SP_CONVERGED;
-    double *last = newton->record ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
+    double *last = newton->record && result->points ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
     for (int32_t i = 0; last && i < 3 * count; i++)
         last[i] = result->points[i];
     return result->length - result->length == 0 && result->length_error - result->length_error == 0 ? status : SP_NOT_FINITE;

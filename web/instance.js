@@ -94,10 +94,9 @@ export class Surfpath {
     return this.#add(kind, definition);
   }
 
-  /** Disposes all surfaces and lets the memory go. */
+  /** Disposes all surfaces, each of which leaves the list then, and lets the memory go. */
   dispose() {
     for (const surface of this.#surfaces) surface.dispose();
-    this.#surfaces.clear();
     this.#solver = null;
   }
 

@@ -88,6 +88,7 @@ export class Surface {
 
   /** The named constants and their values, a copy. */
   get parameters() {
+    this.#checkAlive('parameters');
     return { ...this.#parameters };
   }
 
@@ -96,6 +97,7 @@ export class Surface {
    * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean } } | null}
    */
   get domain() {
+    this.#checkAlive('domain');
     const domain = this.#domain;
     return (
       domain && {

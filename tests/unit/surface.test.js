@@ -187,18 +187,33 @@ describe('mesh', () => {
 });
 
 describe('dispose', () => {
-  test('a disposed surface refuses to work, and may be disposed twice', () => {
-    const surface = surfpath.surface(gallery.sphere);
-    surface.dispose();
-    surface.dispose();
-    for (const call of [
-      () => surface.shortestPath([1, 0, 0], [0, 1, 0]),
-      () => surface.evaluate([1, 0, 0]),
-      () => surface.project([1, 0, 0]),
-      () => surface.mesh(),
-      () => surface.set({ r: 2 }),
-    ])
-      refuses(call, Error, /this surface was disposed/);
+  /** Every public member that asks or changes something: methods, and properties that are computed. @param {object} object @returns {string[]} */
+  const membersOf = (object) =>
+    Object.getOwnPropertyNames(Object.getPrototypeOf(object)).filter((name) => !['constructor', 'dispose'].includes(name));
+  /** @param {any} object @param {string} name @param {any[]} given */
+  const use = (object, name, ...given) => (typeof object[name] === 'function' ? object[name](...given) : undefined);
+
+  test('every member of a disposed surface refuses, of whatever kind, and it may be disposed twice', () => {
+    const halfPlane = { kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-3, 3], v: [0.05, 5] };
+    for (const definition of [gallery.sphere, gallery.saddle, gallery.trefoil, { ...gallery.saddle, density: 2 }, halfPlane]) {
+      const surface = surfpath.surface(anything(definition));
+      surface.dispose();
+      surface.dispose();
+      const names = membersOf(surface);
+      assert.ok(names.length >= 11, names.join());
+      for (const name of names)
+        for (const given of [[], [[0, 0], [1, 1], 0.5]])
+          refuses(() => use(surface, name, ...given), Error, new RegExp(`^${name}: this surface was disposed`));
+    }
+  });
+
+  test('every member of a disposed instance refuses', async () => {
+    const other = await load();
+    other.dispose();
+    other.dispose();
+    const names = membersOf(other);
+    assert.ok(names.length >= 8, names.join());
+    for (const name of names) refuses(() => use(other, name, gallery.saddle), Error, /: this instance was disposed/);
   });
 
   test('both dispose by Symbol.dispose, as `using` does', async () => {

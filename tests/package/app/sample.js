@@ -6,13 +6,14 @@ import { gallery } from 'surfpath/gallery';
 import { createPool } from 'surfpath/pool';
 import * as slim from 'surfpath/slim';
 import { GeodesicLine, surfaceGeometry } from 'surfpath/three';
+import { stayUnderFire } from './fire.js';
 
 /** @returns {Promise<string>} */
 export async function sample() {
   const said = await solve(inlined);
   const again = await solve(slim);
   if (again !== said) throw new Error(`the entries differ:\n${said}\n${again}`);
-  return `${said}\n${await draw()}\n${await place()}\n${await share()}`;
+  return `${said}\n${await draw()}\n${await place()}\n${await share()}\n${await stayUnderFire()}`;
 }
 
 /** @param {typeof inlined | typeof slim} entry */

@@ -66,3 +66,36 @@ test('the time grows with the text, not faster', () => {
   // Eight times the text: twice that for caches and tables that grow.
   assert.ok(long <= 16 * short, `${short} and ${long} ms`);
 });
+
+/** Texts of so many like parts, which derivatives could multiply. @type {Record<string, (count: number) => string>} */
+const REPEATED = {
+  sums: (count) => parts(count, (i) => `sin(${i}u)`).join('+'),
+  products: (count) => parts(count, (i) => `(u+${i}v)`).join('*'),
+  quotients: (count) => parts(count, (i) => `(u+${i}v)`).join('/'),
+  powers: (count) => parts(count, (i) => `u^${i + 1}`).join('+'),
+  'products without a sign': (count) => 'u v '.repeat(count),
+  maxima: (count) => parts(count, (i) => `max(u,${i}v)`).join('+'),
+};
+/** The same, one inside the other. @type {Record<string, (count: number) => string>} */
+const NESTED = {
+  functions: (count) => `${'sin('.repeat(count)}u*v${')'.repeat(count)}`,
+  'functions of sums': (count) => `${'exp(v+'.repeat(count)}u*v${')'.repeat(count)}`,
+  squares: (count) => `${'('.repeat(count)}u${'+v)^2'.repeat(count)}`,
+  'polynomials of Horner': (count) => `${'(1+u*'.repeat(count)}v${')'.repeat(count)}`,
+};
+
+/** @param {number} count @param {(i: number) => string} write */
+const parts = (count, write) => Array.from({ length: count }, (_, i) => write(i + 1));
+
+describe('what is compiled grows with the text, not faster', () => {
+  for (const [shapes, few] of /** @type {const} */ ([
+    [REPEATED, 20],
+    [NESTED, 7],
+  ]))
+    for (const [name, write] of Object.entries(shapes))
+      test(name, () => {
+        const [short, long] = [few, 8 * few].map((count) => build(write(count)).module.length);
+        // Eight times the text, with numbers of locals that take a byte more.
+        assert.ok(long <= 10 * short, `${short} and ${long} bytes`);
+      });
+});

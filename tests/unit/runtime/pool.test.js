@@ -266,7 +266,11 @@ test('after dispose, calls reject, and so do those under way; disposing again do
   const refused = Promise.all(waiting.map((call) => assert.rejects(call, /this pool was disposed/)));
   await short.dispose();
   await refused;
-  await assert.rejects(short.lengths(gallery.saddle, []), /lengths: this pool was disposed/);
+  const methods = Object.getOwnPropertyNames(Object.getPrototypeOf(short)).filter((name) => !['constructor', 'dispose'].includes(name));
+  assert.ok(methods.length >= 5, methods.join());
+  for (const name of methods)
+    for (const given of [[], [gallery.saddle, [], []]])
+      await assert.rejects(anything(short)[name](...given), { message: `${name}: this pool was disposed` });
   await short.dispose();
 });
 
