@@ -4,13 +4,15 @@ import { DragHandle } from 'surfpath/three';
 import { change } from './change.js';
 import { create, find } from './dom.js';
 import { placesOf } from './drawn.js';
-import { onRender, render, state } from './state.js';
+import { chosenPath, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
 /** @typedef {import('./scene.js').View} View */
 
 /** CSS pixels from a handle to its letter. */
 const LETTER = 23;
+/** How far along the path is what its letter keeps away from, in parts of it. */
+const BESIDE = 0.12;
 
 /** @type {DragHandle[]} */ const handles = [];
 /** @type {HTMLElement[]} */ const labels = [];
@@ -111,12 +113,20 @@ function colourHandles({ theme }) {
   for (const [i, handle] of handles.entries()) handle.setColours({ colour: i < 2 ? theme?.path : theme?.via, ring: theme?.halo });
 }
 
-/** A letter stands on the side away from the other end, where the path does not run. @param {View} view */
+/** Where the path runs near one of its ends; null: there is none. @param {number} end */
+function alongPath(end) {
+  const path = end < 2 ? chosenPath() : null;
+  const places = path ? placesOf(path) : [];
+  const at = 3 * Math.floor((places.length / 3) * (end === 0 ? BESIDE : 1 - BESIDE));
+  return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
+}
+
+/** A letter stands on the side where the path does not run. @param {View} view */
 function placeLetters(view) {
-  const places = handles.map(({ position }) => view.toScreen(position.toArray()));
   for (const [i, handle] of handles.entries()) {
-    const [x, y] = places[i];
-    const [ox, oy] = i < 2 && places[1 - i] ? places[1 - i] : [x, y + 1];
+    const [x, y] = view.toScreen(handle.position.toArray());
+    const beside = alongPath(i);
+    const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
     const far = LETTER / Math.max(Math.hypot(x - ox, y - oy), 1);
     const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
     letter.style.transform = `translate(${((x - ox) * far).toFixed(1)}px, ${((y - oy) * far).toFixed(1)}px)`;

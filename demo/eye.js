@@ -6,12 +6,15 @@ import { fitView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
-/** CSS pixels at the lower edge that the player covers. */
-const COVERED = 64;
+/** CSS pixels that are covered: below by the player, and on small screens by the scale above it; above by the legend there. */
+const COVERED = { top: 0, bottom: 64 };
+const COVERED_SMALL = { top: 20, bottom: 84 };
+/** Width of a small screen, in CSS pixels; as in styles/small.css. */
+const SMALL = 760;
 /** Share of the view that stays free around the surface, both sides together. */
 const MARGIN = 0.1;
-/** In CSS pixels, at least: the legend stands there on small screens. */
-const LEAST_MARGIN = 56;
+/** In CSS pixels, at least. */
+const LEAST_MARGIN = 44;
 
 export class Eye {
   camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
@@ -63,8 +66,13 @@ export class Eye {
   resize(width, height) {
     this.#size = { width, height };
     this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
+    const { top, bottom } = this.#covered;
+    this.camera.setViewOffset(width, height, 0, (bottom - top) / 2, width, height);
     if (!this.#touched) this.#fit(this.camera.position.clone().sub(this.controls.target).normalize());
+  }
+
+  get #covered() {
+    return this.#size.width < SMALL ? COVERED_SMALL : COVERED;
   }
 
   /** @param {Vector3} towards the camera, unit length */
@@ -73,7 +81,8 @@ export class Eye {
     const { width, height } = this.#size;
     const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
     const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
-    const slopes = [slope * (width - margin), slope * (height - COVERED - margin)];
+    const { top, bottom } = this.#covered;
+    const slopes = [slope * (width - margin), slope * (height - top - bottom - margin)];
     const { target, distance } = fitView(this.#points, this.#bounds.center, towards, this.camera.up, slopes);
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);

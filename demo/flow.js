@@ -229,13 +229,17 @@ export async function recolour() {
     return render();
   }
   const mine = turn;
-  try {
-    const shade = await askLong('shade', { colour, from: ends[0] });
+  /** The last one before the exact one is there. @type {import('./shade.js').Shade | null} */ let painted = null;
+  const paint = (/** @type {import('./shade.js').Shade | null | undefined} */ shade) => {
     if (mine !== turn || !shade) return;
-    state.shade = shade;
+    state.shade = painted = shade;
+    render();
+  };
+  try {
+    paint(await askLong('shade', { colour, from: ends[0] }, ({ shade }) => paint(shade)));
   } catch (error) {
     if (mine !== turn) return;
-    Object.assign(state, { shade: null, shadeProblem: messageOf(error) });
+    Object.assign(state, { shade: painted, shadeProblem: painted ? null : messageOf(error) });
+    render();
   }
-  render();
 }

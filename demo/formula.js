@@ -5,7 +5,7 @@ import { coordinates, fieldNames, textsOf } from './definition.js';
 import { create, find, say } from './dom.js';
 import { ENTRIES } from './entries.js';
 import { KINDS } from './kinds.js';
-import { math, typeset } from './mathml.js';
+import { breakable, math, typeset } from './mathml.js';
 import { onRender, state } from './state.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
@@ -128,10 +128,12 @@ function renderTypeset(shown) {
   ];
   const rows = Object.entries(KINDS[kind].formulas).map(([name, label]) => {
     const element = typeset(texts[name], names);
-    const subject = label.replace(/[(,].*$/, '');
     if (!element) return null;
-    const sides = kind === 'implicit' ? [element, math('mo', '='), math('mn', '0')] : [math('mi', subject), math('mo', '='), element];
-    return math('math', math('mrow', ...sides));
+    const pieces = breakable(element).map((parts) => math('math', math('mrow', ...parts)));
+    const subject = math('mi', label.replace(/[(,].*$/, ''));
+    if (kind === 'implicit') pieces.at(-1)?.firstElementChild?.append(math('mo', '='), math('mn', '0'));
+    else pieces[0].firstElementChild?.prepend(subject, math('mo', '='));
+    return create('div', { className: 'equation' }, ...pieces);
   });
   find('typeset').replaceChildren(...rows.filter((row) => row !== null));
 }

@@ -18,7 +18,7 @@ import { View } from './scene.js';
 import { startShow } from './show.js';
 import { sketchOf } from './sketch.js';
 import { startSliders } from './sliders.js';
-import { FIRST, lastIterate, onRender, render, state } from './state.js';
+import { FIRST, stepsShown, onRender, render, state } from './state.js';
 import { live, startProgress } from './workers.js';
 
 const player = new Player((moment) => {
@@ -50,7 +50,7 @@ function listen(view) {
   find('play').addEventListener('click', () => player.play(1));
   find('moment').addEventListener('input', ({ target }) => {
     player.stop();
-    state.moment = /** @type {HTMLInputElement} */ (target).valueAsNumber / lastIterate();
+    state.moment = /** @type {HTMLInputElement} */ (target).valueAsNumber / stepsShown();
     render();
   });
   find('undo').addEventListener('click', undo);
@@ -83,6 +83,10 @@ function showTab(name) {
 
 /** @param {KeyboardEvent} event */
 function pressed(event) {
+  if (event.key === 'Escape' && document.documentElement.hasAttribute('data-panel') && !document.querySelector('dialog[open]')) {
+    togglePanel();
+    return find('toggle-panel').focus();
+  }
   const typing = /** @type {HTMLElement} */ (event.target).matches?.('textarea, input:not([type=range], [type=radio])');
   if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || typing) return;
   event.preventDefault();

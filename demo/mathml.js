@@ -11,6 +11,8 @@ const PRODUCT = 2;
 const SIGN = 3;
 const POWER = 4;
 const ATOM = 5;
+/** Characters that fit into a line as they are typeset. */
+const ONE_LINE = 28;
 /** Longer formulas are not worth reading. */
 const MOST_STEPS = 400;
 /** @type {Record<string, string>} */
@@ -79,6 +81,26 @@ function leaf({ kind, name, value }) {
   if (kind === 'number' && !/^[\p{L}_]/u.test(name)) return piece(math('mn', String(value)), ATOM, true);
   return piece(math('mi', GREEK[name] ?? name));
 }
+
+/**
+ * Where a long formula may be broken: before the signs of a sum, and between long factors; inside of brackets too, where they are long.
+ * @param {Element} element of `typeset`, taken apart
+ * @returns {Element[][]} pieces in their order
+ */
+export function breakable(element) {
+  const isLong = (element.textContent?.length ?? 0) > ONE_LINE;
+  const [left, middle, right] = isLong && element.localName === 'mrow' && element.children.length === 3 ? element.children : [];
+  if (!middle) return [[element]];
+  const text = middle.textContent ?? '';
+  if (left.textContent === '(') return joined([[left]], breakable(middle), [[right]]);
+  if (middle.localName === 'mo' && ['+', '−'].includes(text)) return [...breakable(left), ...joined([[middle]], breakable(right))];
+  const isProduct = middle.localName === 'mtext' || ['\u2062', '·'].includes(text);
+  const isBulky = (right.textContent?.length ?? 0) > ONE_LINE / 4;
+  return isProduct && isBulky ? [...breakable(left), ...joined([[middle]], breakable(right))] : [[element]];
+}
+
+/** Lists of pieces one after the other, each sticking to the one before it. @param {Element[][][]} lists */
+const joined = (...lists) => lists.reduce((all, [first, ...rest]) => [...all.slice(0, -1), [...(all.at(-1) ?? []), ...first], ...rest]);
 
 /**
  * @param {string} source

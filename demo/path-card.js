@@ -18,7 +18,7 @@ export function startPathCard() {
   for (const name of LISTED) find(name).addEventListener('change', (event) => change({ [name]: choiceOf(event) }));
   find('tolerance').addEventListener('change', (event) => change({ tolerance: Number(choiceOf(event)) }));
   find('points').addEventListener('input', changePoints);
-  find('tasks').addEventListener('change', (event) => change({ task: /** @type {State['sketch']['task']} */ (choiceOf(event)) }));
+  find('tasks').addEventListener('change', changeTask);
   for (const name of /** @type {const} */ (['angle', 'reach']))
     find(name).addEventListener('input', ({ target }) => change({ [name]: /** @type {HTMLInputElement} */ (target).valueAsNumber }));
   find('ends').addEventListener('input', ({ target }) => typeEnd(/** @type {HTMLInputElement} */ (target)));
@@ -33,6 +33,12 @@ export function startPathCard() {
 }
 
 const choiceOf = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).value;
+
+/** All geodesics between two ends pass no points on the way. @param {Event} event */
+function changeTask(event) {
+  const task = /** @type {State['sketch']['task']} */ (choiceOf(event));
+  change(task === 'all' ? { task, via: [] } : { task });
+}
 
 /** @param {Event} event */
 function changePoints({ target }) {
@@ -87,10 +93,12 @@ function renderPathCard({ sketch, endProblem, solved, chosen }) {
   for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll('input[name=task]')))
     input.checked = input.value === sketch.task;
   for (const name of LISTED) /** @type {HTMLSelectElement} */ (find(name)).value = sketch[name];
-  /** @type {HTMLSelectElement} */ (find('tolerance')).value = String(sketch.tolerance);
+  showTolerance(/** @type {HTMLSelectElement} */ (find('tolerance')), sketch.tolerance);
   const points = /** @type {HTMLInputElement} */ (find('points'));
   if (points !== document.activeElement) points.valueAsNumber = sketch.points;
   find('tolerance-row').hidden = sketch.algorithm !== 'elements';
+  for (const id of ['solver-card', 'swap-ends', 'add-via']) find(id).hidden = sketch.task === 'trace';
+  find('start-row').hidden = sketch.task === 'all';
   find('trace-rows').hidden = sketch.task !== 'trace';
   for (const [name, unit] of /** @type {const} */ ([
     ['angle', '°'],
@@ -106,6 +114,14 @@ function renderPathCard({ sketch, endProblem, solved, chosen }) {
   if (endProblem && endProblem.end >= 0)
     document.getElementById(`end-${endProblem.end}-${endProblem.coordinate}`)?.setAttribute('aria-invalid', 'true');
   renderList(sketch.task === 'all' ? solved.paths : [], chosen);
+}
+
+/** A link may hold one that is not in the list. @param {HTMLSelectElement} select @param {number} tolerance */
+function showTolerance(select, tolerance) {
+  const value = String(tolerance);
+  if (![...select.options].some((option) => option.value === value))
+    select.append(create('option', { value }, formatNumber(tolerance, 1).replace('1 × ', '')));
+  select.value = value;
 }
 
 /** @param {State['sketch']} sketch */

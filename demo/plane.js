@@ -138,6 +138,12 @@ function grid({ low, high, size, to }, names) {
 const inside = (point, { low, high, periodic }) =>
   point.map((x, k) => (periodic[k] ? x - (high[k] - low[k]) * Math.floor((x - low[k]) / (high[k] - low[k])) : x));
 
+/** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame} frame */
+const straightLine = ([from, to], { low, high, periodic }) => [
+  ...from,
+  ...to.map((x, k) => (periodic[k] ? x + (high[k] - low[k]) * Math.round((from[k] - x) / (high[k] - low[k])) : x)),
+];
+
 /** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
@@ -180,7 +186,7 @@ function picture(frame) {
     ),
   );
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
-  const straight = sketch.task === 'path' && sketch.via.length === 0 ? curve(sketch.ends.flat(), frame, 'straight') : [];
+  const straight = sketch.task !== 'trace' && sketch.via.length === 0 ? curve(straightLine(sketch.ends, frame), frame, 'straight') : [];
   const clip = svg(
     'clipPath',
     { id: 'plane-clip' },
@@ -234,7 +240,7 @@ export function planeFile() {
   return new XMLSerializer().serializeToString(root).replace(/<\/svg>$/, `<style>${STYLE}</style></svg>`);
 }
 
-const STYLE = `text{font:10px system-ui,sans-serif;fill:#5b6876}.letter{font-weight:600;fill:#1d2733}
+const STYLE = `text{font:10px system-ui,sans-serif;fill:#5b6876}.letter{font-weight:600;fill:#1d2733;stroke:#f7f9fb;stroke-width:3px;paint-order:stroke}
 .ground{fill:#f7f9fb}.grid{stroke:#d9e1e8;stroke-width:.7}.edge{fill:none;stroke:#9aa8b6}
 polyline{fill:none;stroke-linecap:round;stroke-linejoin:round}.path{stroke:#d8430c;stroke-width:2.6}.path-halo{stroke:#fff;stroke-width:5}
 .straight{stroke:#2166c4;stroke-width:1.3}.other{stroke:#5b6876;stroke-width:1.5}.indicatrix{fill:none;stroke:#9aa8b6;stroke-width:.8}

@@ -1,7 +1,7 @@
 /** The strip of results, the player and the legend: numbers and words of what is seen. */
 
-import { find, say } from './dom.js';
-import { chosenPath, lastIterate, onRender } from './state.js';
+import { find } from './dom.js';
+import { chosenPath, stepsShown, onRender } from './state.js';
 import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
 
 export function startResult() {
@@ -34,31 +34,32 @@ function renderResult({ sketch, solved, problem, endProblem, live, moving, build
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
   write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
   if (!moving) {
-    write(
-      'start-length',
-      Number.isFinite(solved.straightLength) && !gauge && !sketch.density ? describeStart(path?.length ?? NaN, solved.straightLength) : '–',
-    );
-    write('iterations', path ? String(path.iterations) : '–');
+    const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
+    find('start-figure').hidden = !hasStart && !busy;
+    write('start-length', hasStart ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
+    write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');
+    write('iterations', path ? String(stepsShown() || path.iterations) : '–');
     write('time', Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
   if (busy && (!surface || !path)) return;
   const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', path && problem ? `${advice} (The last good surface is shown.)` : advice);
+  write('advice', path && problem ? 'The last good surface is shown.' : advice);
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
 
 /** @param {import('./state.js').State} state */
-function renderMoment({ moment, sketch: { start } }) {
-  const last = lastIterate();
+function renderMoment({ moment, moving, building, live }) {
+  const last = stepsShown();
   const slider = /** @type {HTMLInputElement} */ (find('moment'));
   const some = last > 0;
   slider.max = String(Math.max(last, 1));
   slider.valueAsNumber = some ? moment * last : 1;
   slider.disabled = !some;
   /** @type {HTMLButtonElement} */ (find('play')).disabled = !some;
-  const many = start === 'several' ? 'each ' : '';
-  const words = some ? `Iteration ${many}${Math.round(moment * last)} of ${last}` : 'Path alone';
+  // What has no iterates needs no player; while something moves, it stays where it is.
+  if (some || !(moving || building || live)) find('player').hidden = !some;
+  const words = some ? `Newton step ${Math.round(moment * last)} of ${last}` : '';
   slider.setAttribute('aria-valuetext', words);
-  say(find('moment-words'), words);
+  write('moment-words', words);
 }

@@ -16,6 +16,8 @@ const MOST_PIXELS = 2;
 /** Radius and ring of the point that is pointed at, in CSS pixels. */
 const DOT = /** @type {const} */ ([4.5, 2]);
 
+const INK = '#1d2733';
+
 /** Width and height that an anchor's element takes, in CSS pixels. */
 const ROOM = [54, 25];
 
@@ -107,7 +109,7 @@ export class View {
     this.#surface.setColour(theme.surface);
     this.#sky.color.set(theme.sky);
     this.#sky.groundColor.set(theme.ground);
-    this.#strokes.material.color.set(theme.via);
+    this.#colourStrokes();
     this.#dot.setColours({ colour: theme.via, ring: theme.halo });
     this.#curves.paint(theme);
     this.invalidate();
@@ -123,8 +125,14 @@ export class View {
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
   setValues(quantity, values) {
     const scale = this.#surface.setValues(quantity, values);
+    this.#colourStrokes();
     this.#compile();
     return scale;
+  }
+
+  /** As the theme's ink on the bare surface; what is coloured is light in both themes. */
+  #colourStrokes() {
+    this.#strokes.material.color.set(this.#surface.isColoured ? INK : (this.#theme?.via ?? INK));
   }
 
   /** Strokes on the surface that show a metric. @param {Float64Array | null} ends two points each, x y z */

@@ -2,7 +2,9 @@
 
 import { gaussianCurvature } from '../web/view/curvature.js';
 import { coordinates } from './definition.js';
+import { measureDistances } from './distances.js';
 import { meshOf } from './drawable.js';
+import { runInSlices } from './slices.js';
 import { tangentForm, Tensor } from './tensor.js';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
@@ -13,23 +15,26 @@ const WORD = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/gu;
 /**
  * @param {import('./tasks.js').Opened} opened
  * @param {{ colour: string, from: number[], resolution?: number }} request
+ * @param {import('./slices.js').Job} job hears of a shade that is there before the exact one
  * @param {import('surfpath').Surfpath} surfpath
- * @returns {Shade}
+ * @returns {Shade | Promise<Shade | null>} null: it was stopped
  */
-export function shade(opened, { colour, from, resolution }, surfpath) {
-  if (colour === 'distance') return distances(opened, from);
+export function shade(opened, { colour, from, resolution }, job, surfpath) {
+  if (colour === 'distance') return distances(opened, from, job);
   const mesh = meshOf(opened, resolution, surfpath);
   return colour === 'curvature'
     ? gaussianCurvature(/** @type {any} */ (opened.drawn), mesh.parameters ?? mesh.positions)
     : stretches(opened, mesh, surfpath);
 }
 
-/** @param {import('./tasks.js').Opened} opened @param {number[]} from @returns {Shade} */
-function distances({ surface, definition }, from) {
+/** @param {import('./tasks.js').Opened} opened @param {number[]} from @param {import('./slices.js').Job} job */
+function distances({ surface, definition }, from, job) {
   if (surface.kind === 'metric') throw new RangeError('distances from a point are there only for surfaces in space');
   const along = ['tube', 'sweep'].includes(definition.kind) ? { resolution: 160 } : {};
-  const { distances: found } = surface.distanceField(from, along);
-  return found;
+  const { mesh, distances: rough } = surface.distanceField(from, along);
+  job.report({ shade: rough });
+  const start = surface.kind === 'implicit' ? surface.project(from, from) : from;
+  return runInSlices(measureDistances(surface, start, mesh, rough), job);
 }
 
 /** By how much length is multiplied, the mean of all directions. @param {import('./tasks.js').Opened} opened @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */

@@ -6,7 +6,7 @@ import { create, find, say, themeColor } from './dom.js';
 import { placesOf } from './drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
 import { startPointing } from './pointing.js';
-import { chosenPath, lastIterate, onRender, render, state } from './state.js';
+import { chosenPath, stepsShown, onRender, render, state } from './state.js';
 import { formatNumber } from './words.js';
 
 /** @typedef {import('./scene.js').View} View */
@@ -46,12 +46,12 @@ function renderCurves(view) {
   const { solved, moment, chosen, sketch } = state;
   const path = chosenPath();
   const several = sketch.start === 'several' && solved.films.length > 1;
-  const playing = lastIterate() > 0 && moment < 1;
+  const playing = stepsShown() > 0 && moment < 1;
   const final = path && placesOf(path).length > 0 ? [placesOf(path)] : [];
   const films = several || playing ? solved.films.map((film) => frameAt(film, moment)) : [];
   const curves = {
     starts: several ? solved.films.map((film) => film[0]) : solved.straight ? [solved.straight] : [],
-    paths: playing && (several || chosen === 0) ? films : final,
+    paths: playing ? films : final,
     others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
     warmth: playing ? moment : 1,
   };
@@ -78,6 +78,8 @@ function renderLegend(hasStart, hasOthers) {
 
 /** Curvature of which not more is left than rounding leaves. */
 const NOTHING = 1e-6;
+/** Relative difference of numbers that are one but for rounding. */
+const SAME = 1e-9;
 const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
 
 /** What shows the metric that is measured by. */
@@ -99,12 +101,18 @@ function renderShade(view) {
   const scale = find('scale');
   scale.hidden = !colours;
   if (!colours) return;
-  const [low, high] = [colours.low, colours.high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
   const bar = create('i', {});
   bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
   scale.replaceChildren(
     create('span', {}, SCALES[sketch.colour]),
     bar,
-    ...(low === '0' && high === '0' ? [create('b', {}, '0 everywhere')] : [create('b', {}, low), create('b', {}, high)]),
+    ...endsOfScale(colours, shade).map((text) => create('b', {}, text)),
   );
+}
+
+/** What stands at the ends of a scale; one text, where there is one number. @param {{ low: number, high: number }} scale @param {ArrayLike<number> | null} values */
+function endsOfScale({ low, high }, values) {
+  const [first, last] = [low, high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
+  const isOne = values && Array.from(values).every((x) => Math.abs(x - values[0]) <= SAME * Math.abs(values[0]));
+  return (first === '0' && last === '0') || isOne ? [`${first} everywhere`] : [first, last];
 }

@@ -1,6 +1,7 @@
 /**
- * The solver in a worker, as the page asks it: one task at a time, the newest of a kind in place of an older one that still waits. A task that takes long is
- * said to, with how far it is where it knows; it can be cancelled, and is given up where it is about a surface that is no longer asked for.
+ * The solver in a worker, as the page asks it: one task at a time, the newest of a kind in place of an older one that still waits, or that runs and listens.
+ * A task that takes long is said to, with how far it is where it knows; it can be cancelled, and is given up where it is about a surface that is no longer
+ * asked for.
  */
 
 /**
@@ -42,6 +43,7 @@ export class Solver {
    */
   ask(task, request, report = () => {}) {
     this.#drop((job) => job.task === task);
+    if (this.#running?.task === task) this.#worker?.postMessage({ stop: this.#id });
     return new Promise((resolve, reject) => {
       this.#waiting.push({ task, request, report, resolve, reject });
       if (this.#isOutdated(request)) this.#stop((job) => job.resolve(null));

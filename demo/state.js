@@ -50,5 +50,5 @@ export function render() {
 /** The path that is looked at. */
 export const chosenPath = () => state.solved.paths[state.chosen] ?? null;
 
-/** Number of the last iterate; 0: there is nothing to play. */
-export const lastIterate = () => Math.max(0, ...state.solved.films.map((film) => film.length - 1));
+/** Newton steps from the start that is shown to the path that is looked at, each of which can be played; 0: there is nothing to play. */
+export const stepsShown = () => (state.chosen > 0 ? 0 : Math.max(0, ...state.solved.films.map((film) => film.length - 1)));

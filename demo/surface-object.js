@@ -34,6 +34,11 @@ export class SurfaceObject extends Mesh {
     this.onAfterRender = () => this.#release();
   }
 
+  /** Whether its colours are those of numbers. */
+  get isColoured() {
+    return this.geometry.hasAttribute('color');
+  }
+
   #release() {
     this.#last?.dispose();
     this.#last = null;
@@ -42,7 +47,7 @@ export class SurfaceObject extends Mesh {
   /** @param {string} colour of the bare surface */
   setColour(colour) {
     this.#colour = colour;
-    if (!this.geometry.hasAttribute('color')) this.material.color.set(colour);
+    if (!this.isColoured) this.material.color.set(colour);
   }
 
   /** @param {SurfaceMesh} mesh */
@@ -63,7 +68,7 @@ export class SurfaceObject extends Mesh {
   setValues(quantity, values) {
     const { geometry } = this;
     const fits = values !== null && values.length === geometry.getAttribute('position')?.count;
-    if (!fits && !geometry.hasAttribute('color')) return null;
+    if (!fits && !this.isColoured) return null;
     for (const name of ['color', 'contour']) geometry.deleteAttribute(name);
     delete geometry.userData.scale;
     if (fits) {
@@ -83,7 +88,6 @@ export class SurfaceObject extends Mesh {
     // One that was never drawn with holds nothing.
     if (this.#last) this.material.dispose();
     else this.#last = this.material;
-    const coloured = this.geometry.hasAttribute('color');
-    this.material = surfaceMaterial(this.geometry, { color: coloured ? PALE : this.#colour });
+    this.material = surfaceMaterial(this.geometry, { color: this.isColoured ? PALE : this.#colour });
   }
 }

@@ -41,15 +41,15 @@ export class Workshop {
     this.#surfpath = surfpath;
   }
 
-  /** @param {string} task @param {any} request @param {(progress: unknown) => void} report */
-  run(task, request, report) {
+  /** @param {string} task @param {any} request @param {import('./slices.js').Job} job @returns {unknown} the result, or a promise of it */
+  run(task, request, job) {
     const opened = this.#open(request.definition);
     const mesh = () => meshOf(opened, request.resolution, this.#surfpath);
     if (task === 'mesh') return mesh();
     if (task === 'draft') return { mesh: mesh(), path: warmPath(opened, request) };
     if (task === 'solve') return solve(opened, request);
-    if (task === 'shade') return shade(opened, request, this.#surfpath);
-    if (task === 'study') return study(opened, request, report);
+    if (task === 'shade') return shade(opened, request, job, this.#surfpath);
+    if (task === 'study') return study(opened, request, job.report);
     throw new RangeError(`there is no task ${task}`);
   }
 
@@ -92,7 +92,7 @@ function solve(opened, { ends, via, options }) {
   if (options.task === 'trace') return tracedPath(opened, ends[0], options);
   const { surface } = opened;
   const [from, to] = ends;
-  const several = options.start === 'several' && via.length === 0;
+  const several = options.start === 'several' && options.task === 'path' && via.length === 0;
   const starts = via.length > 0 ? [] : several ? severalStarts(opened, from, to) : [/** @type {const} */ ('straight')];
   const start = options.start === 'several' ? /** @type {const} */ ('straight') : options.start;
   const asked = { ...wanted(options), ...(via.length > 0 ? { via } : {}), start };
@@ -123,11 +123,10 @@ function framesOf({ points }, film) {
   return isNear(last, points) ? [[...film.slice(0, -1), points]] : [];
 }
 
-/** How Newton's method moves a start to a path. @param {Opened} opened @param {number[]} from @param {number[]} to @param {Question['options']} options @param {Float64Array | 'straight'} start */
-function iterates({ surface }, from, to, { points, algorithm }, start) {
+/** How Newton's method moves a start to a path: the start, and what each step makes of it. @param {Opened} opened @param {number[]} from @param {number[]} to @param {Question['options']} options @param {Float64Array | 'straight'} start */
+function iterates({ surface }, from, to, options, start) {
   try {
-    const played = algorithm === 'paper' ? algorithm : /** @type {const} */ ('polyline');
-    const { history } = surface.shortestPath(from, to, { points, algorithm: played, start, record: true });
+    const { history } = surface.shortestPath(from, to, { ...wanted(options), start, record: true });
     return history.flatMap((iterate) => (iterate.points && iterate.points.length > 0 ? [iterate.points] : []));
   } catch {
     return [];

@@ -32,7 +32,7 @@ const OUTCOMES = {
 export function describeStatus(status, { start, task }) {
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
   if (status !== 'converged') return [words, advice];
-  if (task === 'trace') return [words, 'Straight ahead from A for the whole length.'];
+  if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' ? 'No shorter path was found.' : advice];
 }
 

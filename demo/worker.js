@@ -5,6 +5,8 @@ import { Workshop } from './tasks.js';
 
 const loading = load();
 /** @type {Workshop | null} */ let workshop = null;
+/** The last task that is no longer wanted. */
+let stopped = 0;
 
 /** Errors lose their fields on the way between threads. @param {unknown} error */
 function describe(error) {
@@ -21,11 +23,15 @@ function buffersOf(result) {
   return [...new Set(arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength).map(({ buffer }) => buffer))];
 }
 
-self.addEventListener('message', async ({ data: { id, task, request } }) => {
+self.addEventListener('message', async ({ data: { id, task, request, stop } }) => {
+  if (stop) {
+    stopped = stop;
+    return;
+  }
   const report = (/** @type {unknown} */ progress) => self.postMessage({ id, progress });
   try {
     workshop ??= new Workshop(await loading);
-    const result = /** @type {any} */ (workshop.run(task, request, report));
+    const result = /** @type {any} */ (await workshop.run(task, request, { report, isStopped: () => stopped === id }));
     self.postMessage({ id, result }, { transfer: buffersOf(result?.mesh ?? result) });
   } catch (error) {
     self.postMessage({ id, error: describe(error) });

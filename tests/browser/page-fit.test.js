@@ -76,16 +76,35 @@ describe('sizes and themes', () => {
     }
   });
 
-  test('on a tablet the panel opens over the view', async () => {
+  test('on a tablet the panel opens beside the view, and Escape closes it', async () => {
     await page.setViewportSize({ width: 820, height: 1180 });
     assert.equal(await page.isVisible('#panel'), false);
     await page.click('#toggle-panel');
     await page.waitForTimeout(300);
     assert.equal(await page.isVisible('#colour'), true);
+    const [view, panel] = await Promise.all(['#view', '#panel'].map((id) => page.locator(id).boundingBox()));
+    assert.ok(view && panel && view.x + view.width <= panel.x, 'nothing of the view is covered');
     await page.screenshot({ path: `${SCREENSHOTS}page-820x1180-panel.png` });
     assert.deepEqual(await violations(page), []);
-    await page.click('#toggle-panel');
+    await page.keyboard.press('Escape');
+    await page.waitForTimeout(300);
+    assert.equal(await page.isVisible('#panel'), false);
+    assert.equal(await page.evaluate(() => document.activeElement?.id), 'toggle-panel');
     await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
+  test('words of any length leave the view as large as it is', async () => {
+    await openEntry(page, 'parametricTorus');
+    const height = () => page.evaluate(() => document.getElementById('view')?.clientHeight);
+    const before = await height();
+    await page.fill('#field-z', 'a*sine(v)');
+    await page.waitForSelector('#problem-z:not([hidden])');
+    assert.equal(await height(), before);
+    await page.fill('#field-z', 'a*sin(v)');
+    await page.check('[name=task][value=trace]');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await height(), before);
   });
 });
 
@@ -130,4 +149,25 @@ test('nothing but the page itself is asked for, and no picture of the gallery be
 
 test('the console stayed silent', () => {
   assert.deepEqual(complaints, []);
+});
+
+test('what a finger touches is at least 44 pixels high', async () => {
+  const phone = await openBrowser([], { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  try {
+    const opened = await openPage(phone.context, phone.address);
+    await settled(opened.page);
+    for (const name of ['surface', 'path', 'plane', 'plots', 'share']) {
+      await opened.page.tap(`#tabs [data-tab=${name}]`);
+      const small = await opened.page.evaluate(() =>
+        [...document.querySelectorAll('button, select, summary, textarea, input:not([type=radio]), .choice label, .surfpath-handle')]
+          .filter((element) => element.checkVisibility())
+          .map((element) => [element.id || element.textContent?.trim(), element.getBoundingClientRect().height])
+          .filter(([, height]) => Number(height) < 44),
+      );
+      assert.deepEqual(small, [], name);
+    }
+    assert.deepEqual(opened.complaints, []);
+  } finally {
+    await phone.close();
+  }
 });

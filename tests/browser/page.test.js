@@ -36,7 +36,10 @@ test('the first scene is the torus, its path shorter than the straight start', a
   assert.equal(await status(), 'converged');
   assert.ok((await length()) < Number.parseFloat(await text('#start-length')));
   assert.match(await text('#time'), /^[\d.]+ ms$/);
-  assert.match(await text('#moment-words'), /^Iteration (\d+) of \1$/);
+  // One number of steps, in the strip and in the player.
+  const steps = await text('#iterations');
+  assert.ok(Number(steps) > 2);
+  assert.equal(await text('#moment-words'), `Newton step ${steps} of ${steps}`);
   assert.deepEqual(await Promise.all(['#algorithm', '#tolerance', '#start', '#points'].map((id) => page.inputValue(id))), [
     'elements',
     '1e-9',
@@ -219,15 +222,14 @@ test('straight ahead from A: the length is the one that was asked for', async ()
 test('several starts converge to one path, and the straight one alone may miss the shortest', async () => {
   await openEntry(page, 'hills');
   const [global, start] = [await length(), await text('#start-length')];
-  assert.equal(await text('#moment-words'), 'Path alone');
-  assert.equal(await page.isDisabled('#play'), true);
+  assert.equal(await page.isVisible('#player'), false, 'the straight start leads elsewhere: there is nothing to play');
   await doing(() => page.selectOption('#start', 'straight'));
   assert.equal(await status(), 'converged');
   assert.ok((await length()) > 1.005 * global);
-  assert.match(await text('#moment-words'), /^Iteration (\d+) of \1$/);
+  assert.match(await text('#moment-words'), /^Newton step (\d+) of \1$/);
   assert.equal(Number.parseFloat(await text('#start-length')), Number.parseFloat(start));
   await doing(() => page.selectOption('#start', 'several'));
-  assert.match(await text('#moment-words'), /^Iteration each (\d+) of \1$/);
+  assert.match(await text('#moment-words'), /^Newton step (\d+) of \1$/);
   assert.ok((await length()) < 1.0001 * global, 'one of five starts leads to the shortest');
 });
 
@@ -315,7 +317,7 @@ test('the iterates play in about a second, and can be scrubbed', async () => {
   await page.waitForFunction((end) => /** @type {any} */ (document.getElementById('moment')).valueAsNumber === end, last);
   assert.ok(Date.now() - begin < 4000);
   await page.fill('#moment', '0');
-  assert.equal(await text('#moment-words'), `Iteration 0 of ${last}`);
+  assert.equal(await text('#moment-words'), `Newton step 0 of ${last}`);
   await page.emulateMedia({ reducedMotion: 'reduce' });
 });
 

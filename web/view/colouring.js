@@ -19,6 +19,8 @@ const NOWHERE = '#a9a8a5';
 /** Share of the vertices whose curvature is inside the scale: a few with very much would leave all others pale. */
 const INSIDE = 0.95;
 const BANDS = 12;
+/** Numbers that differ by less than this part of the largest are one: what rounding leaves of a constant is nothing to show. */
+const SAME = 1e-9;
 /** Curvature below this, times the size squared, is none: what differences leave of a plane. */
 const FLAT = 1e-7;
 
@@ -40,7 +42,10 @@ export function bandScale(quantity, values) {
   const finite = Float64Array.from(values).filter(Number.isFinite);
   const high = finite.reduce((most, x) => Math.max(most, x), -Infinity);
   const low = quantity === 'distance' ? 0 : finite.reduce((least, x) => Math.min(least, x), Infinity);
-  if (!(high > low)) return { quantity, low: Math.min(low, high, 0), high: Math.max(low, high, 1), spacing: 1, palette: SEQUENTIAL };
+  if (!(high - low > SAME * Math.max(high, -low))) {
+    const first = Number.isFinite(low) ? low : 0;
+    return { quantity, low: first, high: first + 1, spacing: 1, palette: SEQUENTIAL };
+  }
   return { quantity, low, high, spacing: roundUp((high - low) / BANDS), palette: SEQUENTIAL };
 }
 
