@@ -109,11 +109,14 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
-/* The length of a polyline, and its error. */
+/* The length of a polyline, and its error: at least the variance of its speed, which a crease leaves. MATH.md, "The ladder". */
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
     refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
+    double uneven = refined->outcome.energy / refined->length - refined->length;
     refined->length_error = sp_check_length_error(line, newton->size, refined->outcome.active, sums);
+    if (uneven > refined->length) uneven = refined->length; /* far from rest */
+    if (uneven > refined->length_error) refined->length_error = uneven;
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
