@@ -174,6 +174,10 @@ static int first_rung(const struct sp_system *first) {
 
 static double distance(double a, double b) { return a > b ? a - b : b - a; }
 
+/* What a path at rest that is smooth has none of: E/L^2 - 1, the variance of its speed. A crease inside an element, or beside the nodes,
+ * leaves both sides with speeds of their own. Times the length, what it may be too long by. */
+static double unevenness(const struct climbed *climbed) { return larger(climbed->outcome.energy / climbed->length - climbed->length, 0); }
+
 /* Of length 1; zero stays zero. */
 static struct sp_vector direction(struct sp_vector chord) {
     sp_pair squared = sp_dot(chord, chord);
@@ -260,8 +264,10 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         follows = !astray && from_elements;
         change = distance(now.length, last);
         last = now.length;
-        error = follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change;
-        if (agrees && !astray && change <= allowed && is_settled(now.moved, moved, allowed)) return finish(newton, now, error);
+        double uneven_by = unevenness(&now);
+        error = larger(uneven_by, follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change);
+        if (agrees && !astray && change <= allowed && uneven_by <= allowed && is_settled(now.moved, moved, allowed))
+            return finish(newton, now, error);
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;

@@ -37,10 +37,14 @@ double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options 
            8.0 * start_count + 4 * 16;
 }
 
+/* A start of more points is thinned: on 512 chords and more projected Newton frees about one node a step from a wall that the path leaves.
+ */
+enum { FINEST_START = 256 };
+
 /* Inner nodes of the first path of chords: more than usual where a start of many points is given, which then keeps what it knows. */
 static int32_t first_inner(const struct sp_request *request) {
     int32_t chords = SP_REFINE_FIRST + 1;
-    while (chords <= SP_REFINE_INNER / 2 && chords + 1 < request->start_count)
+    while (chords < FINEST_START && chords + 1 < request->start_count)
         chords *= 2;
     return chords - 1;
 }
@@ -105,11 +109,14 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
-/* The length of a polyline, and its error. */
+/* The length of a polyline, and its error: at least the variance of its speed, which a crease leaves. MATH.md, "The ladder". */
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
     refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
+    double uneven = refined->outcome.energy / refined->length - refined->length;
     refined->length_error = sp_check_length_error(line, newton->size, refined->outcome.active, sums);
+    if (uneven > refined->length) uneven = refined->length; /* far from rest */
+    if (uneven > refined->length_error) refined->length_error = uneven;
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */

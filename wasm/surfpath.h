@@ -35,13 +35,13 @@ struct sp_options {
 struct sp_request {
     double from[3]; /* parametric: u, v; implicit: x, y, z, near the surface */
     double to[3];
-    const double *start; /* start_count points of 2 (parametric) or 3 numbers, resampled to K + 2 by length, its ends moved to from and to.
-                            NULL: the straight line from end to end, solved from the lexicographically smaller end, so that
-                            exchanging the ends reverses the path to the bit */
+    const double *start; /* start_count points of 2 (parametric) or 3 numbers, resampled by length to K + 2, SP_ELEMENTS to at most 257, its
+                            ends moved to from and to. NULL: the straight line from end to end, solved from the lexicographically smaller
+                            end, so that exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
     int32_t pole;        /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; any other
                             number: none. 4 more: in a chart around that point, from the straight line in it; to[2], > 0, is then what the
-                            coordinate        along the edge changes by once around */
+                            coordinate along the edge changes by once around */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are

@@ -69,6 +69,18 @@ void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     pull[0] = sp_dot(force, sp_load(chart + SP_CHART_1)), pull[1] = sp_dot(force, sp_load(chart + SP_CHART_2));
 }
 
+int sp_system_keeps_normals(const struct sp_system *system, struct sp_nodes nodes) {
+    int graded = system->elements.singular[0] || system->elements.singular[1];
+    if (system->line.surface->kind != SP_IMPLICIT && !graded) return 1;
+    for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
+        struct sp_vector old = sp_chart_normal(system->line.nodes.charts + SP_CHART * k),
+                         now = sp_chart_normal(nodes.charts + SP_CHART * k);
+        if (sp_any(sp_dot(old, now) <= sp_splat(0.0))) return 0;
+        if (graded && sp_any(sp_dot(now, now) < 0.01 * sp_dot(old, old))) return 0;
+    }
+    return 1;
+}
+
 double sp_system_steepness(const struct sp_system *system, double squares) {
     struct sp_fold fold = system->line.fold;
     double sum = 0;

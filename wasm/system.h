@@ -41,6 +41,10 @@ int sp_system_exceeds(const struct sp_system *system, double bound);
  * an element, its index lowered. */
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]);
 
+/* Whether the path may move to these nodes. No node's normal may turn by more than a right angle in one step: implicit, it would have
+ * changed sheets, or crossed the singular curve at an end, near which it may not shrink to a tenth either. */
+int sp_system_keeps_normals(const struct sp_system *system, struct sp_nodes nodes);
+
 /* sqrt(2 g'M^-1 g / squares): how far from stationary, whatever the Hessian. */
 double sp_system_steepness(const struct sp_system *system, double squares);
 

@@ -1,0 +1,77 @@
+// Surfaces with creases, across which derivatives jump: no wrong path is called converged, and lengthError says how wrong. What is exact is known by unfolding.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+const surfpath = await load();
+const PAIRS = 60;
+/** Two tolerances of 1e-9, relative. */
+const RIGHT = 2e-9;
+
+/** z of folded planes over x, what z is at both sides of each fold, and the folds. @type {[string, (x: number) => number, number[]][]} */
+const FOLDED = [
+  ['max(0, x)', (x) => Math.max(0, x), [0]],
+  ['max(0, x - 0.3)', (x) => Math.max(0, x - 0.3), [0.3]],
+  ['0.1*abs(x)', (x) => 0.1 * Math.abs(x), [0]],
+  ['abs(x - 0.123)', (x) => Math.abs(x - 0.123), [0.123]],
+  ['min(x, 0.2 - x)', (x) => Math.min(x, 0.2 - x), [0.1]],
+  ['abs(abs(x) - 0.4)', (x) => Math.abs(Math.abs(x) - 0.4), [-0.4, 0, 0.4]],
+];
+
+for (const [z, height, folds] of FOLDED)
+  test(`${z}: right, or not called converged, seed 4`, () => {
+    const surface = surfpath.graph({ z, x: [-1, 1], y: [-1, 1] });
+    const random = createRandom(4);
+    const point = () => [random.between(-1, 1), random.between(-1, 1)];
+    let [crossing, covered] = [0, 0];
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, to] = [point(), point()];
+      const [low, high] = from[0] < to[0] ? [from[0], to[0]] : [to[0], from[0]];
+      const inner = folds.filter((x) => x > low && x < high);
+      const stops = [low, ...inner, high];
+      const along = stops.slice(1).reduce((sum, x, k) => sum + Math.hypot(x - stops[k], height(x) - height(stops[k])), 0);
+      const exact = Math.hypot(along, to[1] - from[1]);
+      const path = surface.shortestPath(from, to);
+      if (path.touchesBoundary) continue;
+      const error = Math.abs(path.length - exact);
+      assert.ok(!path.converged || error <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+      if (inner.length === 0) assert.equal(path.status, 'converged', `${from} to ${to} crosses no fold`);
+      else crossing++;
+      if (inner.length > 0 && error <= path.lengthError) covered++;
+    }
+    assert.ok(crossing > 15, `only ${crossing} cross a fold`);
+    assert.ok(covered >= 0.8 * crossing, `lengthError covers ${covered} of ${crossing}`);
+    surface.dispose();
+  });
+
+test('a step, where the surface is torn: no path across it converges', () => {
+  const stairs = surfpath.graph({ z: '0.3*floor(2x)', x: [-1, 1], y: [-1, 1] });
+  assert.equal(stairs.shortestPath([0.1, -0.5], [0.4, 0.5]).status, 'converged');
+  for (const to of [0.6, -0.2, -0.9]) assert.notEqual(stairs.shortestPath([0.1, -0.5], [to, 0.5]).status, 'converged');
+  stairs.dispose();
+});
+
+test('the error of a polyline that crosses a crease is not that of a smooth one', () => {
+  const bent = surfpath.graph({ z: 'max(0, x)', x: [-1, 1], y: [-1, 1] });
+  const path = bent.shortestPath([-0.7, -0.3], [0.6, 0.8], { algorithm: 'polyline' });
+  const exact = Math.hypot(0.7 + 0.6 * Math.SQRT2, 1.1);
+  assert.ok(Math.abs(path.length - exact) > 1e-4, 'chords have become exact: a case for other numbers');
+  assert.ok(Math.abs(path.length - exact) <= path.lengthError, `${path.length}, exact ${exact}, said ${path.lengthError}`);
+  bent.dispose();
+});
+
+test('where curvature alone jumps there is no crease: the path is right', () => {
+  const joined = surfpath.graph({ z: 'max(0, x)^3', x: [-1, 1], y: [-1, 1] });
+  const path = joined.shortestPath([-0.7, -0.3], [0.6, 0.8], { tolerance: 1e-6 });
+  /* Simpson's rule on the arc length of the profile. */
+  const steps = 1000;
+  let profile = 0.7;
+  for (let i = 0; i <= steps; i++) {
+    const slope = 3 * (0.6 * (i / steps)) ** 2;
+    profile += ((i === 0 || i === steps ? 1 : i % 2 ? 4 : 2) * (0.6 / steps) * Math.sqrt(1 + slope * slope)) / 3;
+  }
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length / Math.hypot(profile, 1.1) - 1) <= 1e-6);
+  joined.dispose();
+});
