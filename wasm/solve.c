@@ -109,7 +109,8 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
     refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
-    refined->length_error = sp_check_length_error(line, newton->size, refined->outcome.active, sums);
+    refined->length_error =
+        sp_check_length_error(line, newton->size, refined->outcome.active, sums) + refined->outcome.doubt * refined->length;
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
