@@ -4,8 +4,8 @@
 #include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
-static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SOFT = 1e-2, LEAST_SOFT = 1e-15,
-                    PAPER_TOLERANCE = 1e-6;
+static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SOFT = 1e-2,
+                    LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
 enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -318,13 +318,12 @@ static double doubt_of(struct sp_newton *newton, const struct round *round) {
     if (!shifted_descent(newton, part / weights, &descent)) return 1;
     while (negative > 0 && negative < part && !shifted_descent(newton, negative / weights, &unused))
         negative *= 4;
-    return root(2 * part * descent / round->energy.squares) + 0.5 * negative;
+    return root(2 * part * descent / round->energy.squares) + negative;
 }
 
 /* Whether the ends are so nearly conjugate that the path can hardly be moved on, and what is left to gain below `enough`. */
 static int is_loose(struct sp_newton *newton, const struct round *round, double enough) {
-    if (sp_system_exceeds(&newton->system, CONDITIONING) ||
-        !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY))
+    if (sp_system_exceeds(&newton->system, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY))
         return 0;
     if (doubt_of(newton, round) <= enough) return 1;
     sp_system_factor(&newton->system, 0);
@@ -335,13 +334,6 @@ static int is_loose(struct sp_newton *newton, const struct round *round, double 
 static int32_t idle_count(int32_t idle, const struct round *before, const struct round *after) {
     int falls = after->energy.squares < before->energy.squares * (1 - SLACK) || after->gradient_norm < 0.5 * before->gradient_norm;
     return falls ? 0 : idle + 1;
-}
-
-/* Stationary, and some pivot is zero up to rounding: no step can be computed because none is needed (ends exactly conjugate). */
-static int is_undetermined(struct sp_newton *newton, const struct round *round) {
-    sp_system_factor(&newton->system, 0);
-    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && !sp_system_exceeds(&newton->system, CONDITIONING) &&
-           sp_system_exceeds(&newton->system, -CONDITIONING);
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
@@ -359,7 +351,8 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
         newton->certain = certified && !newton->draft && options->gradient_tolerance > 0 && is_certain(newton, round);
         double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
         if (scale == 0) {
-            outcome->status = rest ? SP_SADDLE : is_undetermined(newton, round) ? SP_ILL_CONDITIONED : SP_STALLED;
+            sp_system_factor(&newton->system, 0);
+            outcome->status = rest ? SP_SADDLE : is_loose(newton, round, STATIONARY) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
         struct round before = *round;

@@ -100,7 +100,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
     double corner = corner_of(surface, across, value, around), first = arcs->arc[0].length, second = arcs->arc[1].length,
-           gain = corner * (first < second ? first : second);
+           gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
     if (gain > 0) whole.length_error += gain;
     if (!(corner <= STRAIGHT && gain <= options->tolerance * whole.length)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
     return whole;
