@@ -48,8 +48,9 @@ static enum sp_status measure(struct search *search) {
     double limit = 0;
     for (;;) {
         search->best = sp_front_reach(front, search->attached + 1);
-        if (search->best <= limit) break;
-        if (front->count == 0) return SP_DISCONNECTED;
+        int all = front->count == 0; /* is visited: then the end may be the farthest of it */
+        if (search->best <= limit || (all && search->best < __builtin_inf())) break;
+        if (all) return SP_DISCONNECTED;
         double nearest = front->distance[front->heap[0]];
         limit = GROWTH * (limit > nearest ? limit : nearest) + 1e-300;
         sp_front_advance(front, limit);

@@ -4,8 +4,8 @@
 #include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
-static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3,
-                    PAPER_TOLERANCE = 1e-6;
+static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SOFT = 1e-2,
+                    LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
 enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -282,17 +282,41 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     return newton->looked || sp_system_exceeds(&newton->system, CONDITIONING) ? SP_CONVERGED : SP_ILL_CONDITIONED;
 }
 
+/* Whether H + shift M is positive definite, and then what its solution promises. */
+static int shifted_descent(struct sp_newton *newton, double shift, double *descent) {
+    struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
+    *descent = inertia.descent;
+    return inertia.usable && inertia.negative == 0;
+}
+
+/* By what part of its length a path between nearly conjugate ends may be longer than the one to which it could turn, by as much as it is
+ * long: the slope along its soft direction, without a word of the curvature, which is less than what is left to correct in all others; and
+ * by what curvature is negative. MATH.md, "Newton". Leaves a shifted factorisation. */
+static double doubt_of(struct sp_newton *newton, const struct round *round) {
+    struct sp_fold fold = newton->system.line.fold;
+    double weights = 0, descent, part = SOFT, negative = is_definite(round) ? 0 : LEAST_SOFT, unused;
+    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
+        weights += sp_fold_sum(fold, k, newton->system.rows[k].weight);
+    weights *= sp_system_segments(&newton->system);
+    if (!shifted_descent(newton, part / weights, &descent)) return 1;
+    while (negative > 0 && negative < part && !shifted_descent(newton, negative / weights, &unused))
+        negative *= 4;
+    return root(2 * part * descent / round->energy.squares) + negative;
+}
+
+/* Whether the ends are so nearly conjugate that the path can hardly be moved on, and what is left to gain below `enough`. */
+static int is_loose(struct sp_newton *newton, const struct round *round, double enough) {
+    if (sp_system_exceeds(&newton->system, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY))
+        return 0;
+    if (doubt_of(newton, round) <= enough) return 1;
+    sp_system_factor(&newton->system, 0);
+    return 0;
+}
+
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
 static int32_t idle_count(int32_t idle, const struct round *before, const struct round *after) {
     int falls = after->energy.squares < before->energy.squares * (1 - SLACK) || after->gradient_norm < 0.5 * before->gradient_norm;
     return falls ? 0 : idle + 1;
-}
-
-/* Stationary, and some pivot is zero up to rounding: no step can be computed because none is needed (ends exactly conjugate). */
-static int is_undetermined(struct sp_newton *newton, const struct round *round) {
-    sp_system_factor(&newton->system, 0);
-    return sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY && !sp_system_exceeds(&newton->system, CONDITIONING) &&
-           sp_system_exceeds(&newton->system, -CONDITIONING);
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
@@ -304,11 +328,14 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
             return;
         }
         outcome->status = newton->steps_left <= 0 ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
+        double enough = outcome->status ? STATIONARY : options->gradient_tolerance > 0 ? 0 : options->tolerance;
+        if (certified && is_loose(newton, round, enough)) outcome->status = SP_ILL_CONDITIONED;
         if (outcome->status) return;
         newton->certain = certified && !newton->draft && options->gradient_tolerance > 0 && is_certain(newton, round);
         double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
         if (scale == 0) {
-            outcome->status = rest ? SP_SADDLE : is_undetermined(newton, round) ? SP_ILL_CONDITIONED : SP_STALLED;
+            sp_system_factor(&newton->system, 0);
+            outcome->status = rest ? SP_SADDLE : is_loose(newton, round, STATIONARY) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
         struct round before = *round;
@@ -352,7 +379,7 @@ static void converge(struct sp_newton *newton, const struct sp_options *options,
 }
 
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
-    struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number()};
+    struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number(), 0};
     struct round round = {0};
     newton->certain = newton->looked = 0;
     assemble(newton, options, &round);
@@ -366,13 +393,14 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.energy = sp_system_segments(&newton->system) * round.energy.squares, outcome.gradient_norm = round.gradient_norm;
     outcome.active = newton->system.line.touches;
+    if (outcome.status == SP_ILL_CONDITIONED) outcome.doubt = doubt_of(newton, &round);
     return outcome;
 }
 
 int sp_newton_confirm(struct sp_newton *newton, struct sp_outcome *outcome) {
     struct round round = {0};
     if (!(newton->last_decrement * newton->last_decrement <= newton->enough) || !look(newton, &round)) return 0;
-    *outcome = (struct sp_outcome){SP_CONVERGED, 0, 0, sp_system_segments(&newton->system) * round.energy.squares, round.gradient_norm};
+    *outcome = (struct sp_outcome){SP_CONVERGED, 0, 0, sp_system_segments(&newton->system) * round.energy.squares, round.gradient_norm, 0};
     note(newton, &round);
     return 1;
 }

@@ -33,6 +33,7 @@ struct sp_newton {
 struct sp_outcome {
     int32_t status, index, active;
     double energy, gradient_norm;
+    double doubt; /* SP_ILL_CONDITIONED: by what part of its length a path may be shorter to which it could turn */
 };
 
 /* Lays out the arrays for at most `inner` unknown nodes and as many steps as the options allow. Returns 0 if the arena is full. */

@@ -35,21 +35,21 @@ double sp_pole_angle(const struct sp_surface *surface, int32_t across, double va
         along = sp_scale(along, 1.0 / sp_square_root(sp_dot(along, along)));
         struct sp_vector change = sp_subtract(along, before);
         double squared = sp_dot(change, change)[0], chord = sp_square_root(sp_splat(squared))[0];
-        angle += i ? chord * (1 + squared / 24 * (1 + 9 * squared / 80)) : 0;
+        angle += i ? chord * (1 + squared / 24 * (1 + 9 * squared / 80 * (1 + 25 * squared / 168))) : 0;
         before = along;
     }
     return angle;
 }
 
-/* Whether the surface has no shorter way past the pole than over it: straight on where the surface closes around the pole; between walls,
- * no turn into the rectangle. Of a tensor that is not known. */
-static int passes_straight(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
-    if (surface->metric == SP_TENSOR) return 1;
+/* By how much the way over the pole turns there towards where a way past it is shorter, radians: off straight on where the surface closes
+ * around the pole; between walls, into the rectangle. Of a tensor that is not known. */
+static double corner_of(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
+    if (surface->metric == SP_TENSOR) return 0;
     double angle = sp_pole_angle(surface, across, value, around[0], around[1]);
-    if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle >= PI - STRAIGHT;
+    if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle < PI ? PI - angle : 0;
     while (angle > 2 * PI && angle < 100)
         angle -= 2 * PI;
-    return angle >= PI - STRAIGHT && angle <= PI + STRAIGHT;
+    return angle < PI ? PI - angle : angle - PI;
 }
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
@@ -99,6 +99,9 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     if (arcs->count < 2) return arcs->count = 0, none;
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
-    if (!passes_straight(surface, across, value, around)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
+    double corner = corner_of(surface, across, value, around), first = arcs->arc[0].length, second = arcs->arc[1].length,
+           gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
+    if (gain > 0) whole.length_error += gain;
+    if (!(corner <= STRAIGHT && gain <= options->tolerance * whole.length)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
     return whole;
 }

@@ -140,7 +140,8 @@ static double tolerance_of(const struct sp_newton *newton, const struct sp_optio
 }
 
 static struct sp_refined finish(const struct sp_newton *newton, struct climbed climbed, double length_error) {
-    return (struct sp_refined){climbed.outcome, climbed.length, larger(length_error, sp_check_rounding(climbed.length, newton->size))};
+    double error = larger(length_error, sp_check_rounding(climbed.length, newton->size));
+    return (struct sp_refined){climbed.outcome, climbed.length, error + climbed.outcome.doubt * climbed.length};
 }
 
 /* A rung from the path of the rung before; if that leads astray, from the path of chords. */

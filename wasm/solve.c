@@ -114,7 +114,8 @@ static void measure(struct sp_refined *refined, const struct sp_newton *newton, 
     const struct sp_polyline *line = &newton->system.line;
     refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
     double uneven = refined->outcome.energy / refined->length - refined->length;
-    refined->length_error = sp_check_length_error(line, newton->size, refined->outcome.active, sums);
+    refined->length_error =
+        sp_check_length_error(line, newton->size, refined->outcome.active, sums) + refined->outcome.doubt * refined->length;
     if (uneven > refined->length) uneven = refined->length; /* far from rest */
     if (uneven > refined->length_error) refined->length_error = uneven;
 }

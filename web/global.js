@@ -75,9 +75,7 @@ export function findPaths(problem, options, most) {
   const ways = overPoles(problem, options);
   const found = choosePaths(problem, options, most, ways);
   const corner = most === 1 && ways.find(({ path }) => path.status === STATUS.stalled)?.path;
-  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length + corner.lengthError)
-    ? [corner]
-    : found;
+  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length) ? [corner] : found;
 }
 
 /**
@@ -248,7 +246,7 @@ function isPointed({ from, to, domain, graph }) {
 
 /** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
 function solveRoughly(problem, { to, start }) {
-  const options = { tolerance: 1e-9, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
+  const options = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
   let path = problem.solve(to, start, { ...options, points: ROUGH[0] });
   for (const points of ROUGH.slice(1)) if (start && isTooCoarse(path)) path = problem.solve(to, start, { ...options, points });
   return { to, path };
