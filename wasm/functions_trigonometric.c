@@ -45,9 +45,10 @@ static struct fixed_point quarter_turns(double x) {
     return (struct fixed_point){mantissa * bits_of_two_over_pi(position) + multiply_high(mantissa, middle) + (low < carried), low};
 }
 
-static struct reduced_angle reduce_positive(double x) {
+/* x - quadrant pi/2 for finite x >= 1/2, in two parts. */
+static struct sp_wide rest_of(double x, uint64_t *quadrant) {
     struct fixed_point turns = quarter_turns(x);
-    uint64_t quadrant = (turns.high + ((uint64_t)1 << 61)) >> 62;
+    *quadrant = (turns.high + ((uint64_t)1 << 61)) >> 62;
     /* A fraction of one half or more counts as negative. Its complement is too small by 2^-128. */
     uint64_t fraction = turns.high << 2 | turns.low >> 62, rest = turns.low << 2, negative = fraction >> 63;
     fraction ^= 0 - negative, rest ^= 0 - negative;
@@ -57,20 +58,21 @@ static struct reduced_angle reduce_positive(double x) {
     sum.low += (double)(rest & 0x3fffff) * 0x1p-64;
     struct sp_wide angle = sp_wide_multiply(sum, sp_constants.half_pi);
     double unit = negative ? -0x1p-64 : 0x1p-64;
-    return (struct reduced_angle){angle.high * unit, angle.low * unit, (sp_word){quadrant, quadrant}};
+    return (struct sp_wide){angle.high * unit, angle.low * unit};
 }
 
-/* Kept out of line: rare, and it would crowd the registers of the common way. */
-__attribute__((noinline, cold)) static void reduce_lane(struct reduced_angle *angle, double x, int lane) {
+/* The parts of a reduced angle. */
+enum part { HIGH, LOW, QUADRANT };
+
+/* One part of the angle of x, reduced in full. Kept out of line, and asked for one part at a time: rare, and what it would write to memory
+ * would have to lie there on the common way, too. */
+__attribute__((noinline, cold)) static double reduce_fully(double x, enum part part) {
     double magnitude = sp_absolute(sp_splat(x))[0];
-    if (!(magnitude < SP_INFINITY)) {
-        angle->high[lane] = SP_NAN;
-        return;
-    }
-    struct reduced_angle reduced = reduce_positive(magnitude);
-    angle->high[lane] = x < 0 ? -reduced.high[0] : reduced.high[0];
-    angle->low[lane] = x < 0 ? -reduced.low[0] : reduced.low[0];
-    angle->quadrant[lane] = x < 0 ? 0 - reduced.quadrant[0] : reduced.quadrant[0];
+    if (!(magnitude < SP_INFINITY)) return SP_NAN;
+    uint64_t quadrant;
+    struct sp_wide rest = rest_of(magnitude, &quadrant);
+    double value = part == HIGH ? rest.high[0] : part == LOW ? rest.low[0] : (double)quadrant;
+    return x < 0 ? -value : value;
 }
 
 static inline struct reduced_angle reduce(sp_pair x) {
@@ -84,10 +86,12 @@ static inline struct reduced_angle reduce(sp_pair x) {
     sp_pair high = second - third;
     struct reduced_angle angle = {high, (second - high) - third, sp_word_of(shifted)};
 
-    sp_mask hard = ~((sp_absolute(x) < REDUCED_EASILY) & (sp_absolute(high) >= sp_absolute(multiple) * TOO_CLOSE));
+    sp_mask hard = (sp_absolute(x) >= REDUCED_EASILY) | (sp_absolute(high) < sp_absolute(multiple) * TOO_CLOSE);
     if (sp_any(hard)) {
-        for (int lane = 0; lane < 2; lane++) {
-            if (hard[lane]) reduce_lane(&angle, x[lane], lane);
+        SP_UNROLL for (int lane = 0; lane < 2; lane++) {
+            if (!hard[lane]) continue;
+            angle.high[lane] = reduce_fully(x[lane], HIGH), angle.low[lane] = reduce_fully(x[lane], LOW);
+            angle.quadrant[lane] = sp_word_of(sp_splat(reduce_fully(x[lane], QUADRANT) + SP_ROUNDER))[0];
         }
     }
     return angle;

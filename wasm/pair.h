@@ -45,6 +45,28 @@ static inline __attribute__((always_inline)) int sp_any(sp_mask mask) {
 #endif
 }
 
+/* `a < b ? b : a`, lane by lane: `a` where it is NaN. */
+static inline __attribute__((always_inline)) sp_pair sp_larger(sp_pair a, sp_pair b) {
+#ifdef __wasm_simd128__
+    return (sp_pair)wasm_f64x2_pmax((v128_t)a, (v128_t)b);
+#elif defined(__SSE2__)
+    return (sp_pair)_mm_max_pd((__m128d)b, (__m128d)a);
+#else
+    return sp_select(a < b, b, a);
+#endif
+}
+
+/* `b < a ? b : a`, lane by lane: `a` where it is NaN. */
+static inline __attribute__((always_inline)) sp_pair sp_smaller(sp_pair a, sp_pair b) {
+#ifdef __wasm_simd128__
+    return (sp_pair)wasm_f64x2_pmin((v128_t)a, (v128_t)b);
+#elif defined(__SSE2__)
+    return (sp_pair)_mm_min_pd((__m128d)b, (__m128d)a);
+#else
+    return sp_select(b < a, b, a);
+#endif
+}
+
 /* Correctly rounded square root. */
 static inline __attribute__((always_inline)) sp_pair sp_square_root(sp_pair x) {
 #ifdef __wasm_simd128__

@@ -10,9 +10,8 @@ static void parametric_charts(const struct sp_surface *surface, int32_t pair_cou
 /* Into the range of coordinate j; notes where it touches a wall. */
 static inline __attribute__((always_inline)) sp_pair clip(const struct sp_surface *surface, int j, sp_pair x, sp_mask *touching) {
     sp_pair lower = sp_splat(surface->lower[j]), upper = sp_splat(surface->upper[j]);
-    sp_mask below = x <= lower, above = x >= upper;
-    *touching |= below | above;
-    return sp_select(above, upper, sp_select(below, lower, x));
+    *touching |= (x <= lower) | (x >= upper);
+    return sp_smaller(sp_larger(x, lower), upper);
 }
 
 int sp_parametric_clip(const struct sp_surface *surface, int32_t pair_count, sp_pair *places) {
