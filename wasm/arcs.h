@@ -36,8 +36,9 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
  * turned through. `across`, `value`: the coordinate that is constant on its edge. */
 double sp_pole_angle(const struct sp_surface *surface, int32_t across, double value, double from, double to);
 
-/* How often the normal turns over along a polyline on a parametric surface, from one node to the next. Its charts are computed. */
-int32_t sp_cusp_turns(const struct sp_polyline *line);
+/* How often the normal turns over along a path on a parametric surface, from one node to the next, the nodes before `first` at either end
+ * left out: where it ends on a singular curve it has no normal. Its charts are computed. */
+int32_t sp_cusp_turns(const struct sp_polyline *line, int32_t first);
 
 /* Whether a path leads from one side of such a curve to the other (sp_cusp_run), so that no smooth path can be near it. newton->system.line
  * holds the path; its charts are computed. */

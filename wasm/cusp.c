@@ -6,7 +6,7 @@
 #include "normal.h"
 
 static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
-                    TOUCHING = 1e-3, DOUBT = 2e-3;
+                    TOUCHING = 1e-3, DOUBT = 2e-3, DOUBTFUL = 4;
 static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5, SETS = 4 };
 
@@ -100,12 +100,18 @@ static void measure_end(const struct sp_newton *newton, const struct sp_piece *p
     if (!(bridge->reach[k] <= reach)) bridge->reach[k] = reach;
 }
 
-/* Puts a joint onto a crossing, and aside of it by a part of what the other end of the arc is beside the curve. */
-static void place_joint(const struct crossing *crossing, const struct sp_joint *far, struct sp_joint *joint) {
-    int32_t other = 1 - crossing->along;
-    for (int j = 0; j < 2; j++)
-        joint->place[j] = joint->aside[j] = crossing->place[j];
-    joint->aside[other] += ASIDE * (far->place[other] - crossing->place[other]);
+/* Puts the singular joints of arc i onto their crossings, and aside of them by a part of what the other end of the arc is beside the curve.
+ */
+static void place_joints(struct bridge *bridge, int32_t i) {
+    struct sp_joint *joint = bridge->piece[i].joint;
+    for (int32_t end = 0; end < 2; end++)
+        for (int j = 0; j < 2 && joint[end].singular; j++)
+            joint[end].place[j] = joint[end].aside[j] = bridge->crossing[i - 1 + end].place[j];
+    for (int32_t end = 0; end < 2; end++) {
+        if (!joint[end].singular) continue;
+        int32_t other = 1 - bridge->crossing[i - 1 + end].along;
+        joint[end].aside[other] += ASIDE * (joint[1 - end].place[other] - joint[end].place[other]);
+    }
 }
 
 /* The part of a path beyond a wall that the first, last, arc of a bridge is. */
@@ -141,8 +147,7 @@ static int solve_bridge(struct sp_newton *newton, const struct sp_options *optio
         bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
-        for (int32_t end = 0; end < 2; end++)
-            if (piece->joint[end].singular) place_joint(bridge->crossing + i - 1 + end, piece->joint + 1 - end, piece->joint + end);
+        place_joints(bridge, i);
         if (!solve_arc(newton, options, checked, piece, arena)) return 0;
         length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
@@ -394,7 +399,7 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
     for (int32_t i = 0; i < bridge->count; i++)
         slopes += bridge->slope[i] * bridge->slope[i];
     struct sp_refined whole = sp_arcs_join(arcs, newton, slopes, arena);
-    whole.length_error += bridge->gain;
+    whole.length_error += DOUBTFUL * bridge->gain;
     for (int32_t i = 0; i <= bridge->count; i++)
         whole.outcome.active |= bridge->piece[i].solved.outcome.active;
     if (!whole.outcome.active) return whole.outcome.active = bridge->beyond[0] || bridge->beyond[1], whole;
@@ -403,11 +408,11 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
     return whole;
 }
 
-int32_t sp_cusp_turns(const struct sp_polyline *line) {
+int32_t sp_cusp_turns(const struct sp_polyline *line, int32_t first) {
     const sp_pair *charts = line->nodes.charts;
     int32_t turns = 0, last = line->fold.both;
-    struct sp_vector to = sp_chart_normal(charts);
-    for (int32_t k = 0; k <= last; k++) {
+    struct sp_vector to = sp_chart_normal(charts + SP_CHART * first);
+    for (int32_t k = first; k <= last; k++) {
         struct sp_vector from = to;
         to = sp_chart_normal(charts + SP_CHART * (k + 1));
         sp_pair product = sp_dot(from, to);
@@ -418,7 +423,7 @@ int32_t sp_cusp_turns(const struct sp_polyline *line) {
 
 int sp_cusp_divides(const struct sp_newton *newton) {
     const struct sp_polyline *line = &newton->system.line;
-    return sp_cusp_turns(line) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
+    return sp_cusp_turns(line, 0) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
 }
 
 /* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */

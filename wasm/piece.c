@@ -93,7 +93,9 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     piece->checked = checked;
     newton->history = history;
     arena->used = bottom; /* what it used is read before anything else is taken */
-    return ready && piece->solved.outcome.status == SP_CONVERGED && newton->system.elements.reference.degree > 1;
+    if (!ready || piece->solved.outcome.status != SP_CONVERGED || newton->system.elements.reference.degree == 1) return 0;
+    /* Beyond the curve on which it ends the same lengths are there for ways that are none. */
+    return !is_graded || sp_cusp_turns(&newton->system.line, 1) == 0;
 }
 
 void sp_piece_keep(const struct sp_newton *newton, struct sp_piece *piece) {

@@ -153,7 +153,7 @@ static enum sp_status start_with(struct sp_newton *newton, const struct sp_reque
     enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
     if (status != SP_CONVERGED) return status;
     sp_polyline_charts(line, line->nodes);
-    result->crosses_singularity = may_cross(line) && sp_cusp_turns(line) > 0;
+    result->crosses_singularity = may_cross(line) && sp_cusp_turns(line, 0) > 0;
     return SP_CONVERGED;
 }
 

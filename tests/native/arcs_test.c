@@ -250,28 +250,27 @@ static void test_turning(void) {
         }
 }
 
-/* Across up to three cusps a path is the closed form's, or none; across more, none. */
+/* Across up to three cusps a path is the closed form's; across more there is none. Between two cusps arcs had begun on the wrong side of
+ * one, and stayed there, 3e-6 to 3e-5 too long. */
 static void test_cusps(void) {
-    int asked[6] = {0}, solved[6] = {0}, cusps;
+    int solved[6] = {0}, cusps;
     uint64_t seed = 5;
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 240; i++) {
         double u = 2 * random_unit(&seed) - 1, v = 2 * random_unit(&seed) - 1, to_u = 2 * random_unit(&seed) - 1;
         double to_v = v + (1 - v) * random_unit(&seed), length = hypot(to_u - u, pleated_distance(v, to_v, &cusps));
-        struct sp_result result = solve(&pleats, (struct sp_request){{u, v, 0}, {to_u, to_v, 0}, NULL, 0, 0}, options_of(1e-9));
-        asked[cusps]++;
-        if (result.status == SP_SINGULAR_METRIC) continue;
+        double tolerance = i % 3 == 0 ? 1e-4 : i % 3 == 1 ? 1e-9 : 1e-12;
+        struct sp_result result = solve(&pleats, (struct sp_request){{u, v, 0}, {to_u, to_v, 0}, NULL, 0, 0}, options_of(tolerance));
         solved[cusps]++;
-        CHECK(result.status == SP_CONVERGED || result.status == SP_TOLERANCE_NOT_MET, "%d cusps: status %d", cusps, result.status);
+        CHECK(result.status == (cusps > 3 ? SP_SINGULAR_METRIC : SP_CONVERGED), "(%.17g, %.17g) to (%.17g, %.17g), %d cusps: status %d", u,
+              v, to_u, to_v, cusps, result.status);
+        if (result.status != SP_CONVERGED) continue;
         CHECK(result.crosses_singularity == (cusps > 0), "%d cusps: %d", cusps, result.crosses_singularity);
         double error = fabs(result.length - length);
-        int is_right = error <= result.length_error + 4e-15 * length && error <= 1e-9 * length;
-        /* Arcs that did not settle to the tolerance did so to another; MATH.md, "Limits", says what their error is worth. */
-        if (result.status == SP_TOLERANCE_NOT_MET) is_right = error <= 1e-3 * length;
-        CHECK(is_right, "(%.17g, %.17g) to (%.17g, %.17g): error %g, said %g", u, v, to_u, to_v, error, result.length_error);
+        CHECK(error <= 2 * result.length_error + 4e-15 * length && error <= tolerance * length,
+              "(%.17g, %.17g) to (%.17g, %.17g): error %g, said %g", u, v, to_u, to_v, error, result.length_error);
     }
-    CHECK(solved[0] == asked[0] && solved[1] == asked[1] && 2 * solved[2] > asked[2] && solved[3] > 0, "solved: %d, %d, %d, %d", solved[0],
-          solved[1], solved[2], solved[3]);
-    CHECK(asked[4] > 0 && solved[4] == 0 && solved[5] == 0, "solved: %d of four cusps, %d of five", solved[4], solved[5]);
+    for (cusps = 0; cusps < 6; cusps++)
+        CHECK(solved[cusps] > 0, "no path across %d cusps", cusps);
     struct sp_request three = {{-0.9, -0.6, 0}, {0.8, 0.7, 0}, NULL, 0, 0};
     double length = hypot(1.7, pleated_distance(-0.6, 0.7, &cusps));
     check_length("three cusps", solve(&pleats, three, options_of(1e-9)), length, 1e-9);
