@@ -30,11 +30,15 @@ const slow = new WeakSet();
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
 
-/** Must be called first. @param {Surfpath} solver @param {typeof stage} view null: there is no 3D @param {(animated: boolean) => void} solved called with every new path */
-export function connect(solver, view, solved) {
+/** Must be called first. @param {Surfpath} solver @param {(animated: boolean) => void} solved called with every new path */
+export function connect(solver, solved) {
   surfpath = solver;
-  stage = view;
   onSolved = solved;
+}
+
+/** Surfaces are shown in a view from now on. @param {typeof stage} view null: there is no 3D */
+export function showIn(view) {
+  stage = view;
 }
 
 /** A new question about the path: older answers do not count any more. */

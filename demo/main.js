@@ -4,7 +4,7 @@ import { load } from 'surfpath';
 import { change, history, openSketch, redo, undo } from './change.js';
 import { find, say } from './dom.js';
 import { startExports } from './exports.js';
-import { connect, recolour } from './flow.js';
+import { connect, recolour, showIn } from './flow.js';
 import { startFormula } from './formula.js';
 import { startGallery } from './gallery.js';
 import { fromHash } from './link.js';
@@ -133,20 +133,20 @@ async function start() {
     startProgress,
   ])
     begin();
-  await breathe();
-  const view = makeView();
-  startExports(view);
-  await breathe();
   try {
-    connect(await loading, view, solved);
+    connect(await loading, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     find('poster').remove();
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
-  listen(view);
+  // The worker has its first task while the view is made. Nothing of it comes back before: there is no pause between.
   openAddress(location.hash);
+  const view = makeView();
+  showIn(view);
+  startExports(view);
+  listen(view);
 }
 
 start();

@@ -19,10 +19,15 @@ const pageOf = (body, three = 'three') => `<!doctype html><html lang="en"><meta 
 <script type="module" src="/dist/element.js"></script>
 <main>${body}</main>`;
 
-/** Counts contexts and pictures, and keeps events, from before the first script. */
+/** Counts contexts, shader programs and pictures, and keeps events, from before the first script. */
 function watch() {
-  const seen = { contexts: /** @type {any[]} */ ([]), pictures: 0, events: /** @type {any[]} */ ([]) };
+  const seen = { contexts: /** @type {any[]} */ ([]), programs: 0, pictures: 0, events: /** @type {any[]} */ ([]) };
   Object.assign(window, { seen });
+  const { linkProgram } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.linkProgram = function (program) {
+    seen.programs++;
+    return linkProgram.call(this, program);
+  };
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
     function (/** @type {string} */ kind, /** @type {any} */ options) {
@@ -210,6 +215,20 @@ describe('with controls', () => {
     assert.notEqual((await lastEvent())[2], length);
     assert.equal(await page.locator('#hill').getByRole('button').count(), 0);
   });
+});
+
+test('a parameter that changes moves what is there: no new shaders, no new surface, the same handles, the focus where it is', async () => {
+  const handle = page.locator('#torus').getByRole('button', { name: 'End of the path' });
+  await change('torus', 'to', '2.6,1.2');
+  await handle.focus();
+  const before = await page.evaluate(() => /** @type {any} */ (window).seen.programs);
+  assert.ok(before > 0);
+  const [, , first] = await lastEvent();
+  for (const a of ['1.2', '1.3', '1.4']) assert.ok((await change('torus', 'parameters', `a=${a}`))[2] < first);
+  assert.equal(await page.evaluate(() => /** @type {any} */ (window).seen.programs), before);
+  const focused = await page.$eval('#torus', (element) => element.shadowRoot?.activeElement?.getAttribute('aria-label') ?? null);
+  assert.match(focused ?? '', /^End of the path/);
+  assert.equal((await change('torus', 'parameters', null))[2], first);
 });
 
 test('the path is seen to converge, once, unless less motion is asked for', async () => {

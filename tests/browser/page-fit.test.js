@@ -162,7 +162,8 @@ test('what a finger touches is at least 44 pixels high', async () => {
         [...document.querySelectorAll('button, select, summary, textarea, input:not([type=radio]), .choice label, .surfpath-handle')]
           .filter((element) => element.checkVisibility())
           .map((element) => [element.id || element.textContent?.trim(), element.getBoundingClientRect().height])
-          .filter(([, height]) => Number(height) < 44),
+          // What is placed by a transform has parts of a pixel.
+          .filter(([, height]) => Number(height) < 43.99),
       );
       assert.deepEqual(small, [], name);
     }

@@ -43,7 +43,9 @@ export class SurfacePathElement extends Base {
   /** @type {Path | null} */ #path = null;
   /** @type {number[][]} */ #ends = [];
   #title = 'Surface';
-  /** The definition that is looked at, but for its parameters: where only these change, the view stays. */
+  /** The definition of the surface, but for the values of its parameters: where only these change, it is not compiled anew. */
+  #built = '';
+  /** What is looked at: where it stays the same, so does the view. */
   #framed = '';
   /** What is to be done again; 0: nothing. */
   #stale = 0;
@@ -162,9 +164,13 @@ export class SurfacePathElement extends Base {
   /** @param {Surfpath} surfpath */
   #build(surfpath) {
     const definition = /** @type {AnyDefinition & { title?: string }} */ (this.definition);
+    const { parameters = {}, ...rest } = definition;
+    const built = JSON.stringify([rest, Object.keys(parameters)]);
+    if (this.#surface && built === this.#built) return this.#surface.set(parameters);
     const surface = surfpath.surface(definition);
     this.#surface?.dispose();
     this.#surface = surface;
+    this.#built = built;
     this.#title = definition.title ?? 'Surface';
   }
 

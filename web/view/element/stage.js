@@ -16,15 +16,20 @@ const ELEVATION = Math.PI / 6;
 /** Share of the view that stays free around the surface; and, at its lower edge, the pixels that the words cover. */
 const [MARGIN, COVERED] = [0.08, 30];
 
+/** x y z of a point of a surface. @param {Surface} surface @param {number[]} point */
+const placeOf = (surface, point) => (surface.kind === 'implicit' ? surface.project(point) : Array.from(surface.evaluate(point)));
+
 export class Stage {
   #canvas;
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   /** @type {OrbitControls | null} */ #controls = null;
   #mesh = new Mesh();
+  /** Materials that hold the shaders until the next ones, drawn with them, hold them too. @type {import('three').Material[]} */ #outgoing = [];
   #line = new GeodesicLine();
   #player = new PathPlayer(this.#line, null, { onFrame: () => this.invalidate() });
   /** @type {(DragHandle | Marker)[]} */ #ends = [];
+  #areDragged = false;
   #size = { width: 0, height: 0, ratio: 1 };
   /** @type {ArrayLike<number>} */ #towards = TOWARDS;
   #isVisible = false;
@@ -54,14 +59,14 @@ export class Stage {
     return this.#mesh.parent !== null;
   }
 
-  /**
-   * @param {Surface} surface @param {import('../geometry.js').GeometryOptions} look
-   */
+  /** Takes a surface in place of the last one. @param {Surface} surface @param {import('../geometry.js').GeometryOptions} look */
   setSurface(surface, look) {
     const geometry = surfaceGeometry(surface, look);
-    this.#clearSurface();
     const coloured = geometry.hasAttribute('color');
-    this.#mesh = new Mesh(geometry, surfaceMaterial(geometry, coloured ? {} : { color: this.#theme.surface }));
+    this.#outgoing.push(/** @type {import('three').Material} */ (this.#mesh.material));
+    this.#mesh.geometry.dispose();
+    this.#mesh.geometry = geometry;
+    this.#mesh.material = surfaceMaterial(geometry, coloured ? {} : { color: this.#theme.surface });
     this.#scene.add(this.#mesh);
     this.invalidate();
   }
@@ -94,15 +99,28 @@ export class Stage {
   }
 
   /**
-   * Puts the ends as points to look at, or to drag.
-   * @param {Surface} surface @param {number[][]} points @param {((end: number, point: number[], handle: DragHandle) => void) | null} onDrag null: to look at
+   * Puts the ends as points to look at, or to drag; those that are there are moved.
+   * @param {Surface} surface @param {number[][]} points
+   * @param {((end: number, point: number[], handle: DragHandle) => void) | null} onDrag the same in every call; null: to look at
    */
   setEnds(surface, points, onDrag) {
-    for (const end of this.#ends) end.dispose();
     this.#switchControls(onDrag !== null);
-    this.#ends = points.map((point, i) => (onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point)));
-    this.#scene.add(...this.#ends);
+    const isSame = this.#ends.length === points.length && this.#areDragged === (onDrag !== null);
+    this.#areDragged = onDrag !== null;
+    if (isSame) for (const [i, end] of this.#ends.entries()) this.#moveEnd(end, surface, points[i]);
+    else {
+      for (const end of this.#ends) end.dispose();
+      this.#ends = [];
+      this.#ends = points.map((point, i) => (onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point)));
+      this.#scene.add(...this.#ends);
+    }
     this.#paint();
+  }
+
+  /** @param {DragHandle | Marker} end @param {Surface} surface @param {number[]} point */
+  #moveEnd(end, surface, point) {
+    if (end instanceof DragHandle) end.setSurface(surface, point, this.#mesh);
+    else end.position.fromArray(placeOf(surface, point));
   }
 
   /** @param {Surface} surface @param {number[]} point @param {number} i @param {(end: number, point: number[], handle: DragHandle) => void} onDrag */
@@ -121,8 +139,7 @@ export class Stage {
   /** @param {Surface} surface @param {number[]} point */
   #makeMarker(surface, point) {
     const marker = new Marker();
-    const [x, y, z] = surface.kind === 'implicit' ? surface.project(point) : surface.evaluate(point);
-    marker.position.set(x, y, z);
+    marker.position.fromArray(placeOf(surface, point));
     return marker;
   }
 
@@ -184,6 +201,7 @@ export class Stage {
     if (!this.#isVisible || this.#size.width === 0 || !this.hasSurface) return;
     if (!this.#isFitted) this.#fit();
     drawInto(this.#canvas, this.#scene, this.#camera, this.#size);
+    for (const material of this.#outgoing.splice(0)) material.dispose();
   }
 
   #fit() {
@@ -197,12 +215,6 @@ export class Stage {
     this.#controls.update();
   }
 
-  #clearSurface() {
-    this.#mesh.removeFromParent();
-    this.#mesh.geometry.dispose();
-    /** @type {import('three').Material} */ (this.#mesh.material).dispose();
-  }
-
   /** Frees all that it holds; the last one gives the WebGL context back. */
   dispose() {
     cancelAnimationFrame(this.#request);
@@ -211,7 +223,8 @@ export class Stage {
     for (const end of this.#ends) end.dispose();
     this.#controls?.dispose();
     this.#line.dispose();
-    this.#clearSurface();
+    this.#mesh.geometry.dispose();
+    for (const material of [this.#mesh.material, ...this.#outgoing]) /** @type {import('three').Material} */ (material).dispose();
     releaseRenderer();
   }
 }
