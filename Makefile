@@ -45,7 +45,7 @@ endif
 ifneq ($(filter browsers,$(MAKECMDGOALS)),)
 TOOLS += chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
 endif
-ifneq ($(filter tidy,$(MAKECMDGOALS)),)
+ifneq ($(filter tidy valgrind,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
 endif
 ifneq ($(filter test packages thumbnails coverage,$(MAKECMDGOALS)),)

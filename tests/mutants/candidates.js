@@ -1,4 +1,7 @@
-/** What can be changed in a source by one small mistake: every place and every mistake, found in the text. Knows no grammar: what does not compile is no mutant. */
+/**
+ * What can be changed in a source by one small mistake: every place and every mistake, found in the text. Knows no grammar: what does not compile is no mutant, and
+ * the compiler tells which comparisons are of doubles (`asEqual`).
+ */
 
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
@@ -33,6 +36,8 @@ const MISTAKES = [
  * @property {string} after
  * @property {string} key of its place in the order: moves no more than the line itself does when other lines change
  * @property {string} text of the whole file
+ * @property {string | null} asEqual where only the boundary of a comparison moves, and one side is a result of arithmetic: the text with == in its place
+ * @property {number} column of the change, from 1
  */
 
 /** Comments blanked, so that nothing is found there. @param {string} text */
@@ -40,6 +45,28 @@ const withoutComments = (text) => text.replace(/\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*
 
 /** Names and sizes of C variables, no values: room for more than is used is no mistake. @param {string} code */
 const isDeclaration = (code) => /^\s*(?!return\b)(?:\w+ )+\*?\w+(?:\[[^\]]*\])*(?:, \*?\w+(?:\[[^\]]*\])*)*;$/.test(code);
+
+/** From < to <=, and the like. @param {string} found @param {string} by */
+const movesBoundary = (found, by) => /^[<>]=?$/.test(found) && /^[<>]=?$/.test(by) && found[0] === by[0];
+
+/** What stands beside an operator, up to the next weaker one or the bracket that both are in. @param {string} text away from it, so backwards on its left @param {RegExp} opening a bracket that begins a part @param {RegExp} closing */
+function operandIn(text, opening, closing) {
+  let depth = 0;
+  for (let i = 0; i < text.length; i++) {
+    if (opening.test(text[i])) depth++;
+    else if (closing.test(text[i])) depth--;
+    if (depth < 0 || (depth === 0 && /[&|?:;,={}]/.test(text[i]))) return text.slice(0, i);
+  }
+  return text;
+}
+
+/** Whether a result of arithmetic, outside of indices, is compared with something that is no literal. @param {string} code @param {number} at @param {number} length of the operator */
+function comparesArithmetic(code, at, length) {
+  const left = [...operandIn([...code.slice(0, at)].reverse().join(''), /[)\]]/, /[([]/)].reverse().join('').replace('return ', '');
+  const right = operandIn(code.slice(at + length), /[([]/, /[)\]]/);
+  const sides = [left, right].map((side) => side.replace(/\[[^\]]*\]/g, ''));
+  return !sides.some((side) => /^\s*-?[\d.]+\s*$/.test(side)) && sides.some((side) => / [-+*/] /.test(side));
+}
 
 /**
  * Every mutant of a file.
@@ -55,7 +82,10 @@ export function findMutants(folder, file, seed) {
       if (/^\s*(#|import|export \{)/.test(code) || isDeclaration(code)) return [];
       return changesOf(code).map(({ at, length, by }) => {
         const line = lines[number];
-        const changed = line.slice(0, at) + by + line.slice(at + length);
+        const replaced = (/** @type {string} */ text) => line.slice(0, at) + text + line.slice(at + length);
+        const whole = (/** @type {string} */ text) => [...lines.slice(0, number), text, ...lines.slice(number + 1)].join('\n');
+        const changed = replaced(by);
+        const rounds = movesBoundary(code.slice(at, at + length), by) && comparesArithmetic(code, at, length);
         const [before, after] = [line.trim(), changed.trim()];
         const key = createHash('sha256').update(`${seed} ${file} ${before} ${after}`).digest('hex');
         return {
@@ -64,7 +94,9 @@ export function findMutants(folder, file, seed) {
           before,
           after,
           key,
-          text: [...lines.slice(0, number), changed, ...lines.slice(number + 1)].join('\n'),
+          text: whole(changed),
+          asEqual: rounds ? whole(replaced('==')) : null,
+          column: at + 1,
         };
       });
     });

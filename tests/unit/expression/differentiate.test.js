@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { compile } from '../../../web/expression/compile.js';
+import { solverFunctions } from '../../../web/expression/functions.js';
 import { differentiateNodes } from '../../../web/expression/nodes.js';
 import { parse } from '../../../web/expression/parse.js';
 import { evaluateDual, evaluateNumber } from '../../helpers/dual.js';
@@ -485,6 +486,14 @@ const SMOOTH = [
     ],
   ],
 ];
+
+test('every function of the solver has points to be tried at', () => {
+  for (const { name } of solverFunctions)
+    assert.ok(
+      SMOOTH.some(([source]) => source.includes(`${name}(`)),
+      name,
+    );
+});
 
 test('every operator against dual numbers', () => {
   for (const [source, points] of SMOOTH) {
