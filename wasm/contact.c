@@ -234,15 +234,13 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
     return sum;
 }
 
-/* A path that was thought to touch: as one free arc. */
-static void cut_nothing(const struct sp_system *system, struct sp_contact *contact) {
-    const struct sp_polyline *line = &system->line;
-    struct sp_piece *whole = contact->pieces;
-    *whole = (struct sp_piece){.system = *system, .last = 1};
-    for (int end = 0; end < 2; end++)
-        for (int32_t j = 0; j < 2; j++)
-            whole->joint[end].place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end ? line->fold.inner + 1 : 0, j);
-    contact->made = contact->arcs.count = 1, contact->arcs.arc[0].on_edge = 0;
+/* Takes the shortest run out of the list: the path was only thought to touch there. */
+static void drop_shortest(struct run *runs, int32_t count) {
+    int32_t shortest = 0;
+    for (int32_t r = 1; r < count; r++)
+        if (runs[r].last - runs[r].first < runs[shortest].last - runs[shortest].first) shortest = r;
+    for (int32_t r = shortest; r + 1 < count; r++)
+        runs[r] = runs[r + 1];
 }
 
 /* Solves all pieces and joins them. */
@@ -265,18 +263,18 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_refined chords = sp_refine_chords(newton, options, chosen, &walled, arena);
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
-    sp_contact_cut(&walled, &contact);
+    struct run runs[SP_MAX_ARCS];
+    int32_t touching = find_runs(&walled.line, runs);
     size_t bottom = arena->used;
-    if (!take_storage(contact.pieces, contact.made, arena)) return refined;
-    int touches = fit_all(newton, options, &contact, arena);
-    if (!touches) {
-        arena->used = bottom;
-        cut_nothing(&walled, &contact);
-        if (!take_storage(contact.pieces, 1, arena)) return refined;
-        if (!fit_all(newton, options, &contact, arena)) return arcs->count = 0, fall_back(newton, options, &walled, arena);
+    for (;; arena->used = bottom) {
+        contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
+        if (!take_storage(contact.pieces, contact.made, arena)) return refined;
+        if (fit_all(newton, options, &contact, arena)) break;
+        if (touching == 0) return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
+        drop_shortest(runs, touching--);
     }
     *arcs = contact.arcs;
     refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
-    refined.outcome.active = touches;
+    refined.outcome.active = touching > 0;
     return refined;
 }
