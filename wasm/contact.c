@@ -28,8 +28,7 @@ static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
     return found;
 }
 
-/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. An end of the path that is alone on its edge is no
- * run. */
+/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. */
 static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_ARCS]) {
     int32_t count = 0, last = line->fold.inner + 1;
     for (int32_t i = 0; i <= last; i++) {
@@ -41,7 +40,12 @@ static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_
         else if (count < SP_MAX_ARCS)
             runs[count++] = (struct run){i, i, edge / 2, edge % 2};
     }
-    int32_t kept = 0;
+    return count;
+}
+
+/* Leaves out an end of the path that is alone on its edge. */
+static int32_t without_lone_ends(const struct sp_polyline *line, struct run *runs, int32_t count) {
+    int32_t kept = 0, last = line->fold.inner + 1;
     for (int32_t r = 0; r < count; r++) {
         int alone = runs[r].first == runs[r].last && (runs[r].first == 0 || runs[r].first == last);
         if (!alone) runs[kept++] = runs[r];
@@ -173,7 +177,8 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
     struct run runs[SP_MAX_ARCS];
-    contact->made = cut(system, runs, find_runs(&system->line, runs), contact->pieces, &contact->arcs);
+    int32_t count = without_lone_ends(&system->line, runs, find_runs(&system->line, runs));
+    contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
 }
 
 int sp_contact_assemble(struct sp_contact *contact) {
@@ -264,17 +269,23 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     struct run runs[SP_MAX_ARCS];
-    int32_t touching = find_runs(&walled.line, runs);
+    int32_t touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs)), lone = 0;
     size_t bottom = arena->used;
     for (;; arena->used = bottom) {
         contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(contact.pieces, contact.made, arena)) return refined;
         if (fit_all(newton, options, &contact, arena)) break;
-        if (touching == 0) return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
-        drop_shortest(runs, touching--);
+        if (lone) return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
+        if (touching > 0)
+            drop_shortest(runs, touching--);
+        else
+            touching = find_runs(&walled.line, runs), lone = 1;
     }
     *arcs = contact.arcs;
     refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
+    /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
+    if (lone && absolute(refined.length - chords.length) > 3 * chords.length_error)
+        return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
     refined.outcome.active = touching > 0;
     return refined;
 }

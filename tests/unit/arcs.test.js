@@ -250,3 +250,21 @@ test('a path that chords take for one along a wall: no edge is run backwards', (
   // From the energy of 6,400 segments, minimised by another program; the way back and forth along the wall is 0.7 % longer.
   assert.ok(Math.abs(path.length - 11.5506361) < 1e-6, String(path.length));
 });
+
+describe('contacts that chords see and the path has not, and the other way round', () => {
+  const moebius = surfpath.surface(gallery.moebius);
+  const bowl = surfpath.surface(gallery.paraboloid);
+  for (const { name, surface, from, to } of [
+    { name: 'along one wall, and near the other one', surface: moebius, from: [0.3825, -0.2026], to: [5.3745, 0.2771] },
+    { name: 'from a wall, along its beginning only', surface: moebius, from: [2.09108, -0.4], to: [1.057496, -0.174682] },
+    { name: 'along a wall to its end', surface: bowl, from: [-0.25338754, -Math.PI / 3], to: [1, 0.7609787679802413] },
+  ])
+    test(name, () => {
+      const path = surface.shortestPath(from, to, { tolerance: 1e-10 });
+      assert.deepEqual([path.status, path.touchesBoundary], ['converged', true]);
+      const options = /** @type {const} */ ({ algorithm: 'polyline', points: 2047, start: path, maxIterations: 1000 });
+      const chords = surface.shortestPath(from, to, options);
+      assert.equal(chords.status, 'converged');
+      assert.ok(Math.abs(chords.length / path.length - 1) < 1e-6, `${path.length}, of chords ${chords.length}`);
+    });
+});
