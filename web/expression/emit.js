@@ -60,13 +60,10 @@ export function emit(graph, outputs, { variableCount, parameterCount }) {
 
 /** Numbers of the solver functions that are called. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
 function importsOf(graph, plans) {
-  const called = new Set();
-  for (const { uses, partners } of plans) {
-    graph.operations.forEach((operation, id) => {
-      if (operation >= Operation.call && uses[id] > 0) called.add(partners.has(id) ? SINCOS : operation - Operation.call);
-    });
-  }
-  return [...called].sort((a, b) => a - b);
+  const called = plans.flatMap(({ calls, partners }) =>
+    calls.map((id) => (partners.has(id) ? SINCOS : graph.operations[id] - Operation.call)),
+  );
+  return [...new Set(called)].sort((a, b) => a - b);
 }
 
 /** @param {number} number */
@@ -85,24 +82,18 @@ class FunctionEmitter {
   #graph;
   #plan;
   #remaining;
-  #slots;
-  #scratch;
-  #imports;
-  #variableCount;
+  #layout;
 
   /**
    * @param {Graph} graph
    * @param {Plan} plan
    * @param {{ slots: Map<number, number>, scratch: number, imports: number[], variableCount: number }} layout
    */
-  constructor(graph, plan, { slots, scratch, imports, variableCount }) {
+  constructor(graph, plan, layout) {
     this.#graph = graph;
     this.#plan = plan;
     this.#remaining = plan.uses.slice();
-    this.#slots = slots;
-    this.#scratch = scratch;
-    this.#imports = imports;
-    this.#variableCount = variableCount;
+    this.#layout = layout;
   }
 
   emit() {
@@ -145,14 +136,14 @@ class FunctionEmitter {
   }
 
   #emitLoop() {
-    const { roots, uses, varies, partners } = this.#plan;
+    const { roots, uses, varies, order, calls } = this.#plan;
     const places = placesOf(roots);
-    for (let id = 0; id < uses.length; id++) {
-      if (uses[id] === 0) continue;
-      if (varies[id] && (uses[id] > 1 || partners.has(id))) this.#compute(id);
+    const called = new Set(calls);
+    for (const id of order) {
+      if (varies[id] && (uses[id] > 1 || called.has(id))) this.#compute(id);
       for (const place of places.get(id) ?? []) this.#storeOutput(id, place);
     }
-    this.#code.push(...wasm.advance(IN, PAIR_BYTES * this.#variableCount), ...wasm.advance(OUT, PAIR_BYTES * roots.length));
+    this.#code.push(...wasm.advance(IN, PAIR_BYTES * this.#layout.variableCount), ...wasm.advance(OUT, PAIR_BYTES * roots.length));
   }
 
   /** @param {number} id @param {number} place */
@@ -167,7 +158,7 @@ class FunctionEmitter {
     if (this.#locals.has(id)) return;
     const partner = this.#plan.partners.get(id);
     if (partner === undefined) {
-      this.#expand(id);
+      this.#push(id);
       this.#keep(id);
     } else this.#computeBoth(id, partner);
   }
@@ -176,9 +167,9 @@ class FunctionEmitter {
   #computeBoth(one, other) {
     const [sine, cosine] = this.#graph.operations[one] === Operation.call + SIN ? [one, other] : [other, one];
     this.#push(this.#graph.left[sine]);
-    this.#code.push(...wasm.localGet(DATA), ...wasm.addConstant(this.#scratch), ...wasm.call(this.#imports.indexOf(SINCOS)));
+    this.#code.push(...wasm.localGet(DATA), ...wasm.addConstant(this.#layout.scratch), ...wasm.call(this.#layout.imports.indexOf(SINCOS)));
     this.#keep(sine);
-    this.#code.push(...wasm.localGet(DATA), ...wasm.load(this.#scratch));
+    this.#code.push(...wasm.localGet(DATA), ...wasm.load(this.#layout.scratch));
     this.#keep(cosine);
   }
 
@@ -200,18 +191,6 @@ class FunctionEmitter {
     }
   }
 
-  /** Computes a node on the stack. @param {number} id */
-  #expand(id) {
-    if (!this.#graph.isOperation(id)) return this.#loadLeaf(id);
-    /** @type {number[]} */
-    const operands = [];
-    this.#schedule(id, operands);
-    for (const task of operands.reverse()) {
-      if (task < 0) this.#operate(~task);
-      else this.#push(task);
-    }
-  }
-
   /** @param {number} id @param {number[]} tasks */
   #schedule(id, tasks) {
     tasks.push(~id);
@@ -223,7 +202,7 @@ class FunctionEmitter {
   #operate(id) {
     const operation = this.#graph.operations[id];
     this.#code.push(
-      ...(operation < Operation.call ? INSTRUCTIONS[operation] : wasm.call(this.#imports.indexOf(operation - Operation.call))),
+      ...(operation < Operation.call ? INSTRUCTIONS[operation] : wasm.call(this.#layout.imports.indexOf(operation - Operation.call))),
     );
   }
 
@@ -239,7 +218,7 @@ class FunctionEmitter {
     const { operations, left } = this.#graph;
     if (operations[id] === Operation.variable) this.#code.push(...wasm.localGet(IN), ...wasm.load(PAIR_BYTES * left[id]));
     else {
-      const slot = operations[id] === Operation.parameter ? left[id] : /** @type {number} */ (this.#slots.get(id));
+      const slot = operations[id] === Operation.parameter ? left[id] : /** @type {number} */ (this.#layout.slots.get(id));
       this.#code.push(...wasm.localGet(DATA), ...wasm.loadSplat(NUMBER_BYTES * slot));
     }
   }

@@ -8,38 +8,48 @@ import { Operation } from './operation.js';
 
 /**
  * What a function computes. `uses`: how often each node is read, 0 = not at all. `partners`: for a sine its cosine and the reverse, where both are wanted.
- * @typedef {{ roots: number[], uses: Uint32Array, varies: Uint8Array, partners: Map<number, number> }} Plan
+ * `order`: the nodes that are read, in the order to compute them: what calls need, then calls, then the rest, so that the processor has the last calls to
+ * work on while it waits for one that waits for others. `calls`: those of them that are calls.
+ * @typedef {{ roots: number[], uses: Uint32Array, varies: Uint8Array, partners: Map<number, number>, order: number[], calls: number[] }} Plan
  */
 
 /** Finds out what is wanted, and by whom. @param {Graph} graph @param {number[]} roots nodes that are stored @returns {Plan} */
 export function plan(graph, roots) {
   const uses = new Uint32Array(graph.size);
   const varies = new Uint8Array(graph.size);
+  /** 2: a call needs it; 1: a call. */
+  const rank = graph.operations.map((operation) => Number(operation >= Operation.call));
   for (const root of roots) uses[root]++;
   for (let id = graph.size - 1; id >= 0; id--) {
     if (uses[id] === 0) continue;
     const count = graph.operandCount(id);
-    if (count > 0) uses[graph.left[id]]++;
-    if (count > 1) uses[graph.right[id]]++;
+    if (count > 0) {
+      uses[graph.left[id]]++;
+      if (rank[id]) rank[graph.left[id]] = 2;
+    }
+    if (count > 1) {
+      uses[graph.right[id]]++;
+      if (rank[id]) rank[graph.right[id]] = 2;
+    }
   }
   for (let id = 0; id < graph.size; id++) {
     const count = graph.operandCount(id);
     const operandVaries = (count > 0 && varies[graph.left[id]]) || (count > 1 && varies[graph.right[id]]);
     varies[id] = Number(graph.operations[id] === Operation.variable || operandVaries);
   }
-  const partners = pairSines(graph, uses);
-  return { roots, uses, varies, partners };
+  const order = [...uses.keys()].filter((id) => uses[id] > 0).sort((a, b) => rank[b] - rank[a]);
+  const calls = order.filter((id) => graph.operations[id] >= Operation.call);
+  return { roots, uses, varies, partners: pairSines(graph, uses, calls), order, calls };
 }
 
-/** @param {Graph} graph @param {Uint32Array} uses */
-function pairSines(graph, uses) {
+/** @param {Graph} graph @param {Uint32Array} uses @param {number[]} calls */
+function pairSines(graph, uses, calls) {
   /** @type {Map<number, number>} */
   const sines = new Map();
   /** @type {Map<number, number>} */
   const partners = new Map();
-  const live = graph.operations.map((_, id) => id).filter((id) => uses[id] > 0);
-  for (const id of live) if (graph.operations[id] === Operation.call + SIN) sines.set(graph.left[id], id);
-  for (const id of live) {
+  for (const id of calls) if (graph.operations[id] === Operation.call + SIN) sines.set(graph.left[id], id);
+  for (const id of calls) {
     const sine = sines.get(graph.left[id]);
     if (graph.operations[id] !== Operation.call + COS || sine === undefined) continue;
     partners.set(id, sine).set(sine, id);
