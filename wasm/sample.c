@@ -30,7 +30,7 @@ static void combine(const struct sp_system *system, int32_t first, int32_t count
 }
 
 /* The places of a polyline at t and 1 - t: cubic through the four nodes around each; linear where there are fewer. */
-static void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
+static inline __attribute__((always_inline)) void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
     struct sp_fold fold = system->line.fold;
     int32_t last = fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
     int32_t first = before > most ? most : before, dimension = system->line.kind->dimension;
@@ -113,11 +113,24 @@ double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
     return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
 }
 
+/* Polyline from polyline: all that is different from node to node is the place on it. */
+static void resample(const struct sp_system *from, struct sp_fold fold, sp_pair *places) {
+    int32_t dimension = from->line.kind->dimension, last = fold.inner + 1;
+    for (int32_t k = 0; k <= fold.both; k++) {
+        sp_pair place[3];
+        polyline_place(from, (double)k / last, place);
+        for (int32_t j = 0; j < dimension; j++)
+            *places++ = k == 0 ? node_pair(from, 0, j) : place[j];
+    }
+}
+
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
     int32_t dimension = from->line.kind->dimension;
     struct sp_fold fold = sp_fold_of(to->reference.degree * to->count - 1);
     int alike = to->singular[0] == to->singular[1] && !to->spread;
-    for (int32_t k = 0; k <= sp_fold_unknown(fold); k++) {
+    int plain = alike && from->elements.reference.degree + to->reference.degree == 2;
+    if (plain) resample(from, fold, places);
+    for (int32_t k = plain ? fold.both + 1 : 0; k <= sp_fold_unknown(fold); k++) {
         sp_pair place[3];
         double t = sp_sample_parameter(to, k), other = alike ? 1 - t : sp_sample_parameter(to, fold.inner + 1 - k);
         place_pair(from, t, place);

@@ -65,11 +65,14 @@ function literal(value) {
  * @param {import('../../web/expression/plan.js').Plan} plan
  * @param {{ name: string, data: string, slots: Map<number, number>, variableCount: number }} layout
  */
-function writeFunction(graph, { roots, uses, varies, partners }, { name, data, slots, variableCount }) {
+function writeFunction(graph, { roots, varies, partners, order }, { name, data, slots, variableCount }) {
   /** @type {string[][]} */
   const [before, inside] = [[], []];
-  for (let id = 0; id < uses.length; id++) {
-    if (uses[id] > 0) (varies[id] ? inside : before).push(...declare(graph, id, partners.get(id), data, slots));
+  const declared = new Set();
+  for (const id of order) {
+    const partner = partners.get(id);
+    if (!declared.has(partner)) (varies[id] ? inside : before).push(...declare(graph, id, partner, data, slots));
+    declared.add(id);
   }
   inside.push(...roots.map((id, place) => `out[${place}] = n${id};`));
   return `void ${name}(int32_t pair_count, const sp_pair *in, sp_pair *out) {
@@ -98,7 +101,6 @@ function declare(graph, id, partner, data, slots) {
   if (operation < Operation.call) return assign(FORMULAS[operation](a, b));
   const called = solverFunctions[operation - Operation.call];
   if (partner === undefined) return assign(`sp_${called.name}(${called.arity === 1 ? a : `${a}, ${b}`})`);
-  if (partner < id) return [];
   const [sine, cosine] = called.name === 'sin' ? [id, partner] : [partner, id];
   return [`sp_pair n${cosine};`, `const sp_pair n${sine} = sp_sincos(${a}, &n${cosine});`];
 }

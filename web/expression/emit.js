@@ -136,12 +136,11 @@ class FunctionEmitter {
   }
 
   #emitLoop() {
-    const { roots, uses, varies, partners, calls } = this.#plan;
+    const { roots, uses, varies, order, calls } = this.#plan;
     const places = placesOf(roots);
-    for (const id of calls) if (varies[id]) this.#compute(id);
-    for (let id = 0; id < uses.length; id++) {
-      if (uses[id] === 0) continue;
-      if (varies[id] && (uses[id] > 1 || partners.has(id))) this.#compute(id);
+    const called = new Set(calls);
+    for (const id of order) {
+      if (varies[id] && (uses[id] > 1 || called.has(id))) this.#compute(id);
       for (const place of places.get(id) ?? []) this.#storeOutput(id, place);
     }
     this.#code.push(...wasm.advance(IN, PAIR_BYTES * this.#layout.variableCount), ...wasm.advance(OUT, PAIR_BYTES * roots.length));

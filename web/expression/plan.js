@@ -8,28 +8,32 @@ import { Operation } from './operation.js';
 
 /**
  * What a function computes. `uses`: how often each node is read, 0 = not at all. `partners`: for a sine its cosine and the reverse, where both are wanted.
- * `calls`: the nodes that are calls, first those that others wait for: in this order, and before all else, the processor is busy while they wait.
- * @typedef {{ roots: number[], uses: Uint32Array, varies: Uint8Array, partners: Map<number, number>, calls: number[] }} Plan
+ * `order`: the nodes that are read, in the order to compute them: what calls need, then calls, so that the processor has the last ones to work on while it
+ * waits for one that waits for others; then what the first root needs, then the second, so that few are kept at a time. `calls`: those that are calls.
+ * @typedef {{ roots: number[], uses: Uint32Array, varies: Uint8Array, partners: Map<number, number>, order: number[], calls: number[] }} Plan
  */
 
 /** Finds out what is wanted, and by whom. @param {Graph} graph @param {number[]} roots nodes that are stored @returns {Plan} */
 export function plan(graph, roots) {
   const uses = new Uint32Array(graph.size);
   const varies = new Uint8Array(graph.size);
-  const feeds = new Uint8Array(graph.size);
-  const isCall = (/** @type {number} */ id) => graph.operations[id] >= Operation.call;
-  for (const root of roots) uses[root]++;
+  /** -2: a call needs it; -1: a call; else the first root that needs it. */
+  const turn = graph.operations.map((operation) => (operation >= Operation.call ? -1 : roots.length));
+  for (const [place, root] of roots.entries()) {
+    uses[root]++;
+    turn[root] = Math.min(turn[root], place);
+  }
   for (let id = graph.size - 1; id >= 0; id--) {
     if (uses[id] === 0) continue;
     const count = graph.operandCount(id);
-    const feed = feeds[id] | Number(isCall(id));
+    const asked = turn[id] < 0 ? -2 : turn[id];
     if (count > 0) {
       uses[graph.left[id]]++;
-      feeds[graph.left[id]] |= feed;
+      turn[graph.left[id]] = Math.min(turn[graph.left[id]], asked);
     }
     if (count > 1) {
       uses[graph.right[id]]++;
-      feeds[graph.right[id]] |= feed;
+      turn[graph.right[id]] = Math.min(turn[graph.right[id]], asked);
     }
   }
   for (let id = 0; id < graph.size; id++) {
@@ -37,8 +41,9 @@ export function plan(graph, roots) {
     const operandVaries = (count > 0 && varies[graph.left[id]]) || (count > 1 && varies[graph.right[id]]);
     varies[id] = Number(graph.operations[id] === Operation.variable || operandVaries);
   }
-  const calls = [...uses.keys()].filter((id) => uses[id] > 0 && isCall(id)).sort((a, b) => feeds[b] - feeds[a]);
-  return { roots, uses, varies, partners: pairSines(graph, uses, calls), calls };
+  const order = [...uses.keys()].filter((id) => uses[id] > 0).sort((a, b) => turn[a] - turn[b]);
+  const calls = order.filter((id) => graph.operations[id] >= Operation.call);
+  return { roots, uses, varies, partners: pairSines(graph, uses, calls), order, calls };
 }
 
 /** @param {Graph} graph @param {Uint32Array} uses @param {number[]} calls */
