@@ -52,23 +52,6 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
     return rows + entries * sizeof(struct sp_iterate) + record + sp_reference_bytes(1) + 18 * 16;
 }
 
-static int is_singular(const struct sp_newton *newton) {
-    const struct sp_elements *elements = &newton->system.elements;
-    return elements->singular[0] || elements->singular[1];
-}
-
-/* No node's normal may turn by more than a right angle in one step: it would have changed sheets, or crossed the singular curve at an end,
- * near which it may not shrink to a tenth either. */
-static int normals_kept(const struct sp_newton *newton) {
-    for (int32_t k = 1; k <= sp_fold_unknown(newton->system.line.fold); k++) {
-        struct sp_vector old = sp_chart_normal(newton->system.line.nodes.charts + SP_CHART * k);
-        struct sp_vector now = sp_chart_normal(newton->trial.charts + SP_CHART * k);
-        if (sp_any(sp_dot(old, now) <= sp_splat(0.0))) return 0;
-        if (is_singular(newton) && sp_any(sp_dot(now, now) < 0.01 * sp_dot(old, old))) return 0;
-    }
-    return 1;
-}
-
 /* What one round of Newton found out and decided. */
 struct round {
     struct sp_energy energy;
@@ -95,7 +78,7 @@ static double try_step(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     if (!move(newton, scale)) return not_a_number();
     sp_polyline_charts(line, newton->trial);
-    if ((line->surface->kind == SP_IMPLICIT || is_singular(newton)) && !normals_kept(newton)) return not_a_number();
+    if (!sp_system_keeps_sheets(&newton->system, newton->trial)) return not_a_number();
     return newton->trial_squares =
                sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
 }

@@ -59,6 +59,18 @@ int sp_system_exceeds(const struct sp_system *system, double bound) {
     return sp_elements_exceed(&system->elements, bound);
 }
 
+int sp_system_keeps_sheets(const struct sp_system *system, struct sp_nodes nodes) {
+    int is_singular = system->elements.singular[0] || system->elements.singular[1];
+    if (system->line.surface->kind != SP_IMPLICIT && !is_singular) return 1;
+    for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
+        struct sp_vector old = sp_chart_normal(system->line.nodes.charts + SP_CHART * k);
+        struct sp_vector now = sp_chart_normal(nodes.charts + SP_CHART * k);
+        if (sp_any(sp_dot(old, now) <= sp_splat(0.0))) return 0;
+        if (is_singular && sp_any(sp_dot(now, now) < 0.01 * sp_dot(old, old))) return 0;
+    }
+    return 1;
+}
+
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     const sp_pair *chart = system->line.nodes.charts;
     if (has_metric(system)) {

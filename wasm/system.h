@@ -37,6 +37,10 @@ void sp_system_solve(const struct sp_system *system, sp_pair *x);
 int sp_system_negative(const struct sp_system *system, sp_pair *x);
 int sp_system_exceeds(const struct sp_system *system, double bound);
 
+/* Whether the path may become one of these nodes in a step, implicit surfaces and arcs to singular curves: no node's normal may turn by
+ * more than a right angle, it would have changed sheets or crossed the curve, near which it may not shrink to a tenth either. */
+int sp_system_keeps_sheets(const struct sp_system *system, struct sp_nodes nodes);
+
 /* The derivative of the energy over 2m by the chart coordinates of the two ends, lane 0 the first: minus the velocity into the path, over
  * an element, its index lowered. */
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]);
