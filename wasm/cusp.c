@@ -432,7 +432,12 @@ static enum sp_status settle(struct sp_newton *newton, const struct sp_options *
     for (int side = 0; side < 2; side++)
         if (bridge->piece[side ? bridge->count : 0].solved.outcome.active) meet_wall(newton, options, side, bridge, arena);
     if (finish(newton, options, bridge, spare, arena)) return SP_CONVERGED;
-    if (newton->steps_left <= 0) return bridge->length > 0 ? SP_ITERATION_LIMIT : SP_SINGULAR_METRIC;
+    if (newton->steps_left <= 0) {
+        bridge->gain = 0; /* at most what is gained by the slopes as they are, over all the reach */
+        for (int32_t i = 0; i < bridge->count; i++)
+            bridge->gain += absolute(bridge->slope[i]) * bridge->reach[i];
+        return bridge->length > 0 ? SP_ITERATION_LIMIT : SP_SINGULAR_METRIC;
+    }
     return finish_loosely(newton, options, bridge, spare, arena) ? SP_TOLERANCE_NOT_MET : SP_SINGULAR_METRIC;
 }
 
