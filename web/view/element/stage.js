@@ -25,7 +25,8 @@ export class Stage {
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   /** @type {OrbitControls | null} */ #controls = null;
   #mesh = new Mesh();
-  /** Materials that hold the shaders until the next ones, drawn with them, hold them too. @type {import('three').Material[]} */ #outgoing = [];
+  /** Materials that hold the shaders until the next ones, drawn with them, hold them too. @type {import('three').Material[]} */ #outgoing =
+    [];
   #line = new GeodesicLine();
   #player = new PathPlayer(this.#line, null, { onFrame: () => this.invalidate() });
   /** @type {(DragHandle | Marker)[]} */ #ends = [];
