@@ -13,6 +13,8 @@ import { onRender, state } from './state.js';
 
 /** Characters of a formula that are shown around a mistake. */
 const EXCERPT = 36;
+/** Characters of a line of a field, and lines at most. */
+const [CHARACTERS, MOST_LINES] = [34, 7];
 /** Milliseconds without a keystroke before a formula is compiled. */
 const PATIENCE = 150;
 const UNKNOWN = /^Unknown name ([\p{L}_][\p{L}\d_]*)/u;
@@ -55,6 +57,11 @@ function takeFields() {
 const readFields = () =>
   Object.fromEntries(fieldNames(state.sketch.kind).map((name) => [name, /** @type {HTMLInputElement} */ (find(`field-${name}`)).value]));
 
+/** Where fields do not grow with what is in them, they are given so many lines. @param {HTMLTextAreaElement} input */
+function grow(input) {
+  if (!CSS.supports('field-sizing', 'content')) input.rows = Math.min(Math.ceil(input.value.length / CHARACTERS) || 1, MOST_LINES);
+}
+
 /** A field for a formula, with a place for what is wrong with it. @param {string} name @param {string} label @param {string} value */
 export function formulaField(name, label, value) {
   const input = create('textarea', {
@@ -66,6 +73,8 @@ export function formulaField(name, label, value) {
     autocapitalize: 'off',
   });
   input.setAttribute('aria-describedby', `problem-${name}`);
+  input.addEventListener('input', () => grow(input));
+  grow(input);
   const problem = create('div', { id: `problem-${name}`, className: 'problem', hidden: true });
   return create('div', { className: 'formula' }, create('label', { htmlFor: input.id }, label), input, problem);
 }
@@ -106,8 +115,10 @@ function renderFormula({ sketch, shown, problem }) {
   }
   // What the reader is writing is not written over, unless something else is opened.
   for (const name of fieldNames(kind)) {
-    const input = /** @type {HTMLInputElement} */ (find(`field-${name}`));
-    if (written !== texts && input.value !== texts[name]) input.value = texts[name];
+    const input = /** @type {HTMLInputElement | HTMLTextAreaElement} */ (find(`field-${name}`));
+    if (written === texts || input.value === texts[name]) continue;
+    input.value = texts[name];
+    if (input instanceof HTMLTextAreaElement) grow(input);
   }
   showProblem(problem);
   if (shown && shown !== typesetFor) renderTypeset(shown);

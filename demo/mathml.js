@@ -41,9 +41,20 @@ export function math(tag, ...children) {
 
 const operator = (/** @type {string} */ text) => math('mo', text);
 
+/** What stands in brackets that is taller than a line. */
+const TALL = 'mfrac, msup, msqrt, mroot';
+
+/** A bracket, as tall as what it is around. @param {string} text @param {Element[]} inner */
+function bracket(text, inner) {
+  const element = operator(text);
+  // Around letters that reach below the line engines would stretch it too.
+  if (!inner.some((one) => one.matches(TALL) || one.querySelector(TALL))) element.setAttribute('stretchy', 'false');
+  return element;
+}
+
 /** @param {Piece} piece @param {number} least */
 function bracketed({ element, precedence }, least) {
-  return precedence >= least ? element : math('mrow', operator('('), element, operator(')'));
+  return precedence >= least ? element : math('mrow', bracket('(', [element]), element, bracket(')', [element]));
 }
 
 /** @param {Element} element @param {number} [precedence] @param {boolean} [isNumber] @returns {Piece} */
@@ -73,7 +84,7 @@ const BUILD = {
 function call(name, operands) {
   if (Object.hasOwn(BUILD, name)) return BUILD[name](...operands);
   const list = operands.flatMap(({ element }, i) => (i > 0 ? [operator(','), element] : [element]));
-  return piece(math('mrow', math('mi', name), operator('\u2061'), operator('('), ...list, operator(')')));
+  return piece(math('mrow', math('mi', name), operator('\u2061'), bracket('(', list), ...list, bracket(')', list)));
 }
 
 /** @param {Instruction} instruction */

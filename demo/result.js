@@ -38,8 +38,8 @@ function renderResult({ sketch, solved, problem, endProblem, live, moving, build
     find('start-figure').hidden = !hasStart && !busy;
     write('start-length', hasStart ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
     write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');
-    write('iterations', path ? String(stepsShown() || path.iterations) : '–');
-    write('time', Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
+    write('iterations', exists ? String(stepsShown() || path.iterations) : '–');
+    write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
   if (busy && (!surface || !path)) return;
   const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', (problem ?? endProblem)?.message ?? ''];

@@ -57,19 +57,19 @@ function renderCurves(view) {
   };
   const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
-  renderLegend(curves.starts.length > 0, curves.others.length > 0);
+  renderLegend({ path: curves.paths.length > 0, start: curves.starts.length > 0, others: curves.others.length > 0 });
 }
 
 /** @type {string} */ let legendShown = '';
 
-/** @param {boolean} hasStart @param {boolean} hasOthers */
-function renderLegend(hasStart, hasOthers) {
+/** @param {{ path: boolean, start: boolean, others: boolean }} has what is drawn */
+function renderLegend(has) {
   const { task, start } = state.sketch;
   const rows = [
-    ['legend-path', task === 'trace' ? 'Geodesic' : 'Shortest path'],
-    ...(hasStart ? [['legend-start', start === 'several' ? 'Starts' : 'Straight start']] : []),
-    ...(hasOthers ? [['legend-other', 'Other geodesics']] : []),
-    ['legend-hidden', 'Hidden part'],
+    ...(has.path ? [['legend-path', task === 'trace' ? 'Geodesic' : 'Shortest path']] : []),
+    ...(has.start ? [['legend-start', start === 'several' ? 'Starts' : 'Straight start']] : []),
+    ...(has.others ? [['legend-other', 'Other geodesics']] : []),
+    ...(has.path ? [['legend-hidden', 'Hidden part']] : []),
   ];
   if (legendShown === rows.join()) return;
   legendShown = rows.join();
