@@ -27,7 +27,7 @@ const NOT_RUN = /\/(build|readme|memory|hostile)\.test\.js$|\/(view|runtime)\//;
 const AT_A_TIME = 2;
 
 /** @typedef {import('./candidates.js').Mutant} Mutant */
-/** @typedef {{ name: string, command: string[], milliseconds: number, noticed: number }} Test */
+/** hung: it was ended, its time over. @typedef {{ name: string, command: string[], milliseconds: number, noticed: number, hung: boolean }} Test */
 
 /** A copy of what is compiled and run, as it was built; what is only read is linked to. */
 function makeTree() {
@@ -59,7 +59,7 @@ function nativeTests() {
   return programs.map((object) => {
     const program = object.replace('/tests/', '/').replace(/\.o$/, '');
     const link = [COMPILE, object, ...helpers, ...sources.map(objectOf), '-lm', '-o', program].join(' ');
-    return { name: basename(program), command: ['sh', '-c', `${link} && exec ${program} tests/data`], milliseconds: 0, noticed: 0 };
+    return { name: basename(program), command: ['sh', '-c', `${link} && exec ${program} tests/data`], milliseconds: 0, noticed: 0, hung: false };
   });
 }
 
@@ -67,7 +67,7 @@ function nativeTests() {
 function unitTests(under) {
   return readdirSync(join(tree, under), { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.test.js') && !NOT_RUN.test(`/${name}`))
-    .map((name) => ({ name, command: [process.execPath, join(under, name)], milliseconds: 0, noticed: 0 }));
+    .map((name) => ({ name, command: [process.execPath, join(under, name)], milliseconds: 0, noticed: 0, hung: false }));
 }
 
 /** Runs a test; resolves to whether it passed. One that takes five times as long as it did before has failed. @param {Test} test @param {AbortSignal} [signal] @returns {Promise<boolean>} */
@@ -78,7 +78,8 @@ function run(test, signal) {
   return new Promise((resolve) => {
     const child = spawn(program, parameters, { cwd: tree, stdio: 'ignore', timeout, killSignal: 'SIGKILL', signal });
     child.on('error', () => resolve(false));
-    child.on('exit', (code) => {
+    child.on('exit', (code, killer) => {
+      test.hung = killer === 'SIGKILL' && !signal?.aborted;
       if (code === 0) test.milliseconds = Math.max(test.milliseconds, performance.now() - start);
       resolve(code === 0);
     });
@@ -209,7 +210,7 @@ for (const mutant of mutants) {
     noticed++;
     failed.noticed++;
   } else if (!isExplained) unexplained++;
-  const verdict = failed ? `noticed by ${failed.name}` : `SURVIVED${isExplained ? ', explained' : ''}`;
+  const verdict = failed ? `noticed by ${failed.name}${failed.hung ? ', which hangs' : ''}` : `SURVIVED${isExplained ? ', explained' : ''}`;
   console.log(`${mutant.file}:${mutant.line}: ${mutant.before}  =>  ${mutant.after}\n    ${verdict}`);
 }
 console.log(
