@@ -59,7 +59,13 @@ function nativeTests() {
   return programs.map((object) => {
     const program = object.replace('/tests/', '/').replace(/\.o$/, '');
     const link = [COMPILE, object, ...helpers, ...sources.map(objectOf), '-lm', '-o', program].join(' ');
-    return { name: basename(program), command: ['sh', '-c', `${link} && exec ${program} tests/data`], milliseconds: 0, noticed: 0, hung: false };
+    return {
+      name: basename(program),
+      command: ['sh', '-c', `${link} && exec ${program} tests/data`],
+      milliseconds: 0,
+      noticed: 0,
+      hung: false,
+    };
   });
 }
 
