@@ -23,6 +23,7 @@ const FRAME = 12;
 /** Counts changes of the surface, and of the path: an answer to an older one is of no use. */
 let [builds, turn] = [0, 0];
 let timer = 0;
+/** Where the surface that is seen is looked at from; undefined: from its ends' side. @type {readonly number[] | undefined} */ let toLookFrom;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
@@ -36,9 +37,13 @@ export function connect(solver, solved) {
   onSolved = solved;
 }
 
-/** Surfaces are shown in a view from now on. @param {typeof stage} view null: there is no 3D */
+/** Surfaces are shown in a view from now on; one that is there already, at once. @param {typeof stage} view null: there is no 3D */
 export function showIn(view) {
   stage = view;
+  if (!state.mesh) return;
+  stage?.setSurface(state.mesh);
+  stage?.frame(middle(), toLookFrom);
+  render();
 }
 
 /** A new question about the path: older answers do not count any more. */
@@ -83,6 +88,7 @@ export async function rebuild({ frame, direction }) {
     const mesh = await live.ask('mesh', { definition });
     if (!mesh || mine !== builds) return closeSurfaces(opened);
     const outgrown = adopt(sketch, opened, mesh);
+    toLookFrom = direction;
     if (frame || outgrown) stage?.frame(middle(), direction);
   } catch (error) {
     if (opened) closeSurfaces(opened);

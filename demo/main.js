@@ -141,8 +141,9 @@ async function start() {
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
-  // The worker has its first task while the view is made. Nothing of it comes back before: there is no pause between.
+  // The worker has its first task while the view is made.
   openAddress(location.hash);
+  await breathe();
   const view = makeView();
   showIn(view);
   startExports(view);
