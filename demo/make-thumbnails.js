@@ -3,7 +3,7 @@
 import { writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { nextFrame, openBrowser, openPage, settled } from '../tests/helpers/page.js';
-import { ENTRIES } from './entries.js';
+import { ENTRIES } from './state/entries.js';
 
 const FOLDER = fileURLToPath(new URL('thumbnails/', import.meta.url));
 const [WIDTH, HEIGHT] = [320, 240];
