@@ -38,6 +38,8 @@ export function startProgress() {
 
 /** @param {import('../state/state.js').State} state */
 function renderProgress({ live: first, long: second }) {
+  // For those who read the page by program: colours and plots are not what they will be.
+  document.documentElement.toggleAttribute('data-measuring', second !== null);
   const work = [first, second].find((one) => one?.isSlow);
   find('progress').hidden = !work;
   if (!work) return;
