@@ -1,25 +1,25 @@
 /** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { change, history, openSketch, redo, undo } from './change.js';
-import { find, say } from './dom.js';
-import { startExports } from './exports.js';
-import { connect, recolour, showIn } from './flow.js';
-import { startFormula } from './formula.js';
-import { startGallery } from './gallery.js';
-import { fromHash } from './link.js';
-import { startMeasure } from './measure.js';
-import { startPathCard } from './path-card.js';
-import { startPlane } from './plane.js';
-import { Player } from './player.js';
-import { refreshPlot, startPlots } from './plots.js';
-import { startResult } from './result.js';
-import { View } from './scene.js';
-import { startShow } from './show.js';
-import { sketchOf } from './sketch.js';
-import { startSliders } from './sliders.js';
-import { FIRST, stepsShown, onRender, render, state } from './state.js';
-import { live, startProgress } from './workers.js';
+import { change, history, openSketch, redo, undo } from './state/change.js';
+import { find, say } from './panels/dom.js';
+import { startExports } from './export/exports.js';
+import { connect, recolour, showIn } from './compute/flow.js';
+import { startFormula } from './panels/formula.js';
+import { startGallery } from './panels/gallery.js';
+import { fromHash } from './state/link.js';
+import { startMeasure } from './panels/measure.js';
+import { startPathCard } from './panels/path-card.js';
+import { startPlane } from './plots/plane.js';
+import { Player } from './stage/player.js';
+import { refreshPlot, startPlots } from './plots/plots.js';
+import { startResult } from './panels/result.js';
+import { View } from './stage/scene.js';
+import { startShow } from './stage/show.js';
+import { sketchOf } from './state/sketch.js';
+import { startSliders } from './panels/sliders.js';
+import { FIRST, stepsShown, onRender, render, state } from './state/state.js';
+import { live, startProgress } from './compute/workers.js';
 
 const player = new Player((moment) => {
   state.moment = moment;
@@ -141,8 +141,9 @@ async function start() {
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
-  // The worker has its first task while the view is made. Nothing of it comes back before: there is no pause between.
+  // The worker has its first task while the view is made.
   openAddress(location.hash);
+  await breathe();
   const view = makeView();
   showIn(view);
   startExports(view);

@@ -3,7 +3,7 @@
 import { writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { nextFrame, openBrowser, openPage, settled } from '../tests/helpers/page.js';
-import { ENTRIES } from './entries.js';
+import { ENTRIES } from './state/entries.js';
 
 const FOLDER = fileURLToPath(new URL('thumbnails/', import.meta.url));
 const [WIDTH, HEIGHT] = [320, 240];
@@ -49,7 +49,7 @@ async function takePicture(colorScheme, file) {
     const sketch = Buffer.from(JSON.stringify({ entry: 'parametricTorus', colour: 'distance' })).toString('base64url');
     const { page } = await openPage(browser.context, `${browser.address}#1.${sketch}`);
     await settled(page);
-    await page.waitForSelector('#scale:not([hidden])');
+    await page.waitForSelector('html:not([data-measuring]) #scale:not([hidden])');
     await nextFrame(page);
     await writeFile(fileURLToPath(new URL(file, import.meta.url)), await shrink(page, await page.screenshot(), width, height));
   } finally {

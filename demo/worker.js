@@ -1,7 +1,7 @@
 /** The page's worker: one instance of the solver, one surface at a time, and the tasks of tasks.js. */
 
 import { ExpressionError, load } from 'surfpath';
-import { Workshop } from './tasks.js';
+import { Workshop } from './compute/tasks.js';
 
 const loading = load();
 /** @type {Workshop | null} */ let workshop = null;

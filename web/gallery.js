@@ -212,7 +212,7 @@ const entries = {
     parameters: { r: 1 },
     from: [0.6, 0, 0.8],
     to: [-0.48, 0.6, -0.64],
-    camera: [0.19, 0.94, 0.25],
+    camera: [-0.17, 0.86, 0.48],
   },
   globe: {
     kind: 'parametric',

@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+import { nextFrame, openBrowser, openEntry, openPage, openSettled, settled } from '../helpers/page.js';
 
 const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
 const SITE = fileURLToPath(new URL('../../build/site/', import.meta.url));
@@ -22,9 +22,7 @@ const SIZES = /** @type {const} */ ([
 
 before(async () => {
   await mkdir(SCREENSHOTS, { recursive: true });
-  browser = await openBrowser();
-  ({ page, complaints } = await openPage(browser.context, browser.address));
-  await settled(page);
+  ({ browser, page, complaints } = await openSettled());
 });
 after(() => browser?.close());
 

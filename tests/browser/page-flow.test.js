@@ -1,16 +1,14 @@
 // What the page computes, in which order: changes that overtake each other, long tasks with progress and cancel, workers that die. It always comes to rest.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+import { openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 
 before(async () => {
-  browser = await openBrowser();
-  ({ page, complaints } = await openPage(browser.context, browser.address));
-  await settled(page);
+  ({ browser, page, complaints } = await openSettled());
 });
 after(() => browser?.close());
 

@@ -2,18 +2,16 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
-import { fromHash, toHash } from '../../demo/link.js';
-import { sketchOf } from '../../demo/sketch.js';
-import { openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+import { fromHash, toHash } from '../../demo/state/link.js';
+import { sketchOf } from '../../demo/state/sketch.js';
+import { openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 
 before(async () => {
-  browser = await openBrowser();
-  ({ page, complaints } = await openPage(browser.context, browser.address));
-  await settled(page);
+  ({ browser, page, complaints } = await openSettled());
 });
 after(() => browser?.close());
 

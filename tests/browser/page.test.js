@@ -1,10 +1,10 @@
 // The demo page in headless Chromium: first scene, formulas, ends, options, playing. The sites of the page that need other hands have files of their own.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { KINDS } from '../../demo/kinds.js';
-import { describeStatus } from '../../demo/words.js';
+import { KINDS } from '../../demo/state/kinds.js';
+import { describeStatus } from '../../demo/panels/words.js';
 import { STATUS } from '../../web/path.js';
-import { measurePicture, openBrowser, openEntry, openPage, pictureOfView, settled } from '../helpers/page.js';
+import { measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -24,9 +24,7 @@ async function doing(act) {
 }
 
 before(async () => {
-  browser = await openBrowser();
-  ({ page, complaints } = await openPage(browser.context, browser.address));
-  await settled(page);
+  ({ browser, page, complaints } = await openSettled());
 });
 
 after(() => browser?.close());

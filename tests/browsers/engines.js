@@ -1,7 +1,7 @@
 // Chromium, Firefox and WebKit show the same: every surface of the gallery draws, converges, and has the same length to the last digit.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { ENTRIES } from '../../demo/entries.js';
+import { ENTRIES } from '../../demo/state/entries.js';
 import { serve } from '../../demo/serve.js';
 import { openFirefox, openWebKit } from '../helpers/engines.js';
 import { openBrowser, openPage } from '../helpers/page.js';

@@ -67,6 +67,17 @@ export async function openPage(context, address) {
   return { page, complaints };
 }
 
+/**
+ * The page as the tests of a file share it: opened, with its first scene solved.
+ * @param {string[]} [more] @param {import('playwright-core').BrowserContextOptions} [options] both as for `openBrowser`
+ */
+export async function openSettled(more, options) {
+  const browser = await openBrowser(more, options);
+  const { page, complaints } = await openPage(browser.context, browser.address);
+  await settled(page);
+  return { browser, page, complaints };
+}
+
 /** Waits until everything is computed that was asked for; looks by the clock, as a busy machine may not draw for long. @param {import('playwright-core').Page} page @param {number} [timeout] milliseconds */
 export async function settled(page, timeout = 60000) {
   await page.waitForFunction(

@@ -1,7 +1,7 @@
 // The distances that the page draws contours of: those of shortest paths, to what a pixel shows.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { measureDistances } from '../../../demo/distances.js';
+import { measureDistances } from '../../../demo/compute/distances.js';
 import { gallery } from 'surfpath/gallery';
 import { load } from 'surfpath';
 

@@ -1,0 +1,110 @@
+/** What can be taken away: a link, a picture, the plane, the points, everything as data, and the surface with its path for 3D programs. */
+
+import { coordinates } from '../state/definition.js';
+import { find, say } from '../panels/dom.js';
+import { toHash } from '../state/link.js';
+import { planeFile } from '../plots/plane.js';
+import { surfaceOf } from '../state/sketch.js';
+import { chosenPath, state } from '../state/state.js';
+
+/** @typedef {import('../stage/scene.js').View} View */
+/** @typedef {{ name: string, type: string, content: BlobPart }} File */
+
+/** @type {Record<string, (view: View | null) => Promise<File | string> | File | string>} a string: why there is none */
+const EXPORTS = {
+  png: (view) => picture(view),
+  svg: () => {
+    const content = planeFile();
+    return content ? { name: 'plane.svg', type: 'image/svg+xml', content } : 'This surface has no parameters.';
+  },
+  csv: () => {
+    const path = chosenPath();
+    return path ? { name: 'path.csv', type: 'text/csv', content: table(path) } : 'There is no path.';
+  },
+  json: () => ({ name: 'surfpath.json', type: 'application/json', content: `${JSON.stringify(contents(), listed, 1)}\n` }),
+  gltf: (view) => model(view),
+};
+
+/** @param {View | null} view */
+export function startExports(view) {
+  find('exports').addEventListener('click', async ({ target }) => {
+    const name = /** @type {HTMLElement} */ (target).dataset.export;
+    if (!name) return;
+    if (name === 'link') return copyLink();
+    const made = await EXPORTS[name](view);
+    if (typeof made === 'string') return say(find('export-words'), made);
+    save(made);
+    say(find('export-words'), `Saved ${made.name}.`);
+  });
+}
+
+async function copyLink() {
+  const link = `${location.href.replace(/#.*$/, '')}${toHash(state.sketch)}`;
+  history.replaceState(null, '', link);
+  const copied = await navigator.clipboard?.writeText(link).then(
+    () => true,
+    () => false,
+  );
+  say(find('export-words'), copied ? 'The link is copied.' : 'The link is in the address bar.');
+}
+
+/** @param {File} file */
+function save({ name, type, content }) {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  const anchor = Object.assign(document.createElement('a'), { href: address, download: name });
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+/** @param {View | null} view @returns {Promise<File | string>} */
+function picture(view) {
+  if (!view) return Promise.resolve('There is no picture without 3D.');
+  // The buffer is emptied after each frame: draw and read in one go.
+  view.draw();
+  return new Promise((resolve) =>
+    view.canvas.toBlob((blob) =>
+      resolve(blob ? { name: 'surfpath.png', type: 'image/png', content: blob } : 'The browser made no picture.'),
+    ),
+  );
+}
+
+/** One line a point: length from A, position, parameters. @param {import('surfpath').Path} path */
+function table(path) {
+  const { points, parameters } = path;
+  const names = coordinates(state.sketch.kind).slice(0, 2);
+  const count = parameters ? parameters.length / 2 : points.length / 3;
+  const head = ['s', ...(points.length > 0 ? ['x', 'y', 'z'] : []), ...(parameters ? names : [])];
+  const rows = [head.join()];
+  let run = 0;
+  for (let i = 0; i < count; i++) {
+    const place = points.subarray(3 * i, 3 * i + 3);
+    if (i > 0 && points.length > 0) run += Math.hypot(...[0, 1, 2].map((k) => place[k] - points[3 * i - 3 + k]));
+    rows.push(
+      [points.length > 0 ? run : (path.length * i) / (count - 1), ...place, ...(parameters?.subarray(2 * i, 2 * i + 2) ?? [])].join(),
+    );
+  }
+  return `${rows.join('\n')}\n`;
+}
+
+function contents() {
+  const path = chosenPath();
+  const { ends, via, task, algorithm, tolerance, points, start } = state.sketch;
+  return {
+    surface: surfaceOf(state.sketch),
+    from: ends[0],
+    to: ends[1],
+    via,
+    options: { task, algorithm, tolerance, points, start },
+    path,
+  };
+}
+
+/** Typed arrays as lists. @param {string} _name @param {unknown} value */
+const listed = (_name, value) => (value instanceof Float64Array ? Array.from(value) : value);
+
+/** @param {View | null} view @returns {Promise<File | string>} */
+async function model(view) {
+  if (!view) return 'There is no model without 3D.';
+  const { toGltf } = await import('./gltf.js');
+  return { name: 'surfpath.gltf', type: 'model/gltf+json', content: await toGltf(view.surface.geometry, chosenPath()) };
+}

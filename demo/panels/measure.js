@@ -1,0 +1,97 @@
+/** The card of what measures length: a density, a metric in place of that of space, and examples fitted to any surface. */
+
+import { change } from '../state/change.js';
+import { create, find, say } from './dom.js';
+import { formulaField } from './formula.js';
+import { tensorNames } from '../state/kinds.js';
+import { PRESETS } from '../state/presets.js';
+import { onRender, state } from '../state/state.js';
+
+const PATIENCE = 150;
+/** Entries off the diagonal, which are 0 where nothing is written. */
+const MIXED = ['xy', 'xz', 'yz'];
+
+let timer = 0;
+/** What the reader is changing, while not all that was written has been taken. */
+let written = '';
+/** What the fields were built for. */
+let built = '';
+
+export function startMeasure() {
+  find('measure-presets').addEventListener('click', ({ target }) => {
+    const preset = /** @type {HTMLElement} */ (target).dataset.preset;
+    if (preset) change(PRESETS[preset](), `preset ${preset}`);
+  });
+  find('measure-fields').addEventListener('input', () => {
+    clearTimeout(timer);
+    written = tokenOf(state.sketch);
+    timer = window.setTimeout(takeFields, PATIENCE);
+  });
+  // Who leaves a field in a hurry has written all the same.
+  find('measure-fields').addEventListener('change', takeFields);
+  onRender(renderMeasure);
+}
+
+/** @param {string} name @returns {HTMLInputElement | null} */
+const field = (name) => /** @type {HTMLInputElement | null} */ (document.getElementById(`field-${name}`));
+
+const textOf = (/** @type {string} */ name) => field(name)?.value ?? '';
+
+/** @param {import('../state/sketch.js').Sketch} sketch */
+const tokenOf = ({ entry, kind, density, tensor }) => JSON.stringify([entry, kind, density, tensor]);
+
+function takeFields() {
+  clearTimeout(timer);
+  // Something else may have been opened meanwhile.
+  const isOurs = written === tokenOf(state.sketch);
+  written = '';
+  if (!isOurs) return;
+  const names = tensorNames(state.sketch.kind);
+  const texts = names.map((name) => textOf(`metric.${name}`));
+  const some = texts.some((text) => text.trim());
+  const tensor = some ? texts.map((text, i) => (text.trim() ? text : MIXED.includes(names[i]) ? '0' : '')) : [];
+  const density = textOf('density');
+  change({ density, tensor, colour: density.trim() || some ? 'density' : 'plain' }, 'measure');
+}
+
+/** @param {import('../state/state.js').State} state */
+function renderMeasure({ sketch, problem }) {
+  const { kind, density, tensor } = sketch;
+  find('measure-card').hidden = kind === 'metric';
+  find('measure-presets')
+    .querySelector('[data-preset=climb]')
+    ?.toggleAttribute('hidden', kind !== 'implicit');
+  const names = tensorNames(kind);
+  if (built !== names.join()) {
+    built = names.join();
+    find('measure-fields').replaceChildren(...fields(names));
+  }
+  const half = tensor.some((text) => !text.trim());
+  const all = names.length === 3 ? 'all three of E, F and G' : 'xx, yy and zz';
+  say(find('measure-problem'), half && !problem ? `Write ${all}, or none.` : null);
+  // What the reader is writing is not written over, unless something else is opened.
+  if (written === tokenOf(sketch)) return;
+  const values = [['density', density], ...names.map((name, i) => [`metric.${name}`, tensor[i] ?? ''])];
+  for (const [name, value] of values) {
+    const input = field(name);
+    if (input && input.value !== value) input.value = value;
+  }
+}
+
+/** @param {string[]} names of the entries */
+function fields(names) {
+  const inSpace = names.length === 6;
+  const [place, plane] = inSpace ? ['x, y, z', 'x, y, z'] : ['u, v, x, y, z', 'u, v'];
+  const entries = names.map((name) => formulaField(`metric.${name}`, inSpace ? `T${name}` : `${name}(${plane})`, ''));
+  return [
+    formulaField('density', `ρ(${place}), density`, ''),
+    create(
+      'p',
+      { className: 'hint' },
+      inSpace
+        ? 'In place of space’s: ds² = dxᵀ T dx, a symmetric matrix T over x, y, z.'
+        : 'In place of space’s: ds² = E du² + 2F du dv + G dv².',
+    ),
+    create('div', { className: inSpace ? 'entries-of-tensor' : '' }, ...entries),
+  ];
+}

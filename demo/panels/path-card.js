@@ -1,0 +1,164 @@
+/** The cards of the path: what to compute and how, the ends as numbers, and the list of all geodesics. */
+
+import { change } from '../state/change.js';
+import { coordinates } from '../state/definition.js';
+import { create, find, say } from './dom.js';
+import { chooseEnds } from '../state/ends.js';
+import { MOST_POINTS } from '../state/sketch.js';
+import { chosenPath, onRender, render, state } from '../state/state.js';
+import { formatNumber } from './words.js';
+
+/** @typedef {import('../state/state.js').State} State */
+
+const LISTED = /** @type {const} */ (['algorithm', 'start']);
+/** What the number inputs were built for. */
+let built = '';
+
+export function startPathCard() {
+  for (const name of LISTED) find(name).addEventListener('change', (event) => change({ [name]: choiceOf(event) }));
+  find('tolerance').addEventListener('change', (event) => change({ tolerance: Number(choiceOf(event)) }));
+  find('points').addEventListener('input', changePoints);
+  find('tasks').addEventListener('change', changeTask);
+  for (const name of /** @type {const} */ (['angle', 'reach']))
+    find(name).addEventListener('input', ({ target }) => change({ [name]: /** @type {HTMLInputElement} */ (target).valueAsNumber }));
+  find('ends').addEventListener('input', ({ target }) => typeEnd(/** @type {HTMLInputElement} */ (target)));
+  find('random-ends').addEventListener('click', () => {
+    if (state.surface && state.mesh) change({ ends: chooseEnds(state.surface, state.mesh), via: [] }, `random ${performance.now()}`);
+  });
+  find('swap-ends').addEventListener('click', () =>
+    change({ ends: [...state.sketch.ends].reverse(), via: [...state.sketch.via].reverse() }),
+  );
+  find('add-via').addEventListener('click', addVia);
+  onRender(renderPathCard);
+}
+
+const choiceOf = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).value;
+
+/** All geodesics between two ends pass no points on the way. @param {Event} event */
+function changeTask(event) {
+  const task = /** @type {State['sketch']['task']} */ (choiceOf(event));
+  change(task === 'all' ? { task, via: [] } : { task });
+}
+
+/** @param {Event} event */
+function changePoints({ target }) {
+  const input = /** @type {HTMLInputElement} */ (target);
+  const points = input.valueAsNumber;
+  const good = Number.isInteger(points) && points >= 1 && points <= MOST_POINTS;
+  if (good) input.removeAttribute('aria-invalid');
+  else input.setAttribute('aria-invalid', 'true');
+  say(find('points-problem'), good ? null : `Write a whole number from 1 to ${MOST_POINTS}.`);
+  if (good) change({ points });
+}
+
+/** @param {HTMLInputElement} input */
+function typeEnd({ name, valueAsNumber }) {
+  const [, row, coordinate] = name.split('-').map(Number);
+  const { ends, via } = state.sketch;
+  const replace = (/** @type {number[][]} */ list, /** @type {number} */ at) =>
+    list.map((point, i) => (i === at ? point.map((x, k) => (k === coordinate ? valueAsNumber : x)) : point));
+  change(row < 2 ? { ends: replace(ends, row) } : { via: replace(via, row - 2) }, `type ${name}`);
+}
+
+/** A point of the path in the middle of its last piece, to be dragged away. */
+function addVia() {
+  const path = chosenPath();
+  const { via, kind } = state.sketch;
+  if (!path || via.length >= 8 || state.sketch.task === 'trace') return;
+  const dimension = coordinates(kind).length;
+  const all = dimension === 2 ? path.parameters : path.points;
+  if (!all) return;
+  const at = dimension * Math.floor((all.length / dimension) * (1 - 0.5 ** (via.length + 1)));
+  change({ via: [...via, Array.from(all.slice(at, at + dimension))], task: 'path', start: 'global' }, `via ${performance.now()}`);
+}
+
+/** @param {string[]} names @param {string} letter @param {number} row */
+function endRow(names, letter, row) {
+  const inputs = names.map((name, i) => {
+    const input = create('input', { type: 'number', step: '0.05', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
+    input.setAttribute('aria-label', `${name} of ${letter}`);
+    input.setAttribute('aria-describedby', 'ends-problem');
+    return create('label', { className: 'coordinate' }, create('span', { className: 'variable' }, name), input);
+  });
+  const children = [create('strong', { className: 'letter' }, letter), ...inputs];
+  if (row < 2) return create('div', { className: 'end' }, ...children);
+  const remove = create('button', { type: 'button', className: 'icon small' }, '✕');
+  remove.setAttribute('aria-label', `Remove point ${letter}`);
+  remove.addEventListener('click', () => change({ via: state.sketch.via.filter((_, i) => i !== row - 2) }, `remove ${performance.now()}`));
+  return create('div', { className: 'end' }, ...children, remove);
+}
+
+/** @param {State} state */
+function renderPathCard({ sketch, endProblem, solved, chosen }) {
+  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll('input[name=task]')))
+    input.checked = input.value === sketch.task;
+  for (const name of LISTED) /** @type {HTMLSelectElement} */ (find(name)).value = sketch[name];
+  showTolerance(/** @type {HTMLSelectElement} */ (find('tolerance')), sketch.tolerance);
+  const points = /** @type {HTMLInputElement} */ (find('points'));
+  if (points !== document.activeElement) points.valueAsNumber = sketch.points;
+  find('tolerance-row').hidden = sketch.algorithm !== 'elements';
+  for (const id of ['solver-card', 'swap-ends', 'add-via']) find(id).hidden = sketch.task === 'trace';
+  find('start-row').hidden = sketch.task === 'all';
+  find('trace-rows').hidden = sketch.task !== 'trace';
+  for (const [name, unit] of /** @type {const} */ ([
+    ['angle', '°'],
+    ['reach', ''],
+  ])) {
+    const input = /** @type {HTMLInputElement} */ (find(name));
+    if (input !== document.activeElement) input.valueAsNumber = sketch[name];
+    find(`${name}-value`).textContent = `${Number(sketch[name].toPrecision(3))}${unit}`;
+  }
+  renderEnds(sketch);
+  for (const input of find('ends').querySelectorAll('[aria-invalid]')) input.removeAttribute('aria-invalid');
+  say(find('ends-problem'), endProblem?.message ?? null);
+  if (endProblem && endProblem.end >= 0)
+    document.getElementById(`end-${endProblem.end}-${endProblem.coordinate}`)?.setAttribute('aria-invalid', 'true');
+  renderList(sketch.task === 'all' ? solved.paths : [], chosen);
+}
+
+/** A link may hold one that is not in the list. @param {HTMLSelectElement} select @param {number} tolerance */
+function showTolerance(select, tolerance) {
+  const value = String(tolerance);
+  if (![...select.options].some((option) => option.value === value))
+    select.append(create('option', { value }, formatNumber(tolerance, 1).replace('1 × ', '')));
+  select.value = value;
+}
+
+/** @param {State['sketch']} sketch */
+function renderEnds({ kind, ends, via, task }) {
+  const points = [...ends, ...via];
+  const wanted = `${kind} ${points.length} ${task === 'trace'}`;
+  if (built !== wanted) {
+    built = wanted;
+    const rows = points.map((_, row) => endRow(coordinates(kind), row < 2 ? 'AB'[row] : String(row - 1), row));
+    if (task === 'trace') rows.splice(1, 1);
+    find('ends').replaceChildren(...rows);
+  }
+  for (const [row, point] of points.entries())
+    for (const [i, x] of point.entries()) {
+      const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
+      // What is being written is the number itself, and stays as it is written.
+      if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
+    }
+}
+
+/** @param {import('surfpath').Path[]} paths @param {number} chosen */
+function renderList(paths, chosen) {
+  const rows = paths.map((path, i) => {
+    const button = create('button', { type: 'button' }, create('strong', {}, formatNumber(path.length, 8)));
+    if (i > 0) button.append(create('span', { className: 'hint' }, ` +${(100 * (path.length / paths[0].length - 1)).toPrecision(3)} %`));
+    button.setAttribute('aria-pressed', String(i === chosen));
+    button.addEventListener('click', () => {
+      state.chosen = i;
+      render();
+    });
+    return create('li', {}, button);
+  });
+  // Only where something is different: a list that is replaced loses the focus.
+  const list = find('paths');
+  const text = rows.map((row) => row.textContent).join();
+  if (list.textContent !== rows.map((row) => row.textContent).join('') || list.dataset.rows !== text) {
+    list.replaceChildren(...rows);
+    list.dataset.rows = text;
+  } else for (const [i, row] of [...list.children].entries()) row.firstElementChild?.setAttribute('aria-pressed', String(i === chosen));
+}

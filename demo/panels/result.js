@@ -1,0 +1,65 @@
+/** The strip of results, the player and the legend: numbers and words of what is seen. */
+
+import { find } from './dom.js';
+import { chosenPath, stepsShown, onRender } from '../state/state.js';
+import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
+
+export function startResult() {
+  onRender(renderResult);
+  onRender(renderMoment);
+}
+
+/** @param {string} id @param {string} text */
+function write(id, text) {
+  const element = find(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** @param {number} length @param {number} start */
+function describeStart(length, start) {
+  const share = Math.round(100 * (start / length - 1));
+  const longer = Number.isFinite(share) && share > 0 ? ` (+${share} %)` : '';
+  return `${formatNumber(start, 4)}${longer}`;
+}
+
+/** @param {import('../state/state.js').State} state */
+function renderResult({ sketch, solved, problem, endProblem, live, moving, building, surface, gauge }) {
+  const path = chosenPath();
+  const exists = path !== null && Number.isFinite(path.length);
+  const busy = live !== null || building;
+  document.documentElement.toggleAttribute('data-busy', busy || moving);
+  find('result').setAttribute('aria-busy', String(busy));
+  // All digits, for those who read the page by program.
+  find('length').dataset.exact = exists ? String(path.length) : '';
+  write('length', exists ? formatTo(path.length, path.lengthError) : '–');
+  write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
+  if (!moving) {
+    const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
+    find('start-figure').hidden = !hasStart && !busy;
+    write('start-length', hasStart ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
+    write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');
+    write('iterations', exists ? String(stepsShown() || path.iterations) : '–');
+    write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
+  }
+  if (busy && (!surface || !path)) return;
+  const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', (problem ?? endProblem)?.message ?? ''];
+  write('status', words);
+  write('advice', path && problem ? 'The last good surface is shown.' : advice);
+  if (!moving) find('status').dataset.status = path?.status ?? 'none';
+}
+
+/** @param {import('../state/state.js').State} state */
+function renderMoment({ moment, moving, building, live }) {
+  const last = stepsShown();
+  const slider = /** @type {HTMLInputElement} */ (find('moment'));
+  const some = last > 0;
+  slider.max = String(Math.max(last, 1));
+  slider.valueAsNumber = some ? moment * last : 1;
+  slider.disabled = !some;
+  /** @type {HTMLButtonElement} */ (find('play')).disabled = !some;
+  // What has no iterates needs no player; while something moves, it stays where it is.
+  if (some || !(moving || building || live)) find('player').hidden = !some;
+  const words = some ? `Newton step ${Math.round(moment * last)} of ${last}` : '';
+  slider.setAttribute('aria-valuetext', words);
+  write('moment-words', words);
+}

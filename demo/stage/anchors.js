@@ -1,0 +1,162 @@
+/** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys, and lengths of other paths. */
+
+import { DragHandle } from 'surfpath/three';
+import { change } from '../state/change.js';
+import { create, find } from '../panels/dom.js';
+import { placesOf } from '../compute/drawn.js';
+import { chosenPath, onRender, render, state } from '../state/state.js';
+import { formatNumber } from '../panels/words.js';
+
+/** @typedef {import('./scene.js').View} View */
+
+/** CSS pixels from a handle to its letter. */
+const LETTER = 23;
+/** How far along the path is what its letter keeps away from, in parts of it. */
+const BESIDE = 0.12;
+
+/** @type {DragHandle[]} */ const handles = [];
+/** @type {HTMLElement[]} */ const labels = [];
+/** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
+/** @type {unknown} */ let meshOfHandles = null;
+/** @type {unknown} */ let themeOfHandles = null;
+
+/** @param {View} view */
+export function startAnchors(view) {
+  onRender(() => renderHandles(view));
+  onRender(() => renderLabels(view));
+  view.onDraw = () => placeLetters(view);
+}
+
+/** All points that can be moved: A, B, then those between. */
+const points = () => (state.sketch.task === 'trace' ? state.sketch.ends.slice(0, 1) : [...state.sketch.ends, ...state.sketch.via]);
+
+const letterOf = (/** @type {number} */ index) => (index < 2 ? 'AB'[index] : String(index - 1));
+
+/** A periodic coordinate by whole turns as near as may be to the last one. @param {number[]} point @param {number[]} last */
+function unwind(point, last) {
+  const { domain } = state.surface ?? { domain: null };
+  if (!domain) return point;
+  return point.map((x, i) => {
+    const axis = i === 0 ? 'u' : 'v';
+    const turn = domain.periodic[axis] ? domain[axis][1] - domain[axis][0] : 0;
+    return turn > 0 ? x + turn * Math.round((last[i] - x) / turn) : x;
+  });
+}
+
+/** @param {number} index @param {number[]} given */
+function move(index, given) {
+  if (state.building) return;
+  const { ends, via } = state.sketch;
+  const point = unwind(given, points()[index]);
+  if (index < 2) change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);
+  else change({ via: via.map((one, i) => (i === index - 2 ? point : one)) }, `move ${index}`);
+}
+
+/** @param {View} view @param {import('surfpath').Surface} drawn @param {number} index @param {number[]} point */
+function makeHandle(view, drawn, index, point) {
+  const letter = letterOf(index);
+  const { theme } = view;
+  const handle = new DragHandle(drawn, point, {
+    camera: view.camera,
+    domElement: view.canvas,
+    controls: view.controls,
+    mesh: view.surface,
+    label: index < 2 ? `End ${letter}` : `Point ${letter} on the way`,
+    colour: index < 2 ? theme?.path : theme?.via,
+    ring: theme?.halo,
+    onDrag: (moved) => move(index, moved),
+    onChange: () => view.invalidate(),
+  });
+  handle.element.id = `handle-${letter}`;
+  handle.element.append(create('span', { className: 'letter-tag' }, letter));
+  if (index >= 2)
+    handle.element.addEventListener('keydown', ({ key }) => {
+      if (key === 'Delete') change({ via: state.sketch.via.filter((_, i) => i !== index - 2) });
+    });
+  view.add(handle);
+  return handle;
+}
+
+/** Whether a handle can stand there: what is half written, or outside, has no place. @param {import('surfpath').Surface} drawn @param {number[]} point */
+function hasPlace(drawn, point) {
+  if (!point.every(Number.isFinite)) return false;
+  try {
+    const place = drawn.kind === 'implicit' ? drawn.project(point) : drawn.evaluate(point);
+    return [0, 1, 2].every((k) => Number.isFinite(place[k]));
+  } catch {
+    return false;
+  }
+}
+
+/** As many handles as points, where the points are. @param {View} view */
+function renderHandles(view) {
+  const { drawn, mesh, building } = state;
+  // The sketch's points belong to a surface that is not here yet.
+  if (building) return;
+  const wanted = drawn && mesh && state.shown?.kind === state.sketch.kind ? points() : [];
+  const shown = drawn && wanted.every((point) => hasPlace(drawn, point)) ? wanted : [];
+  while (handles.length > shown.length) handles.pop()?.dispose();
+  if (!drawn) return;
+  if (themeOfHandles !== view.theme) colourHandles(view);
+  const isNew = surfaceOfHandles !== drawn || meshOfHandles !== mesh;
+  [surfaceOfHandles, meshOfHandles] = [drawn, mesh];
+  for (const [i, point] of shown.entries()) {
+    if (!handles[i]) handles[i] = makeHandle(view, drawn, i, point);
+    else if (isNew) handles[i].setSurface(drawn, point, view.surface);
+    else if (handles[i].point.some((x, k) => x !== point[k])) handles[i].setPoint(point);
+  }
+}
+
+/** @param {View} view */
+function colourHandles({ theme }) {
+  themeOfHandles = theme;
+  for (const [i, handle] of handles.entries()) handle.setColours({ colour: i < 2 ? theme?.path : theme?.via, ring: theme?.halo });
+}
+
+/** Where the path runs near one of its ends; null: there is none. @param {number} end */
+function alongPath(end) {
+  const path = end < 2 ? chosenPath() : null;
+  const places = path ? placesOf(path) : [];
+  const at = 3 * Math.floor((places.length / 3) * (end === 0 ? BESIDE : 1 - BESIDE));
+  return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
+}
+
+/** A letter stands on the side where the path does not run. @param {View} view */
+function placeLetters(view) {
+  for (const [i, handle] of handles.entries()) {
+    const [x, y] = view.toScreen(handle.position.toArray());
+    const beside = alongPath(i);
+    const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
+    const far = LETTER / Math.max(Math.hypot(x - ox, y - oy), 1);
+    const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
+    letter.style.transform = `translate(${((x - ox) * far).toFixed(1)}px, ${((y - oy) * far).toFixed(1)}px)`;
+  }
+}
+
+/** @param {number} index */
+function makeLabel(index) {
+  const button = create('button', { type: 'button', className: 'length-label' }, create('span', {}));
+  button.addEventListener('click', () => {
+    state.chosen = index;
+    render();
+  });
+  find('anchors').append(button);
+  return button;
+}
+
+/** The lengths of all geodesics, each where its path is on its own. @param {View} view */
+function renderLabels(view) {
+  const { paths } = state.solved;
+  const count = paths.length > 1 ? paths.length : 0;
+  while (labels.length > count) labels.pop()?.remove();
+  while (labels.length < count) labels.push(makeLabel(labels.length));
+  const anchors = labels.map((label, i) => {
+    const all = placesOf(paths[i]);
+    const at = 3 * Math.floor((all.length / 3) * (0.42 + 0.16 * (i / labels.length)));
+    /** @type {HTMLElement} */ (label.firstElementChild).textContent = formatNumber(paths[i].length, 4);
+    label.setAttribute('aria-pressed', String(i === state.chosen));
+    label.setAttribute('aria-label', `Path ${i + 1}, length ${formatNumber(paths[i].length, 6)}`);
+    return { element: label, point: all.subarray(at, at + 3) };
+  });
+  view.setAnchors(anchors);
+}

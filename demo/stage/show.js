@@ -1,0 +1,118 @@
+/** Shows the state in the 3D view: the surface's colours, the curves at the moment that is played, the handles, the legend and the scale. */
+
+import { startAnchors } from './anchors.js';
+import { blend, smooth } from '../compute/curves.js';
+import { create, find, say, themeColor } from '../panels/dom.js';
+import { placesOf } from '../compute/drawn.js';
+import { planeStrokes, spaceStrokes } from './grain.js';
+import { startPointing } from './pointing.js';
+import { chosenPath, stepsShown, onRender, render, state } from '../state/state.js';
+import { formatNumber } from '../panels/words.js';
+
+/** @typedef {import('./scene.js').View} View */
+/** @typedef {import('../state/state.js').State} State */
+
+const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'sky', 'ground', 'via']);
+/** @type {unknown} */ let shadeShown = null;
+/** @type {unknown} */ let meshShown = null;
+
+/** @param {View} view */
+export function startShow(view) {
+  applyTheme(view);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    applyTheme(view);
+    render();
+  });
+  onRender(() => renderShade(view));
+  onRender(() => renderCurves(view));
+  startAnchors(view);
+  startPointing(view);
+}
+
+/** @param {View} view */
+function applyTheme(view) {
+  view.setTheme(/** @type {import('./scene.js').Theme} */ (Object.fromEntries(THEME.map((name) => [name, themeColor(name)]))));
+}
+
+/** What lies between two iterates, t from 0, the first, to 1, the last. @param {Float64Array[]} film @param {number} t */
+function frameAt(film, t) {
+  const last = film.length - 1;
+  const before = Math.min(Math.floor(t * last), Math.max(last - 1, 0));
+  return last === 0 ? film[0] : blend(film[before], film[before + 1], t * last - before);
+}
+
+/** @param {View} view */
+function renderCurves(view) {
+  const { solved, moment, chosen, sketch } = state;
+  const path = chosenPath();
+  const several = sketch.start === 'several' && solved.films.length > 1;
+  const playing = stepsShown() > 0 && moment < 1;
+  const final = path && placesOf(path).length > 0 ? [placesOf(path)] : [];
+  const films = several || playing ? solved.films.map((film) => frameAt(film, moment)) : [];
+  const curves = {
+    starts: several ? solved.films.map((film) => film[0]) : solved.straight ? [solved.straight] : [],
+    paths: playing ? films : final,
+    others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
+    warmth: playing ? moment : 1,
+  };
+  const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
+  view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
+  renderLegend({ path: curves.paths.length > 0, start: curves.starts.length > 0, others: curves.others.length > 0 });
+}
+
+/** @type {string} */ let legendShown = '';
+
+/** @param {{ path: boolean, start: boolean, others: boolean }} has what is drawn */
+function renderLegend(has) {
+  const { task, start } = state.sketch;
+  const rows = [
+    ...(has.path ? [['legend-path', task === 'trace' ? 'Geodesic' : 'Shortest path']] : []),
+    ...(has.start ? [['legend-start', start === 'several' ? 'Starts' : 'Straight start']] : []),
+    ...(has.others ? [['legend-other', 'Other geodesics']] : []),
+    ...(has.path ? [['legend-hidden', 'Hidden part']] : []),
+  ];
+  if (legendShown === rows.join()) return;
+  legendShown = rows.join();
+  find('legend').replaceChildren(...rows.map(([className, text]) => create('li', { className }, text)));
+}
+
+/** Curvature of which not more is left than rounding leaves. */
+const NOTHING = 1e-6;
+/** Relative difference of numbers that are one but for rounding. */
+const SAME = 1e-9;
+const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
+
+/** What shows the metric that is measured by. */
+function strokesNow() {
+  const { gauge, drawn, mesh } = state;
+  if (!gauge || !drawn || !mesh) return null;
+  return gauge.kind === 'space' ? spaceStrokes(gauge, drawn, mesh) : planeStrokes(gauge, drawn);
+}
+
+/** @param {View} view */
+function renderShade(view) {
+  const { shade, mesh, sketch, shadeProblem } = state;
+  say(find('colour-problem'), shadeProblem);
+  /** @type {HTMLSelectElement} */ (find('colour')).value = sketch.colour;
+  if (mesh !== meshShown) view.setStrokes(strokesNow());
+  if (shade === shadeShown && mesh === meshShown) return;
+  [shadeShown, meshShown] = [shade, mesh];
+  const colours = view.setValues(sketch.colour, shade);
+  const scale = find('scale');
+  scale.hidden = !colours;
+  if (!colours) return;
+  const bar = create('i', {});
+  bar.style.background = `linear-gradient(90deg, ${colours.palette.join(', ')})`;
+  scale.replaceChildren(
+    create('span', {}, SCALES[sketch.colour]),
+    bar,
+    ...endsOfScale(colours, shade).map((text) => create('b', {}, text)),
+  );
+}
+
+/** What stands at the ends of a scale; one text, where there is one number. @param {{ low: number, high: number }} scale @param {ArrayLike<number> | null} values */
+function endsOfScale({ low, high }, values) {
+  const [first, last] = [low, high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
+  const isOne = values && Array.from(values).every((x) => Math.abs(x - values[0]) <= SAME * Math.abs(values[0]));
+  return (first === '0' && last === '0') || isOne ? [`${first} everywhere`] : [first, last];
+}

@@ -1,0 +1,75 @@
+/** How the reader's hands change the sketch: each change is kept for undo, then what depends on it is computed anew. */
+
+import { ENTRIES } from './entries.js';
+import { deform, follow, rebuild, recolour, solve } from '../compute/flow.js';
+import { History } from './history.js';
+import { toHash } from './link.js';
+import { sketchOf } from './sketch.js';
+import { render, state } from './state.js';
+
+/** @typedef {import('./sketch.js').Sketch} Sketch */
+
+/** @type {History<Sketch>} */
+export const history = new History();
+
+/** Milliseconds of quiet before the address is rewritten: browsers limit how often. */
+const QUIET = 400;
+let timer = 0;
+
+const OF_SURFACE = /** @type {const} */ (['entry', 'kind', 'texts', 'density', 'tensor']);
+const OF_PATH = /** @type {const} */ (['task', 'algorithm', 'tolerance', 'points', 'start', 'angle', 'reach']);
+
+/**
+ * Changes a part of the sketch.
+ * @param {Partial<Sketch>} part
+ * @param {string} [key] changes of the same key in quick succession are undone together
+ */
+export function change(part, key = Object.keys(part).join()) {
+  history.keep(state.sketch, key);
+  return turnInto({ ...state.sketch, ...part });
+}
+
+/** @param {Sketch} sketch @param {boolean} [frame] */
+function turnInto(sketch, frame = sketch.entry !== state.sketch.entry) {
+  const before = state.sketch;
+  state.sketch = sketch;
+  writeAddress();
+  const differs = (/** @type {keyof Sketch} */ name) => JSON.stringify(before[name]) !== JSON.stringify(sketch[name]);
+  if (OF_SURFACE.some(differs)) return rebuild({ frame, direction: frame ? ENTRIES[sketch.entry].camera : undefined });
+  const names = Object.keys(sketch.parameters);
+  if (differs('parameters')) {
+    const same = names.join() === Object.keys(before.parameters).join();
+    return same ? deform(sketch.parameters) : rebuild({ frame: false });
+  }
+  if (differs('ends') || differs('via')) return follow();
+  if (OF_PATH.some(differs)) return solve(differs('task') || differs('algorithm') || differs('start'));
+  if (differs('colour')) return recolour();
+  return render();
+}
+
+/** Opens an entry of the gallery, or a first formula to change. @param {string} name */
+export const choose = (name) => openSketch(sketchOf(name));
+
+/** Opens a sketch from elsewhere. @param {Sketch} sketch */
+export function openSketch(sketch) {
+  if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
+  state.sketch = sketch;
+  writeAddress();
+  return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
+}
+
+export function undo() {
+  const sketch = history.undo(state.sketch);
+  if (sketch) turnInto(sketch);
+}
+
+export function redo() {
+  const sketch = history.redo(state.sketch);
+  if (sketch) turnInto(sketch);
+}
+
+/** The address always holds what is seen: copying it is sharing it. */
+function writeAddress() {
+  clearTimeout(timer);
+  timer = window.setTimeout(() => window.history.replaceState(null, '', toHash(state.sketch)), QUIET);
+}

@@ -1,0 +1,54 @@
+/** The page's one state, and who shows it. What the reader chose is in `sketch`; all else is computed from it. */
+
+import { sketchOf } from './sketch.js';
+
+/** @typedef {import('./sketch.js').Sketch} Sketch */
+/** @typedef {import('../compute/tasks.js').Solved} Solved */
+
+export const FIRST = 'parametricTorus';
+
+/** @type {Solved} */
+export const UNSOLVED = { paths: [], films: [], straight: null, straightLength: NaN, milliseconds: NaN };
+
+export const state = {
+  sketch: sketchOf(FIRST),
+  /** The sketch of the surface that is seen: the last good one. @type {Sketch | null} */
+  shown: null,
+  /** @type {import('surfpath').Surface | null} */ surface: null,
+  /** What is drawn of it: the surface, or the plane of a metric. @type {import('surfpath').Surface | null} */ drawn: null,
+  /** The metric that is not that of space, to draw it. @type {import('../compute/gauge.js').Gauge | null} */ gauge: null,
+  /** @type {import('../compute/drawable.js').SurfaceMesh | null} */ mesh: null,
+  /** @type {import('./definition.js').Problem | null} */ problem: null,
+  /** @type {import('./ends.js').EndProblem | null} */ endProblem: null,
+  solved: UNSOLVED,
+  /** Which of the paths is looked at. */
+  chosen: 0,
+  /** How far the iterates have come: 0 the start … 1 the path. */
+  moment: 1,
+  /** @type {import('../compute/shade.js').Shade | null} */ shade: null,
+  /** Why the surface is not coloured as wished. @type {string | null} */ shadeProblem: null,
+  /** What is being computed of the surface and its path. @type {import('../compute/solver.js').Work | null} */ live: null,
+  /** What else is being computed. @type {import('../compute/solver.js').Work | null} */ long: null,
+  /** The surface of the sketch is on its way; the last one is still seen. */
+  building: false,
+  /** An end or a parameter moves: what is seen is not yet exact. */
+  moving: false,
+};
+
+/** @typedef {typeof state} State */
+
+/** @type {((state: State) => void)[]} */
+const renderers = [];
+
+/** @param {(state: State) => void} renderer called after every change */
+export const onRender = (renderer) => renderers.push(renderer);
+
+export function render() {
+  for (const renderer of renderers) renderer(state);
+}
+
+/** The path that is looked at. */
+export const chosenPath = () => state.solved.paths[state.chosen] ?? null;
+
+/** Newton steps from the start that is shown to the path that is looked at, each of which can be played; 0: there is nothing to play. */
+export const stepsShown = () => (state.chosen > 0 ? 0 : Math.max(0, ...state.solved.films.map((film) => film.length - 1)));
