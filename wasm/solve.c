@@ -149,18 +149,33 @@ static enum sp_status start_with(struct sp_newton *newton, const struct sp_reque
     return SP_CONVERGED;
 }
 
-/* The first path: of elements, few chords; of many points from the straight line, by way of coarser polylines; else all points at once,
- * which is also what is left where that leads nowhere. */
-static enum sp_status start_path(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
-                                 double ends[2][3], struct sp_arena *arena, struct sp_result *result) {
+/* The first polyline: of many points from the straight line, by way of coarser ones; else all points at once, which is also what is left
+ * where that leads nowhere. */
+static enum sp_status start_points(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                   double ends[2][3], struct sp_arena *arena, struct sp_result *result) {
     int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
-    newton->size = newton->scale;
-    if (options->algorithm == SP_ELEMENTS) return start_with(newton, request, ends, first_inner(request), arena, result);
     int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && newton->system.line.kind->components == 0;
     if (climbs && start_with(newton, request, ends, coarse - 1, arena, result) == SP_CONVERGED &&
         sp_refine_polyline(newton, options, count, arena))
         return SP_CONVERGED;
     return start_with(newton, request, ends, options->point_count, arena, result);
+}
+
+/* A start of few chords and elements from there. Where these jump between sheets: on twice as many. MATH.md, "Starts". */
+static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                     double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
+                                     struct sp_refined *refined) {
+    size_t used = arena->used;
+    for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used) {
+        newton->size = newton->scale;
+        enum sp_status status = start_with(newton, request, ends, inner, arena, result);
+        if (status == SP_CONVERGED) {
+            newton->size = size_of(newton);
+            *refined = solve_elements(newton, options, request->pole, arena, arcs, result);
+            status = refined->outcome.status;
+        }
+        if (status != SP_SHEET_JUMP || 2 * inner >= SP_REFINE_INNER) return status;
+    }
 }
 
 /* The stages in order; the first that fails decides. */
@@ -175,15 +190,22 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     newton.scale = sp_start_scale(surface, request);
     enum sp_status status = sp_start_end(surface, newton.scale, ends[0]);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, ends[1]);
-    if (status == SP_CONVERGED) status = start_path(&newton, request, options, ends, arena, result);
     if (status != SP_CONVERGED) return status;
-    newton.size = size_of(&newton);
+    newton.size = newton.scale;
     struct sp_arcs arcs;
     arcs.count = 0;
     struct sp_chord_sums sums;
-    struct sp_refined refined = elements ? solve_elements(&newton, options, request->pole, arena, &arcs, result)
-                                         : (struct sp_refined){sp_newton_run(&newton, options), 0, 0};
-    if (refined.outcome.status < 0) return (enum sp_status)refined.outcome.status;
+    struct sp_refined refined = {{0}, 0, 0};
+    if (elements) {
+        status = start_elements(&newton, request, options, ends, arena, &arcs, result, &refined);
+    } else {
+        status = start_points(&newton, request, options, ends, arena, result);
+        if (status != SP_CONVERGED) return status;
+        newton.size = size_of(&newton);
+        refined.outcome = sp_newton_run(&newton, options);
+        status = refined.outcome.status;
+    }
+    if (status < 0) return status;
     status = check_ends(line);
     if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale, elements ? NULL : &sums);
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;

@@ -85,7 +85,7 @@ describe(`default options, ${PAIRS} random pairs, seed ${SEED}`, () => {
   }
 
   /** @type {Name[]} */
-  const warm = ['saddle', 'paraboloid', 'dini', 'parametricTorus', 'bumpy', 'torus', 'genus2', 'metamorphosis'];
+  const warm = ['saddle', 'paraboloid', 'dini', 'parametricTorus', 'bumpy', 'torus', 'genus2', 'metamorphosis', 'printed47'];
   for (const name of warm) {
     test(`${name}: begun at the path to an end 1 % away, the same path as begun anew`, () => {
       const { surface, pairs } = prepare(gallery[name]);
