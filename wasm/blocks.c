@@ -69,11 +69,12 @@ struct sp_inertia sp_blocks_factor(struct sp_fold fold, struct sp_row *rows, dou
 
 /* x_k = start_k + W_k x_(k+1), outwards from pair `from`. */
 static void carry_outwards(const struct sp_row *rows, int32_t from, int add_right, sp_pair *x) {
+    sp_pair u = x[2 * from + 2], v = x[2 * from + 3];
     for (int32_t k = from; k >= 1; k--) {
-        sp_pair u = x[2 * k + 2], v = x[2 * k + 3];
-        x[2 * k] = rows[k].w11 * u + rows[k].w12 * v;
-        x[2 * k + 1] = rows[k].w21 * u + rows[k].w22 * v;
-        if (add_right) x[2 * k] += rows[k].y1, x[2 * k + 1] += rows[k].y2;
+        const struct sp_row *row = rows + k;
+        sp_pair next_u = row->w11 * u + row->w12 * v, next_v = row->w21 * u + row->w22 * v;
+        u = add_right ? next_u + row->y1 : next_u, v = add_right ? next_v + row->y2 : next_v;
+        x[2 * k] = u, x[2 * k + 1] = v;
     }
 }
 

@@ -1,15 +1,16 @@
 /**
- * Where the time of a Newton iteration goes, at 50, 500 and 5,000 points: whole solves of a polyline under V8's sampling profiler, the samples sorted by
- * the C file that the function stands in. The straight line is given as a start, so that every step is one of so many points, none of a coarser
- * polyline. The module is that of dist/, linked once more with the names of its functions.
+ * What a Newton iteration costs at 50, 500 and 5,000 points, and where its time goes: solves of a polyline that may take three steps, less solves that may take
+ * one, so that what comes once (start, checks, copies, JavaScript) is left out. The split is by V8's sampling profiler, the samples sorted by the C file that the
+ * function stands in. The straight line is given as a start, so that every step is one of so many points, none of a coarser polyline. The module is that of dist/,
+ * linked once more with the names of its functions.
  */
 import { readdirSync, readFileSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
 import { load } from 'surfpath';
 import { gallery } from 'surfpath/gallery';
-import { POLYLINE, STRAIGHT } from '../helpers/options.js';
+import { POLYLINE } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
-import { compete, quick, report, SEED, warmUp } from './bench.js';
+import { compete, quick, report, SEED, sumLeast, warmUp } from './bench.js';
 import { buildNative } from './native.js';
 import { randomPairs } from './pairs.js';
 
@@ -17,6 +18,8 @@ import { randomPairs } from './pairs.js';
 /** @typedef {import('surfpath').Surface} Surface */
 
 const COUNTS = [50, 500, 5000];
+/** Steps of the two solves whose difference is taken. */
+const [LEAST, MOST] = [1, 3];
 const PAIRS = quick ? 2 : 8;
 const ROUNDS = quick ? 1 : 9;
 const PROFILED_MILLISECONDS = quick ? 40 : 1500;
@@ -34,12 +37,13 @@ const FILES = [
 ];
 
 const wasm = new URL('../../wasm/', import.meta.url);
-/** @type {Map<string, Stage>} by function */
-const stages = new Map();
+/** @type {Map<string, Stage>} by function; the one of newton.c holds those that it calls */
+const stages = new Map([['assemble', /** @type {Stage} */ ('assembly')]]);
 for (const file of readdirSync(wasm).filter((name) => /\.[ch]$/.test(name))) {
   const stage = FILES.find(([pattern]) => pattern.test(file))?.[1] ?? 'the rest';
-  const definitions = readFileSync(new URL(file, wasm), 'utf8').matchAll(/^(?!typedef)[a-z][\w *]*?\b(\w+)\([^;]*$/gm);
-  for (const [, name] of definitions) if (!stages.has(name) || file.endsWith('.c')) stages.set(name, stage);
+  const text = readFileSync(new URL(file, wasm), 'utf8').replace(/__attribute__\(\(.*?\)\) /g, '');
+  const definitions = text.matchAll(/^(?!typedef)[a-z][\w *]*?\b(\w+)\([^;]*$/gm);
+  for (const [, name] of definitions) if (!stages.has(name) || (file.endsWith('.c') && name !== 'assemble')) stages.set(name, stage);
 }
 
 const surfpath = await load({ wasm: readFileSync(new URL('../../build/named.wasm', import.meta.url)) });
@@ -50,14 +54,13 @@ session.connect();
 await session.post('Profiler.enable');
 await session.post('Profiler.setSamplingInterval', { interval: MICROSECONDS_A_SAMPLE });
 
-/** @param {Surface} surface @returns {Pair[]} that converge as they stand, whatever the number of points */
+/** Pairs whose first three steps are full ones, whatever the number of points. @param {Surface} surface @returns {Pair[]} */
 function choosePairs(surface) {
   const isDirect = (/** @type {Pair} */ pair, /** @type {number} */ points) => {
-    const { converged, touchesBoundary, parameters } = surface.shortestPath(...pair, { ...STRAIGHT, points });
-    const ends = parameters && [...parameters.slice(0, 2), ...parameters.slice(-2)];
-    return converged && !touchesBoundary && (!ends || ends.every((x, i) => x === pair.flat()[i]));
+    const { history, iterations, touchesBoundary } = surface.shortestPath(...pair, { ...POLYLINE, points, start: pair.flat() });
+    return iterations > MOST && !touchesBoundary && history.slice(0, MOST).every(({ step }) => step === 1);
   };
-  return randomPairs(surface, createRandom(SEED), 20 * PAIRS)
+  return randomPairs(surface, createRandom(SEED), 60 * PAIRS)
     .filter((pair) => COUNTS.every((points) => isDirect(pair, points)))
     .slice(0, PAIRS);
 }
@@ -72,7 +75,7 @@ async function profile(run) {
     const isCompiled = callFrame.url.startsWith('wasm:');
     const stage =
       stages.get(callFrame.functionName) ?? (isCompiled && /^wasm-function/.test(callFrame.functionName) ? 'evaluation' : 'the rest');
-    if (callFrame.functionName !== '(idle)') counts[isCompiled ? stage : 'the rest'] += hitCount;
+    if (!/^\((idle|program)\)$/.test(callFrame.functionName)) counts[isCompiled ? stage : 'the rest'] += hitCount;
   }
   const all = STAGES.reduce((sum, stage) => sum + counts[stage], 0) || 1;
   return /** @type {Record<Stage, number>} */ (Object.fromEntries(STAGES.map((stage) => [stage, counts[stage] / all])));
@@ -81,32 +84,31 @@ async function profile(run) {
 /** @param {string} name @param {Pair[]} pairs @param {number} points */
 async function measure(name, pairs, points) {
   const { surface } = surfaces[name];
-  const solve = (/** @type {Pair} */ pair) => surface.shortestPath(...pair, { ...POLYLINE, points, start: pair.flat() });
-  const solveAll = () => pairs.reduce((sum, pair) => sum + solve(pair).length, 0);
-  const steps = pairs.reduce((sum, pair) => sum + solve(pair).iterations, 0);
-  warmUp(solveAll);
-  const repetitions = quick ? 1 : Math.max(1, Math.round(20_000 / points));
-  const { ours, gcc } = compete(
-    {
-      ours: () => {
-        const start = performance.now();
-        for (let i = 0; i < repetitions; i++) solveAll();
-        return (1e6 * (performance.now() - start)) / (repetitions * steps);
-      },
-      gcc: () => (native.solveAtOnce(name, pairs, points, repetitions).nanoseconds * pairs.length) / steps,
-    },
-    ROUNDS,
-  );
-  const shares = await profile(solveAll);
+  const tasks = (/** @type {number} */ maxIterations) =>
+    pairs.map((pair) => {
+      const options = { ...POLYLINE, points, maxIterations, start: pair.flat() };
+      return () => surface.shortestPath(...pair, options);
+    });
+  const [many, few] = [tasks(MOST), tasks(LEAST)];
+  const runAll = (/** @type {typeof many} */ solves) => () => solves.forEach((solve) => void solve());
+  warmUp(runAll(many));
+  const { most, least } = sumLeast({ most: many, least: few }, quick ? 1 : Math.round(400_000 / points));
+  const repetitions = quick ? 1 : Math.max(1, Math.round(2_000 / points));
+  const timeNative = (/** @type {number} */ steps) => () => native.solveAtOnce(name, pairs, points, repetitions, steps).nanoseconds;
+  const gcc = compete({ most: timeNative(MOST), least: timeNative(LEAST) }, 10 * ROUNDS);
+  const [shares, shareless] = [await profile(runAll(many)), await profile(runAll(few))];
+  const iterations = (MOST - LEAST) * pairs.length;
+  const [ours, theirs] = [(most - least) / iterations, (gcc.most.minimum - gcc.least.minimum) / (MOST - LEAST)];
+  const stages = STAGES.map((stage) => [stage, (shares[stage] * most - shareless[stage] * least) / (iterations * points)]);
   return {
     surface: name,
     n: points,
-    'µs an iteration, median': ours.median / 1e3,
-    'µs minimum': ours.minimum / 1e3,
-    'native µs minimum': gcc.minimum / 1e3,
-    ratio: ours.minimum / gcc.minimum,
-    'ns a node': ours.minimum / points,
-    ...Object.fromEntries(STAGES.map((stage) => [stage, (shares[stage] * ours.minimum) / points])),
+    'µs an iteration': ours / 1e3,
+    'native µs': theirs / 1e3,
+    ratio: ours / theirs,
+    'ns a node': ours / points,
+    ...Object.fromEntries(stages),
+    'µs once': (least / pairs.length - LEAST * ours) / 1e3,
   };
 }
 
@@ -116,7 +118,8 @@ for (const name of names) {
   for (const points of COUNTS) rows.push(await measure(name, pairs, points));
 }
 session.disconnect();
-report('iteration', 'A Newton iteration of the polyline: a whole solve through the public API, divided by its steps', rows, [
-  'nanoseconds a node, split by where the profiler found it: the surface and its functions; assembly; the block solve; the rest (charts, retraction, line',
-  'search, final check, copies, JavaScript). Wanted at n = 500: 8 µs saddle, 11 torus, 14 Dini; from 500 to 5,000 at most 10.5 times as long',
+report('iteration', 'A Newton iteration of the polyline: half of what two more steps take, minima of many samples', rows, [
+  'nanoseconds a node, split by where the profiler found it: the surface and its functions; assembly, retraction and elimination; the rest of the block',
+  'solve; the rest (gradient, line search). µs once: what a solve takes besides its iterations, a sweep among it. Wanted at n = 500: 8 µs saddle, 11 torus,',
+  '14 Dini; from 500 to 5,000 at most 10.5 times as long',
 ]);

@@ -2,7 +2,8 @@
  *
  *   native solve SURFACE K REPETITIONS < pairs        nanoseconds a solve, and the sum of the lengths: polylines, or, if K is below 1,
  *                                                     elements to that tolerance
- *   native at-once SURFACE K REPETITIONS < pairs      the same from the straight line given as a start, which no coarser polyline precedes
+ *   native at-once SURFACE K REPETITIONS STEPS < pairs   polylines from the straight line given as a start, which no coarser one precedes,
+ *                                                     in at most so many steps
  *   native evaluate SURFACE COUNT REPETITIONS < points  nanoseconds a point for all that `jet` stores, and the sum of it
  *
  * Input: a count, then the numbers; a pair is its two ends of two or three numbers. One pass over all comes first, to warm up. */
@@ -59,13 +60,13 @@ static double solve_all(const struct sp_surface *surface, const struct sp_reques
     return sum;
 }
 
-static void sample_solves(const struct sp_surface *surface, double size, int at_once, int repetitions) {
+static void sample_solves(const struct sp_surface *surface, double size, int repetitions, int steps) {
     int count, dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
     double *numbers = read_numbers(2 * dimension, &count), sum = 0;
     struct sp_request *requests = reserve(sizeof *requests * (size_t)count);
     for (int i = 0; i < count; i++) {
         requests[i] = (struct sp_request){0};
-        if (at_once) requests[i].start = numbers + 2 * dimension * i, requests[i].start_count = 2;
+        if (steps) requests[i].start = numbers + 2 * dimension * i, requests[i].start_count = 2;
         memcpy(requests[i].from, numbers + 2 * dimension * i, sizeof(double) * (size_t)dimension);
         memcpy(requests[i].to, numbers + 2 * dimension * i + dimension, sizeof(double) * (size_t)dimension);
     }
@@ -75,6 +76,7 @@ static void sample_solves(const struct sp_surface *surface, double size, int at_
         options.tolerance = size;
     else
         options.algorithm = SP_POLYLINE, options.point_count = (int)size;
+    if (steps) options.max_iterations = steps;
     size_t bytes = (size_t)sp_solve_bytes(surface, &options, 2);
     struct sp_arena arena = {reserve(bytes), bytes, 0};
     solve_all(surface, requests, count, &options, &arena);
@@ -105,12 +107,12 @@ static void sample_evaluations(const struct sp_surface *surface, int repetitions
 }
 
 int main(int count, char **arguments) {
-    const struct sp_surface *surface = count == 5 ? find_surface(arguments[2]) : NULL;
+    const struct sp_surface *surface = count >= 5 ? find_surface(arguments[2]) : NULL;
     if (!surface) return 2;
-    int repetitions = atoi(arguments[4]);
-    int at_once = strcmp(arguments[1], "at-once") == 0;
+    int repetitions = atoi(arguments[4]), at_once = strcmp(arguments[1], "at-once") == 0;
+    if (at_once != (count == 6)) return 2;
     if (at_once || strcmp(arguments[1], "solve") == 0)
-        sample_solves(surface, atof(arguments[3]), at_once, repetitions);
+        sample_solves(surface, atof(arguments[3]), repetitions, at_once ? atoi(arguments[5]) : 0);
     else
         sample_evaluations(surface, repetitions);
     return 0;

@@ -59,11 +59,11 @@ export function buildNative(program, surfaces, build = 'native') {
         ['solve', name, points, repetitions],
         pairs.map(([from, to]) => [...from, ...to]),
       ),
-    /** From the straight line given as a start. @param {string} name @param {[number[], number[]][]} pairs @param {number} points @param {number} repetitions @returns {NativeSample} */
-    solveAtOnce: (name, pairs, points, repetitions) =>
+    /** From the straight line given as a start. @param {string} name @param {[number[], number[]][]} pairs @param {number} points @param {number} repetitions @param {number} steps at most @returns {NativeSample} */
+    solveAtOnce: (name, pairs, points, repetitions, steps) =>
       sample(
         binary,
-        ['at-once', name, points, repetitions],
+        ['at-once', name, points, repetitions, steps],
         pairs.map(([from, to]) => [...from, ...to]),
       ),
     /** @param {string} name @param {number[][]} points @param {number} repetitions @returns {NativeSample} */
