@@ -6,6 +6,8 @@
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LEAST_COSINE = 0.2, LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8, DEGENERATE = 1e-24;
+/* Beyond a crease, and on it, where the derivatives of max and its like are means of both sides. */
+static const double NEAR_CREASE = 1e-6, SMOOTH_COSINE = 0.9;
 static const double PLAIN_SAGITTA = 0.05, PLAIN_DEPARTURE = 0.25;
 enum { BISECTIONS = 60, BLOCK = 16 };
 
@@ -33,17 +35,44 @@ static void read_node(const struct sp_polyline *line, int32_t i, struct chord *c
     chord->normal[end][0] = normal.x[lane], chord->normal[end][1] = normal.y[lane], chord->normal[end][2] = normal.z[lane];
 }
 
+/* Puts the middle of a chord onto f = 0, its normal with it. */
+static int halve(const struct sp_polyline *line, const struct chord *chord, double scale, double at[3], double normal[3]) {
+    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        middle[j] = sp_splat(0.5 * (chord->at[0][j] + chord->at[1][j]));
+    if (!sp_implicit_settle(line->surface, 1, middle, scale)) return 0;
+    line->surface->value(1, middle, seen);
+    for (int j = 0; j < 3; j++)
+        at[j] = middle[j][0], normal[j] = seen[1 + j][0];
+    return 1;
+}
+
+static double cosine_of(const struct chord *chord) {
+    const double *a = chord->normal[0], *b = chord->normal[1];
+    return dot(a, b) / root(dot(a, a) * dot(b, b));
+}
+
+/* Whether the normals differ however near the two ends come to each other on the surface: a crease between them. On two sheets they stay
+ * apart. */
+static int spans_crease(const struct sp_polyline *line, struct chord chord, double scale) {
+    double near = NEAR_CREASE * distance(chord.at[0], chord.at[1]) + 1e-14 * scale;
+    for (int i = 0; i < BISECTIONS; i++) {
+        struct chord halves[2] = {chord, chord};
+        if (!halve(line, &chord, scale, halves[0].at[1], halves[0].normal[1])) return 0;
+        for (int j = 0; j < 3; j++)
+            halves[1].at[0][j] = halves[0].at[1][j], halves[1].normal[0][j] = halves[0].normal[1][j];
+        chord = halves[cosine_of(halves + 1) < cosine_of(halves)];
+        if (!(cosine_of(&chord) < SMOOTH_COSINE)) return 0;
+    }
+    return distance(chord.at[0], chord.at[1]) <= near;
+}
+
 static enum sp_status check_implicit(const struct sp_polyline *line, const struct chord *chord, double scale) {
-    double length = distance(chord->at[0], chord->at[1]);
-    double cosine =
-        dot(chord->normal[0], chord->normal[1]) / root(dot(chord->normal[0], chord->normal[0]) * dot(chord->normal[1], chord->normal[1]));
-    sp_pair middle[3];
-    double half[3], settled[3];
+    double length = distance(chord->at[0], chord->at[1]), half[3], settled[3], normal[3];
     for (int j = 0; j < 3; j++)
-        half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = sp_splat(half[j]);
-    if (!(cosine >= LEAST_COSINE) || !sp_implicit_settle(line->surface, 1, middle, scale)) return SP_SHEET_JUMP;
-    for (int j = 0; j < 3; j++)
-        settled[j] = middle[j][0];
+        half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
+    if (!(cosine_of(chord) >= LEAST_COSINE)) return spans_crease(line, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
+    if (!halve(line, chord, scale, settled, normal)) return SP_SHEET_JUMP;
     return distance(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }
 

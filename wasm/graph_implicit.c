@@ -9,9 +9,19 @@ enum { REACH = 2, FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP =
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
 
+/* Cells that share a face, but not a sheet, are joined at this many times their chord: across a crease, but not while there is another way.
+ */
+static const double LOOSE = 2;
+
+/* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
+enum { LEAST_PART = 4 };
+
 struct cell {
     int32_t at[3];
+    int32_t faces; /* 0 if its vertex lies outside it; else INSIDE, and bit j: the surface passes the lower face across axis j */
 };
+
+enum { INSIDE = 8 };
 
 /* The cells found so far, at the end of the arena, and a table from a cell's place to its number. */
 struct cells {
@@ -88,16 +98,32 @@ static void sweep_layer(const struct cells *cells, int32_t k, uint8_t *signs) {
     }
 }
 
+/* The bits of the corners of one face of a cell. */
+static int face_bits(const uint8_t signs[8], int axis, int upper) {
+    int bits = 0;
+    for (int c = 0; c < 8; c++)
+        if ((c >> axis & 1) == upper) bits |= signs[c];
+    return bits;
+}
+
+/* See struct cell. */
+static int32_t faces_of(const uint8_t signs[8]) {
+    int32_t faces = INSIDE;
+    for (int axis = 0; axis < 3; axis++)
+        faces |= (face_bits(signs, axis, 0) == 3) << axis;
+    return faces;
+}
+
 /* Lists the cells between two layers of corners in which f changes sign. */
 static int list_layer(struct cells *cells, int32_t k, const uint8_t *below, const uint8_t *above) {
     int32_t columns = cells->size[0] + 1;
     for (int32_t j = 0; j < cells->size[1]; j++)
         for (int32_t i = 0; i < cells->size[0]; i++) {
             int32_t p = i + columns * j, q = p + columns;
-            int bits = below[p] | below[p + 1] | below[q] | below[q + 1] | above[p] | above[p + 1] | above[q] | above[q + 1];
-            if (bits != 3) continue;
+            const uint8_t signs[8] = {below[p], below[p + 1], below[q], below[q + 1], above[p], above[p + 1], above[q], above[q + 1]};
+            if ((face_bits(signs, 2, 0) | face_bits(signs, 2, 1)) != 3) continue;
             if (cells->count == cells->capacity) return 0;
-            cells->list[cells->count++] = (struct cell){{i, j, k}};
+            cells->list[cells->count++] = (struct cell){{i, j, k}, faces_of(signs)};
         }
     return 1;
 }
@@ -112,6 +138,7 @@ static int sweep_box(struct cells *cells) {
     for (int j = 0; j < 3; j++) {
         double side = options->box[2 * j + 1] - options->box[2 * j];
         cells->size[j] = (int32_t)(side / longest * options->resolution + 0.999);
+        if (cells->size[j] < options->resolution / LEAST_PART) cells->size[j] = options->resolution / LEAST_PART;
         cells->origin[j] = options->box[2 * j], cells->width[j] = side / cells->size[j];
     }
     size_t corners = (size_t)(cells->size[0] + 1) * (size_t)(cells->size[1] + 1);
@@ -145,23 +172,16 @@ static void read_corners(const struct cells *cells, const int32_t at[3], uint8_t
         signs[c] = sign_bits(sp_block_get(&block, c, 0));
 }
 
-/* The bits of the corners of one face of a cell. */
-static int face_bits(const uint8_t signs[8], int axis, int upper) {
-    int bits = 0;
-    for (int c = 0; c < 8; c++)
-        if ((c >> axis & 1) == upper) bits |= signs[c];
-    return bits;
-}
-
 /* Lists the neighbours into which the surface passes through a face; of the first cell, which it may pass by its corners, all six. */
 static void flood_around(struct cells *cells, int32_t from, int32_t most) {
     uint8_t signs[8];
     read_corners(cells, cells->list[from].at, signs);
+    cells->list[from].faces = faces_of(signs);
     for (int face = 0; face < 6 && cells->count < most; face++) {
         int axis = face / 2, upper = face % 2;
         if (from != 0 && face_bits(signs, axis, upper) != 3) continue;
         struct cell next = cells->list[from];
-        next.at[axis] += 2 * upper - 1;
+        next.at[axis] += 2 * upper - 1, next.faces = 0;
         int32_t *slot = find_slot(cells, next.at);
         if (*slot >= 0) continue;
         *slot = cells->count;
@@ -179,7 +199,7 @@ static int flood(struct cells *cells) {
     open_list(cells);
     int32_t most = cells->capacity < SP_GRAPH_FLOOD_CELLS ? cells->capacity : SP_GRAPH_FLOOD_CELLS;
     if (most < 1) return 0;
-    cells->list[0] = (struct cell){{0, 0, 0}}, cells->count = 1;
+    cells->list[0] = (struct cell){{0, 0, 0}, 0}, cells->count = 1;
     *find_slot(cells, cells->list[0].at) = 0;
     for (int32_t i = 0; i < cells->count; i++)
         flood_around(cells, i, most);
@@ -200,6 +220,8 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
                   sp_distance3(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
+        double moved = position[c] - center[c];
+        if (!settled || 2 * moved > cells->width[c] || -2 * moved > cells->width[c]) cells->list[vertex].faces = 0;
         graph->normals[3 * (size_t)vertex + (size_t)c] = (float)(settled ? gradient[c] / length : 0);
         if (!settled) position[c] = center[c];
     }
@@ -247,6 +269,17 @@ static void read_vertex(const struct sp_graph *graph, int32_t vertex, double nor
         normal[c] = (double)graph->normals[3 * (size_t)vertex + (size_t)c];
 }
 
+/* Whether the surface passes from one cell to another through a face that they share. */
+static int passes(const struct cell *from, const struct cell *to) {
+    int shared = 0, away = 0;
+    for (int j = 0; j < 3; j++) {
+        int32_t by = to->at[j] - from->at[j];
+        away += by * by;
+        if (by) shared = (by > 0 ? to : from)->faces >> j & 1;
+    }
+    return away == 1 && shared && from->faces && to->faces;
+}
+
 static int join_around(const struct cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const int32_t *center = cells->list[vertex].at;
@@ -260,6 +293,8 @@ static int join_around(const struct cells *cells, int32_t vertex) {
                 read_vertex(graph, to, other);
                 double length =
                     sp_graph_sheet_length(cells->builder->surface, sample_at(graph, vertex), normal, sample_at(graph, to), other);
+                if (cells->builder->options->loose && !sp_is_finite(length) && passes(cells->list + vertex, cells->list + to))
+                    length = LOOSE * sp_graph_chord(cells->builder->surface, sample_at(graph, vertex), sample_at(graph, to), NULL);
                 if (!sp_builder_edge(cells->builder, to, length)) return 0;
             }
     return 1;

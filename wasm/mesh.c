@@ -14,7 +14,8 @@ enum {
     BLOCK = 64,     /* points evaluated at once */
     FACE_SITES = 6, /* lattice points around a face of a cell */
     EDGES = 7,      /* edges owned by a lattice point: those to points that come earlier in the sweep */
-    LIVE_LAYERS = 3
+    LIVE_LAYERS = 3,
+    LEAST_PART = 4 /* a short side has this part of the cells of the longest, at least: thin boxes hold thin surfaces */
 };
 
 /* The layers of the lattice that the sweep can see, and what it has found. */
@@ -48,7 +49,7 @@ static bool divide_box(struct sweep *sweep, const double box[6], int32_t resolut
     int32_t most = clamp(resolution, 1, SP_MESH_MAX_RESOLUTION);
     for (int axis = 0; axis < 3; axis++) {
         double side = box[2 * axis + 1] - box[2 * axis];
-        sweep->cells[axis] = clamp((int32_t)(side / longest * most + 0.5), 1, most);
+        sweep->cells[axis] = clamp((int32_t)(side / longest * most + 0.5), (most + LEAST_PART - 1) / LEAST_PART, most);
         sweep->cell[axis] = side / sweep->cells[axis];
     }
     sweep->box = box;

@@ -117,7 +117,7 @@ static void measure(struct sp_refined *refined, const struct sp_newton *newton, 
     refined->length_error =
         sp_check_length_error(line, newton->size, refined->outcome.active, sums) + refined->outcome.doubt * refined->length;
     if (uneven > refined->length) uneven = refined->length; /* far from rest */
-    if (uneven > refined->length_error) refined->length_error = uneven;
+    if (line->kind->components == 0 && uneven > refined->length_error) refined->length_error = uneven;
 }
 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */

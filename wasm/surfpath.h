@@ -213,6 +213,7 @@ SP_SIZE(sp_graph_options, 64);
 SP_AT(sp_graph_options, box, 0);
 SP_AT(sp_graph_options, cell, 48);
 SP_AT(sp_graph_options, resolution, 56);
+SP_AT(sp_graph_options, loose, 60);
 SP_SIZE(sp_graph, 96);
 SP_AT(sp_graph, spacing, 0);
 SP_AT(sp_graph, vertex_count, 36);

@@ -1,8 +1,8 @@
 /** Many pairs of points in one flat array, checked: what is wrong with one pair is that pair's status, what is wrong with the array is an exception. */
 
-import { checkHeld } from './definition.js';
+import { checkList } from './definition.js';
 import { enterDomain } from './domain.js';
-import { describe, readOptions } from './path.js';
+import { readOptions } from './path.js';
 
 /** Of enum sp_status. */
 export const OFF_SURFACE = -4;
@@ -23,12 +23,7 @@ export function readPairOptions(caller, given) {
 
 /** @param {string} caller @param {any} pairs @param {string[]} variables @returns {Float64Array} a copy */
 export function readPairNumbers(caller, pairs, variables) {
-  const width = 2 * variables.length;
-  const what = `a flat array of ${[...variables, ...variables].join(' ')}, ${width} numbers a pair`;
-  if (typeof pairs !== 'object' || pairs === null || typeof pairs.length !== 'number')
-    throw new TypeError(`${caller}: pairs must be ${what}, not ${describe(pairs)}`);
-  checkHeld(`${caller}: pairs`, what, pairs);
-  if (pairs.length % width) throw new RangeError(`${caller}: pairs must be ${what}, not ${pairs.length} numbers`);
+  checkList(`${caller}: pairs`, pairs, [...variables, ...variables], 'pair');
   return Float64Array.from(/** @type {ArrayLike<number>} */ (pairs));
 }
 

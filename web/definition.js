@@ -1,7 +1,7 @@
 /** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
 
 import { editDistance } from './expression/advice.js';
-import { describe } from './path.js';
+import { checkObject, describe } from './path.js';
 
 /** @typedef {string | number} Expression a formula, or a number */
 
@@ -67,8 +67,7 @@ function checkSpelling(caller, definition, required) {
 
 /** @param {string} caller @param {any} definition @param {string[]} required @param {string[]} expressions those of them that are formulas */
 export function checkDefinition(caller, definition, required, expressions) {
-  if (typeof definition !== 'object' || definition === null)
-    throw new TypeError(`${caller}: the definition must be an object, not ${describe(definition)}`);
+  checkObject(`${caller}: the definition`, definition);
   for (const name of required)
     if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
   for (const name of expressions) checkExpression(caller, name, definition[name]);
@@ -89,19 +88,14 @@ export function checkPeriodic(caller, periodic = 'auto') {
   return { ...periodic };
 }
 
-/** An array-like that holds numbers alone; looked at one by one, as its length may be anything. @param {string} name for messages @param {string} what it must be @param {ArrayLike<unknown>} given */
-export function checkHeld(name, what, given) {
-  for (let i = 0; i < given.length; i++)
-    if (typeof given[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(given[i])}`);
-}
-
-/** Points as a flat list. @param {string} caller @param {any} points @param {string[]} variables */
-export function checkPoints(caller, points, variables) {
-  const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a point`;
-  if (typeof points !== 'object' || points === null || typeof points.length !== 'number')
-    throw new TypeError(`${caller}: points must be ${what}, not ${describe(points)}`);
-  checkHeld(`${caller}: points`, what, points);
-  if (points.length % variables.length) throw new RangeError(`${caller}: points must be ${what}, not ${points.length} numbers`);
+/** Points or pairs as a flat list; looked at one by one, as its length may be anything. @param {string} name for messages, of points @param {any} list @param {string[]} variables of one @param {string} one what one is */
+export function checkList(name, list, variables, one) {
+  const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a ${one}`;
+  if (typeof list !== 'object' || list === null || typeof list.length !== 'number')
+    throw new TypeError(`${name} must be ${what}, not ${describe(list)}`);
+  for (let i = 0; i < list.length; i++)
+    if (typeof list[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(list[i])}`);
+  if (list.length % variables.length) throw new RangeError(`${name} must be ${what}, not ${list.length} numbers`);
 }
 
 /** @param {string} caller @param {unknown} given @returns {Record<string, number>} a copy without prototype */

@@ -125,21 +125,23 @@ function agreeIn(low, high, offset) {
 }
 
 /**
- * Refuses to close a direction whose edges are the same curve run through in opposite directions: a lift would have to turn the other coordinate round.
+ * Refuses to close a direction in which the surface does not close, or in which it closes turned over: a lift would have to turn the other coordinate round.
  * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction
  */
-function checkTurn(jets, range, size, direction) {
+function checkCloses(jets, range, size, direction) {
   const low = jets(linePlaces(range, direction, 0, TEST_FRACTIONS));
-  const largest = (/** @type {number[]} */ fractions) => {
+  const apart = (/** @type {number[]} */ fractions) => {
     const high = jets(linePlaces(range, direction, 1, fractions));
     return Math.max(...fractions.map((_, i) => gap(vector(low, i, 0), vector(high, i, 0))));
   };
-  if (!(largest(TEST_FRACTIONS.map((fraction) => 1 - fraction)) <= POSITION_GAP * size) || largest(TEST_FRACTIONS) <= POSITION_GAP * size)
-    return;
+  const gaping = apart(TEST_FRACTIONS);
+  if (gaping <= POSITION_GAP * size) return;
   const name = 'uv'[direction];
-  throw new RangeError(
-    `periodic.${name}: the surface meets itself turned over at the ends of ${name}, as a Möbius strip does; leave ${name} open, or double its range`,
-  );
+  const why =
+    apart(TEST_FRACTIONS.map((fraction) => 1 - fraction)) <= POSITION_GAP * size
+      ? `meets itself turned over at the ends of ${name}, as a Möbius strip does; leave ${name} open, or double its range`
+      : `does not close: it is ${gaping} apart at the ends of ${name}; leave ${name} open, or mend its range, as in [0, '2pi']`;
+  throw new RangeError(`periodic.${name}: the surface ${why}`);
 }
 
 /** Whether the second half of the lists repeats the first. @param {ArrayLike<number>[]} lists */
@@ -163,7 +165,7 @@ export function findDomain(asked, surface, { lower, upper }) {
   const range = { lower, upper };
   if (asked !== 'auto' && !surface.tensors) {
     const size = diagonal(surface.jets, range);
-    for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkTurn(surface.jets, range, size, direction);
+    for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkCloses(surface.jets, range, size, direction);
   }
   const periodic = asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, direction)) : [asked.u === true, asked.v === true];
   return { lower, upper, periodic, poles: findPoles(surface, range) };

@@ -1,6 +1,6 @@
 /** Distances from one point to all vertices of a mesh: by one search of the surface's graph, which is in wasm/graph_field.c, or each by the solver. */
 
-import { checkNames, describe, readOptions } from './path.js';
+import { checkBoolean, checkOptions, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
 import { OUT_OF_MEMORY } from './runtime/heap.js';
 import { EXHAUSTED } from './runtime/solver.js';
@@ -25,12 +25,8 @@ const CONVERGED = 0;
 
 /** @param {string} caller @param {FieldOptions | undefined} given @returns {{ resolution: number | undefined, exact: boolean }} */
 export function readFieldOptions(caller, given) {
-  if (given !== undefined && (typeof given !== 'object' || given === null))
-    throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
-  const options = given ?? {};
-  checkNames(caller, options, ['resolution', 'exact']);
-  const { resolution, exact = false } = options;
-  if (typeof exact !== 'boolean') throw new TypeError(`${caller}: options.exact must be true or false, not ${describe(exact)}`);
+  const { resolution, exact = false } = checkOptions(caller, given, ['resolution', 'exact']);
+  checkBoolean(caller, 'exact', exact);
   return { resolution, exact };
 }
 

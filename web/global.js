@@ -68,7 +68,7 @@ const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STAT
  * @returns {RawPath[]}
  */
 export function findPaths(problem, options, most) {
-  if (problem.graph(0)?.unique) {
+  if (problem.domain && problem.graph(0)?.unique) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === STATUS.converged) return [path];
   }
@@ -136,8 +136,8 @@ function findStarts(problem) {
     return status;
   };
   let status = STATUS.offSurface;
-  /* Where its cells are too coarse for an implicit surface the search begins with finer ones. */
-  let level = problem.domain || problem.graph(0)?.resolved ? 0 : 1;
+  /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
+  let level = problem.domain || (problem.isPlain && problem.graph(0)?.resolved) ? 0 : 1;
   for (const find of [problem.graph, problem.flood]) {
     for (let graph = find(level); graph; graph = find(++level)) {
       status = search(graph);

@@ -5,9 +5,12 @@ import { OUT_OF_MEMORY } from './runtime/heap.js';
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 
-/** Cells a direction, by level of refinement; an implicit surface that the first does not resolve begins with the second. */
+/**
+ * Cells a direction, by level of refinement; an implicit surface that the first does not resolve begins with the second. The last is loose: it joins
+ * what its cells join, creases or not.
+ */
 const RESOLUTION = [
-  [64, 128],
+  [64, 128, 256],
   [40, 56, 96],
 ];
 /** Without a box: cells between the ends. */
@@ -31,9 +34,11 @@ export class Graphs {
    * @param {number} level how often it is refined
    */
   find(heap, record, box, level) {
-    const resolution = RESOLUTION[this.#kind][level];
+    const resolutions = RESOLUTION[this.#kind];
+    const resolution = resolutions[level];
     if (!box || !resolution) return null;
-    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution });
+    const loose = !resolutions[level + 1];
+    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     return usable(graph);
   }
@@ -47,7 +52,7 @@ export class Graphs {
     if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
     this.#flood = null;
-    this.#flood = heap.buildGraph(record, this.#kind, { box: from.flatMap((x) => [x, x]), cell, resolution: 0 });
+    this.#flood = heap.buildGraph(record, this.#kind, { box: from.flatMap((x) => [x, x]), cell, resolution: 0, loose: level > 1 });
     return usable(this.#flood);
   }
 

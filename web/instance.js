@@ -1,7 +1,7 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
 import { DISPOSE } from './dispose.js';
-import { checkNames, describe } from './path.js';
+import { checkObject, checkOptions, describe } from './path.js';
 import { compileSolver, Solver } from './runtime/solver.js';
 import { PARAMETRIC_KINDS } from './shapes.js';
 import { Surface } from './surface.js';
@@ -35,17 +35,17 @@ export class Surfpath {
 
   /** A parametric surface S(u, v). Throws ExpressionError, TypeError or RangeError for a definition that is wrong. @param {ParametricDefinition} definition */
   parametric(definition) {
-    return this.#add('parametric', definition);
+    return Surfpath.#add(this, 'parametric', definition);
   }
 
   /** An implicit surface f(x, y, z) = 0. @param {ImplicitDefinition} definition */
   implicit(definition) {
-    return this.#add('implicit', definition);
+    return Surfpath.#add(this, 'implicit', definition);
   }
 
   /** A metric ds² = E du² + 2F du dv + G dv² without positions: its paths have parameters, but no points. @param {MetricDefinition} definition */
   metric(definition) {
-    return this.#add('metric', definition);
+    return Surfpath.#add(this, 'metric', definition);
   }
 
   /**
@@ -53,7 +53,7 @@ export class Surfpath {
    * @param {GraphDefinition} definition
    */
   graph(definition) {
-    return this.#add('graph', definition);
+    return Surfpath.#add(this, 'graph', definition);
   }
 
   /**
@@ -61,7 +61,7 @@ export class Surfpath {
    * @param {RevolutionDefinition} definition
    */
   revolution(definition) {
-    return this.#add('revolution', definition);
+    return Surfpath.#add(this, 'revolution', definition);
   }
 
   /**
@@ -71,7 +71,7 @@ export class Surfpath {
    * @param {TubeDefinition} definition
    */
   tube(definition) {
-    return this.#add('tube', definition);
+    return Surfpath.#add(this, 'tube', definition);
   }
 
   /**
@@ -79,7 +79,7 @@ export class Surfpath {
    * @param {SweepDefinition} definition
    */
   sweep(definition) {
-    return this.#add('sweep', definition);
+    return Surfpath.#add(this, 'sweep', definition);
   }
 
   /**
@@ -87,11 +87,10 @@ export class Surfpath {
    * @param {AnyDefinition} definition
    */
   surface(definition) {
-    if (typeof definition !== 'object' || definition === null)
-      throw new TypeError(`surface: the definition must be an object, not ${describe(definition)}`);
+    checkObject('surface: the definition', definition);
     const { kind } = definition;
     if (!KINDS.includes(kind)) throw new RangeError(`surface: kind must be one of ${KINDS.join(', ')}, not ${describe(kind)}`);
-    return this.#add(kind, definition);
+    return Surfpath.#add(this, kind, definition);
   }
 
   /** Disposes all surfaces, each of which leaves the list then, and lets the memory go. */
@@ -105,11 +104,12 @@ export class Surfpath {
     this.dispose();
   }
 
-  /** @param {string} kind @param {any} definition */
-  #add(kind, definition) {
-    if (!this.#solver) throw new Error(`${kind}: this instance was disposed`);
-    const surface = new Surface(this.#solver, kind, definition, () => this.#surfaces.delete(surface));
-    this.#surfaces.add(surface);
+  /** @param {Surfpath} to @param {string} kind @param {any} definition */
+  static #add(to, kind, definition) {
+    if (!(to instanceof Surfpath)) throw new TypeError(`${kind} belongs to what load() gives: call it as surfpath.${kind}`);
+    if (!to.#solver) throw new Error(`${kind}: this instance was disposed`);
+    const surface = new Surface(to.#solver, kind, definition, () => to.#surfaces.delete(surface));
+    to.#surfaces.add(surface);
     return surface;
   }
 }
@@ -127,10 +127,8 @@ export function makeCompile(inlined) {
    * @param {{ wasm?: WasmSource }} [options] as for `load`
    * @returns {Promise<WebAssembly.Module>}
    */
-  return async function compileModule(options = {}) {
-    if (typeof options !== 'object' || options === null) throw new TypeError(`load: options must be an object, not ${describe(options)}`);
-    checkNames('load', options, ['wasm']);
-    const { wasm } = options;
+  return async function compileModule(options) {
+    const { wasm } = checkOptions('load', options, ['wasm']);
     const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
     let module = compiled.get(key);
     if (!module || (typeof Response === 'function' && wasm instanceof Response)) {

@@ -85,19 +85,31 @@ export function describe(value) {
   return typeof value === 'object' ? 'an object' : String(value);
 }
 
-/** Refuses options that do not exist. @param {string} caller @param {object} options @param {string[]} known */
-export function checkNames(caller, options, known) {
+/** @param {string} name @param {unknown} value */
+export function checkObject(name, value) {
+  if (typeof value !== 'object' || value === null) throw new TypeError(`${name} must be an object, not ${describe(value)}`);
+}
+
+/** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
+export function checkOptions(caller, options = {}, known) {
+  checkObject(`${caller}: options`, options);
   for (const name in options)
     if (!known.includes(name) && Object.hasOwn(options, name) && /** @type {Record<string, unknown>} */ (options)[name] !== undefined)
       throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
+  return options;
 }
 
-/** @param {string} caller @param {unknown} [tolerance] */
-function readTolerance(caller, tolerance = 1e-9) {
+/** @param {string} caller @param {unknown} tolerance @param {number} least @param {number} most @returns {number} */
+export function readTolerance(caller, tolerance, least, most) {
   if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
-  if (!(tolerance >= 1e-15 && tolerance <= 0.1))
-    throw new RangeError(`${caller}: options.tolerance must lie between 1e-15 and 0.1, not ${tolerance}`);
+  if (!(tolerance >= least && tolerance <= most))
+    throw new RangeError(`${caller}: options.tolerance must lie between ${least} and ${most}, not ${tolerance}`);
   return tolerance;
+}
+
+/** @param {string} caller @param {string} name @param {unknown} value */
+export function checkBoolean(caller, name, value) {
+  if (typeof value !== 'boolean') throw new TypeError(`${caller}: options.${name} must be true or false, not ${describe(value)}`);
 }
 
 /**
@@ -107,10 +119,7 @@ function readTolerance(caller, tolerance = 1e-9) {
  * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path, via: unknown[] }}
  */
 export function readOptions(caller, given) {
-  if (given !== undefined && (typeof given !== 'object' || given === null))
-    throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
-  const options = /** @type {Record<string, any>} */ (given ?? {});
-  checkNames(caller, options, KNOWN);
+  const options = checkOptions(caller, given, KNOWN);
   const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
@@ -127,10 +136,10 @@ export function readOptions(caller, given) {
     );
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
     throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
-  if (typeof record !== 'boolean') throw new TypeError(`${caller}: options.record must be true or false, not ${describe(record)}`);
+  checkBoolean(caller, 'record', record);
   if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
   const solve = {
-    tolerance: readTolerance(caller, options.tolerance),
+    tolerance: readTolerance(caller, options.tolerance ?? 1e-9, 1e-15, 0.1),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
     points: wholeNumber(caller, 'points', points, 1, MOST_POINTS),

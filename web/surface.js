@@ -1,7 +1,7 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
 import { NOT_FINITE, OFF_SURFACE, readPairs, readPairOptions } from './batch.js';
-import { checkBounds, checkParameters, checkPeriodic, checkPoints, readNumbers } from './definition.js';
+import { checkBounds, checkList, checkParameters, checkPeriodic, readNumbers } from './definition.js';
 import { DISPOSE } from './dispose.js';
 import { enterDomain, findDomain } from './domain.js';
 import { compile, evaluateConstant } from './expression/compile.js';
@@ -9,7 +9,7 @@ import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
-import { checkNames, describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { checkOptions, describe, makePath, readOptions, readStart, STATUS } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
 import { findGlobal, passThrough, solveNear } from './routes.js';
@@ -43,7 +43,7 @@ const SHAPE = {
 };
 
 export class Surface {
-  /** @type {'parametric' | 'implicit' | 'metric'} */ kind;
+  /** @type {'parametric' | 'implicit' | 'metric'} */ #kind;
   #solver;
   #forget;
   /** @type {import('./shapes.js').Shape} */ #shape;
@@ -67,8 +67,8 @@ export class Surface {
   constructor(solver, kind, definition, forget) {
     this.#shape = readShape(kind, definition);
     this.#measure = readMeasure(kind, definition);
-    this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
-    this.#graphs = new Graphs(KIND[this.kind]);
+    this.#kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
+    this.#graphs = new Graphs(KIND[this.#kind]);
     this.#solver = solver;
     this.#forget = forget;
     this.#periodic = checkPeriodic(kind, definition.periodic);
@@ -86,9 +86,15 @@ export class Surface {
     }
   }
 
+  /** What it is: tubes and the like are 'parametric'. */
+  get kind() {
+    Surface.#enter(this, 'kind');
+    return this.#kind;
+  }
+
   /** The named constants and their values, a copy. */
   get parameters() {
-    this.#checkAlive('parameters');
+    Surface.#enter(this, 'parameters');
     return { ...this.#parameters };
   }
 
@@ -97,7 +103,7 @@ export class Surface {
    * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean } } | null}
    */
   get domain() {
-    this.#checkAlive('domain');
+    Surface.#enter(this, 'domain');
     const domain = this.#domain;
     return (
       domain && {
@@ -116,14 +122,13 @@ export class Surface {
    * @returns {Path}
    */
   shortestPath(from, to, options) {
-    const caller = 'shortestPath';
-    this.#checkAlive(caller);
+    const caller = Surface.#enter(this, 'shortestPath');
     const { solve, start, via } = readOptions(caller, options);
     const stops = via.map((point, i) => this.#readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#readPoint(caller, 'from', from), ...stops, this.#readPoint(caller, 'to', to)];
     if (stops.length > 0) return passThrough(this.#field(), caller, places, solve, start);
     if (start === 'global') return findGlobal(this.#field(), places, solve, 1)[0];
-    return solveNear(this.#field(), places, solve, readStart(caller, start, SHAPE[this.kind].variables.length));
+    return solveNear(this.#field(), places, solve, readStart(caller, start, SHAPE[this.#kind].variables.length));
   }
 
   /**
@@ -135,8 +140,7 @@ export class Surface {
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
-    const caller = 'geodesics';
-    this.#checkAlive(caller);
+    const caller = Surface.#enter(this, 'geodesics');
     const { max = MOST_GEODESICS, ...others } = options ?? {};
     const { solve, start, via } = readOptions(caller, options && others);
     if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
@@ -174,8 +178,7 @@ export class Surface {
    * @returns {DistanceField}
    */
   distanceField(from, options) {
-    const caller = 'distanceField';
-    this.#checkAlive(caller);
+    const caller = Surface.#enter(this, 'distanceField');
     this.#checkPositions(caller);
     const { exact, resolution } = readFieldOptions(caller, options);
     const point = this.#readPoint(caller, 'from', from);
@@ -194,10 +197,9 @@ export class Surface {
    *   (null also where that is not computed: on an implicit surface with a `metric`)
    */
   trace(from, direction, length, options) {
-    const caller = 'trace';
-    this.#checkAlive(caller);
-    const asked = readTrace(caller, direction, length, SHAPE[this.kind].variables.length);
-    const request = { kind: KIND[this.kind], from: this.#readPoint(caller, 'from', from), ...asked };
+    const caller = Surface.#enter(this, 'trace');
+    const asked = readTrace(caller, direction, length, SHAPE[this.#kind].variables.length);
+    const request = { kind: KIND[this.#kind], from: this.#readPoint(caller, 'from', from), ...asked };
     const wanted = readTraceOptions(caller, options);
     const path = this.#run((heap) => heap.trace(this.#record, request, wanted));
     if (path) return makePath(path);
@@ -211,10 +213,9 @@ export class Surface {
    *   metric: E, F and G, 3
    */
   evaluate(points) {
-    const caller = 'evaluate';
-    this.#checkAlive(caller);
-    checkPoints(caller, points, SHAPE[this.kind].variables);
-    if (this.kind !== 'parametric') return this.#evaluate('value', points);
+    const caller = Surface.#enter(this, 'evaluate');
+    checkList(`${caller}: points`, points, SHAPE[this.#kind].variables, 'point');
+    if (this.#kind !== 'parametric') return this.#evaluate('value', points);
     return positionsAndNormals(this.#evaluate('jet', points));
   }
 
@@ -225,14 +226,13 @@ export class Surface {
    * @returns {number[]} u v, or x y z
    */
   project(point, near) {
-    const caller = 'project';
-    this.#checkAlive(caller);
+    const caller = Surface.#enter(this, 'project');
     this.#checkPositions(caller);
     const target = readNumbers(caller, 'point', point, 3);
     const place =
       near === undefined
         ? this.#nearest(target)
-        : this.kind === 'parametric'
+        : this.#kind === 'parametric'
           ? this.#readPoint(caller, 'near', near)
           : readNumbers(caller, 'near', near, 3);
     return this.#projectOnto(caller, target, place);
@@ -244,19 +244,15 @@ export class Surface {
    *   of the surface are too near to each other for 64); 1 … 256
    * @returns {Mesh}
    */
-  mesh(options = {}) {
-    const caller = 'mesh';
-    this.#checkAlive(caller);
+  mesh(options) {
+    const caller = Surface.#enter(this, 'mesh');
     this.#checkPositions(caller);
-    if (typeof options !== 'object' || options === null)
-      throw new TypeError(`${caller}: options must be an object, not ${describe(options)}`);
-    checkNames(caller, options, ['resolution']);
-    return this.#mesh(caller, options.resolution);
+    return this.#mesh(caller, checkOptions(caller, options, ['resolution']).resolution);
   }
 
   /** @param {string} caller @param {number} [wanted] resolution @returns {Mesh} */
   #mesh(caller, wanted) {
-    const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.kind)];
+    const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.#kind)];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
     if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
@@ -278,8 +274,7 @@ export class Surface {
    * @param {Record<string, number>} parameters those that change
    */
   set(parameters) {
-    const caller = 'set';
-    this.#checkAlive(caller);
+    const caller = Surface.#enter(this, 'set');
     const changed = checkParameters(caller, parameters);
     for (const name of Object.keys(changed))
       if (!(name in this.#parameters))
@@ -316,22 +311,27 @@ export class Surface {
     this.dispose();
   }
 
-  /** @param {string} caller */
-  #checkAlive(caller) {
-    if (this.#disposed) throw new Error(`${caller}: this surface was disposed`);
+  /**
+   * Throws where a method has lost its surface, or the surface is gone.
+   * @param {Surface} surface @param {string} caller @returns {string} caller
+   */
+  static #enter(surface, caller) {
+    if (!(surface instanceof Surface)) throw new TypeError(`${caller} belongs to a surface: call it as surface.${caller}`);
+    if (surface.#disposed) throw new Error(`${caller}: this surface was disposed`);
+    return caller;
   }
 
   #compile() {
     const { outputs, names, variables } = this.#shape;
     const reference = this.#reference;
-    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.#parameters, this.#solver.apply);
+    const metric = compileMetric(this.#kind, this.#measure, this.#shape, reference, this.#parameters, this.#solver.apply);
     const compiled = compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
       names,
       variables,
       parameters: this.#parameters,
       apply: this.#solver.apply,
-      valueOrder: SHAPE[this.kind].valueOrder,
+      valueOrder: SHAPE[this.#kind].valueOrder,
     });
     return { ...compiled, metric, reference };
   }
@@ -354,7 +354,7 @@ export class Surface {
 
   /** @param {string} caller */
   #checkPositions(caller) {
-    if (this.kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
+    if (this.#kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
   }
 
   /** Compiles the modules into the solver's present instance: both or, with an error, neither. */
@@ -413,7 +413,7 @@ export class Surface {
 
   /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
   #evaluate(what, points) {
-    const { variables, jet, value } = SHAPE[this.kind];
+    const { variables, jet, value } = SHAPE[this.#kind];
     if (points.length === 0) return new Float64Array(0);
     this.#wake();
     const { call } = /** @type {Installed} */ (this.#installed);
@@ -433,7 +433,7 @@ export class Surface {
   /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */
   #tensors() {
     if (this.#metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
-    if (this.kind !== 'metric') return null;
+    if (this.#kind !== 'metric') return null;
     return (points) => {
       const jets = this.#evaluate('jet', points);
       return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
@@ -442,7 +442,7 @@ export class Surface {
 
   /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
-    if (this.kind === 'implicit') return null;
+    if (this.#kind === 'implicit') return null;
     const [lower, upper] = [
       [0, 0],
       [0, 0],
@@ -464,7 +464,7 @@ export class Surface {
       metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
       tensors: this.#tensors(),
     };
-    const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
+    const periodic = this.#kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
     if (range) this.#domain = findDomain(periodic, surface, range);
     this.#writeRecord();
   }
@@ -477,27 +477,27 @@ export class Surface {
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
     const box = this.#box;
     const extent = box ? Math.sqrt((box[1] - box[0]) ** 2 + (box[3] - box[2]) ** 2 + (box[5] - box[4]) ** 2) : 0;
-    const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent };
+    const shape = { kind: KIND[this.#kind], metric: METRIC.induced, jet, value, lower, upper, extent };
     const abstract = { ...shape, metric: METRIC.tensor, value: 0 };
     const metric = this.#metric && { ...shape, metric: this.#metric.code, jet: /** @type {Installed} */ (this.#installedMetric).jet };
     this.#solver.heap.writeSurface(this.#shapeRecord, shape);
-    this.#solver.heap.writeSurface(this.#record, this.kind === 'metric' ? abstract : (metric ?? shape));
+    this.#solver.heap.writeSurface(this.#record, this.#kind === 'metric' ? abstract : (metric ?? shape));
   }
 
   /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
   #readPoint(caller, name, point) {
-    const numbers = readNumbers(caller, name, point, SHAPE[this.kind].variables.length);
+    const numbers = readNumbers(caller, name, point, SHAPE[this.#kind].variables.length);
     return this.#domain ? enterDomain(this.#domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
   /** What finding a path needs of this surface. @returns {import('./routes.js').Field} */
   #field() {
     return {
-      kind: KIND[this.kind],
+      kind: KIND[this.#kind],
       domain: this.#domain,
       box: this.#box,
       graphs: this.#graphs,
-      isPlain: this.kind !== 'metric' && !this.#metric,
+      isPlain: this.#kind !== 'metric' && !this.#metric,
       run: (call) => this.#run((heap) => call(heap, this.#record)),
     };
   }
@@ -522,11 +522,11 @@ export class Surface {
    * @returns {Iterable<Path>}
    */
   *#solvePairs(caller, pairs, options, shapeless = false) {
-    this.#checkAlive(caller);
+    Surface.#enter(this, caller);
     const { solve, start } = readPairOptions(caller, options);
     // Elements are sampled in the end, chords are what is solved.
     if (shapeless && solve.algorithm === 0) solve.points = 1;
-    for (const ends of readPairs(caller, pairs, SHAPE[this.kind].variables, this.#domain)) {
+    for (const ends of readPairs(caller, pairs, SHAPE[this.#kind].variables, this.#domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
       else yield start === 'global' ? findGlobal(this.#field(), ends, solve, 1)[0] : solveNear(this.#field(), ends, solve, null);
     }

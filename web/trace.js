@@ -1,15 +1,13 @@
 /** What a caller may ask of a traced geodesic, checked. */
 
 import { readNumbers } from './definition.js';
-import { describe, MOST_POINTS, wholeNumber } from './path.js';
+import { checkOptions, describe, MOST_POINTS, readTolerance, wholeNumber } from './path.js';
 
 /**
  * @typedef {object} TraceOptions
  * @property {number} [points] K, points of the path between its ends, equally spaced by length: 1 … 100,000, default 64
  * @property {number} [tolerance] largest error of a step, of the direction and relative to the length: 1e-14 … 0.01, default 1e-12
  */
-
-const KNOWN = new Set(['points', 'tolerance']);
 
 /**
  * @param {string} caller @param {unknown} direction @param {unknown} length @param {number} dimension 2 or 3
@@ -26,14 +24,6 @@ export function readTrace(caller, direction, length, dimension) {
 
 /** @param {string} caller @param {TraceOptions | undefined} given @returns {{ points: number, tolerance: number }} */
 export function readTraceOptions(caller, given) {
-  if (given !== undefined && (typeof given !== 'object' || given === null))
-    throw new TypeError(`${caller}: options must be an object, not ${describe(given)}`);
-  const options = /** @type {TraceOptions} */ (given ?? {});
-  for (const name of Object.keys(options))
-    if (!KNOWN.has(name)) throw new TypeError(`${caller}: there is no option '${name}'; the options are ${[...KNOWN].join(', ')}`);
-  const { points = 64, tolerance = 1e-12 } = options;
-  if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
-  if (!(tolerance >= 1e-14 && tolerance <= 1e-2))
-    throw new RangeError(`${caller}: options.tolerance must be a number from 1e-14 to 0.01, not ${tolerance}`);
-  return { points: wholeNumber(caller, 'points', points, 1, MOST_POINTS), tolerance };
+  const { points = 64, tolerance = 1e-12 } = checkOptions(caller, given, ['points', 'tolerance']);
+  return { points: wholeNumber(caller, 'points', points, 1, MOST_POINTS), tolerance: readTolerance(caller, tolerance, 1e-14, 0.01) };
 }

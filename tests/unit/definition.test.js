@@ -80,7 +80,7 @@ describe('definitions', () => {
   });
 
   test('changing a definition afterwards changes nothing', () => {
-    const definition = { x: 'u', y: 'v', z: 'h', u: [0, 1], v: [0, 1], parameters: { h: 1 }, periodic: { u: true } };
+    const definition = { x: 'cos(2pi u)', y: 'sin(2pi u) + v', z: 'h', u: [0, 1], v: [0, 1], parameters: { h: 1 }, periodic: { u: true } };
     const plane = surfpath.parametric(anything(definition));
     definition.u[1] = 5;
     definition.parameters.h = 7;

@@ -42,7 +42,7 @@ export const LAYOUT = {
   },
   sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
   sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
-  sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56 },
+  sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56, loose: 60 },
   sp_graph: { bytes: 96, spacing: 0, vertex_count: 36, unique: 44, singular: 48, resolved: 88 },
   sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
@@ -267,15 +267,15 @@ export class Heap {
 
   /**
    * Runs sp_graph_build and keeps the graph.
-   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number }} options
+   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, loose: boolean }} options
    * @returns {Graph} of status 0; any other: nothing is kept
    */
-  buildGraph(surface, kind, { box, cell, resolution }) {
+  buildGraph(surface, kind, { box, cell, resolution, loose }) {
     const graphOptions = this.#structs.sp_graph_options;
     const layout = LAYOUT.sp_graph;
     const at = this.allocate(layout.bytes);
     this.writeDoubles(graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
-    this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 1)[0] = resolution;
+    this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 2).set([resolution, Number(loose)]);
     let status = OUT_OF_MEMORY;
     for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;

@@ -2,7 +2,7 @@
 
 import { NOT_FINITE, readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
-import { checkNames, describe, makePath } from '../path.js';
+import { checkOptions, describe, makePath } from '../path.js';
 import { Crew } from './crew.js';
 import { emptyPath } from './heap.js';
 import { Job } from './job.js';
@@ -30,12 +30,9 @@ import { unpackError, writeDefinition } from './wire.js';
 const MOST_WORKERS = 256;
 
 /** @param {PoolSettings | undefined} settings */
-function readSettings(settings = {}) {
+function readSettings(settings) {
   const caller = 'createPool';
-  if (typeof settings !== 'object' || settings === null)
-    throw new TypeError(`${caller}: options must be an object, not ${describe(settings)}`);
-  checkNames(caller, settings, ['workers', 'worker']);
-  const { workers, worker } = settings;
+  const { workers, worker } = checkOptions(caller, settings, ['workers', 'worker']);
   if (workers !== undefined && !(Number.isInteger(workers) && workers >= 1 && workers <= MOST_WORKERS))
     throw new RangeError(`${caller}: options.workers must be a whole number from 1 to ${MOST_WORKERS}, not ${describe(workers)}`);
   return { workers, script: worker === undefined ? undefined : readScript(caller, worker) };

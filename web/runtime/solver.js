@@ -29,6 +29,8 @@ function checkEngine() {
  */
 async function open(url) {
   const target = String(url);
+  if (!globalThis.location && !URL.canParse(target))
+    throw new TypeError(`load: options.wasm '${target}' has no base here: pass new URL('${target}', import.meta.url), or the bytes`);
   const files = target.startsWith('file:') && globalThis.process?.getBuiltinModule?.('node:fs/promises');
   return files ? files.readFile(new URL(target)) : fetch(target);
 }

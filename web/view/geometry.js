@@ -1,7 +1,7 @@
 /** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkNames, describe } from '../path.js';
+import { checkOptions, describe } from '../path.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
@@ -93,7 +93,7 @@ function measure(surface, mesh, distances, colour, size) {
 export function surfaceGeometry(surface, options = {}) {
   const caller = 'surfaceGeometry';
   checkDrawable(caller, surface);
-  checkNames(caller, options, NAMES);
+  checkOptions(caller, options, NAMES);
   const { resolution, colour = 'none', from, exact } = options;
   if (typeof colour !== 'function' && !['none', 'curvature', 'distance'].includes(colour))
     throw new RangeError(`${caller}: options.colour must be 'none', 'curvature', 'distance' or a function, not ${describe(colour)}`);

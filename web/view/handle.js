@@ -1,7 +1,7 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import { checkNames } from '../path.js';
+import { checkOptions } from '../path.js';
 import { HandleButton } from './button.js';
 import { checkDrawable } from './check.js';
 import { Marker } from './marker.js';
@@ -58,7 +58,7 @@ export class DragHandle extends Group {
   constructor(surface, point, options) {
     super();
     checkDrawable('DragHandle', surface);
-    checkNames('DragHandle', options ?? {}, [...NAMES, ...EVENTS]);
+    checkOptions('DragHandle', options ?? {}, [...NAMES, ...EVENTS]);
     if (!options?.camera || !options.domElement) throw new TypeError('DragHandle: options.camera and options.domElement are needed');
     this.#options = { label: 'Point', radius: 6, step: 8, ...options };
     this.#surface = surface;

@@ -3,7 +3,7 @@
 import { GreaterDepth, Group, Vector3 } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { checkNames } from '../path.js';
+import { checkOptions } from '../path.js';
 import { readPoints } from './check.js';
 import { LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
@@ -81,7 +81,7 @@ export class GeodesicLine extends Group {
   constructor(path = null, options = {}) {
     super();
     this.add(this.#body);
-    checkNames('GeodesicLine', options, NAMES);
+    checkOptions('GeodesicLine', options, NAMES);
     const { colour = PATH, width = 4, halo = HALO, haloWidth = 1.5, hidden = true, hiddenColour = colour, dash = 7 } = options;
     const border = halo === null ? 0 : haloWidth;
     this.#lift.value = liftOf(width / 2 + border);

@@ -1,7 +1,7 @@
 /** Plays how a path converges: the iterates that `record` kept, one melting into the next, from cool to warm. */
 
 import { Color } from 'three';
-import { checkNames } from '../path.js';
+import { checkOptions } from '../path.js';
 import { readPoints } from './check.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -61,7 +61,7 @@ export class PathPlayer {
    * @param {PathPlayerOptions} [options]
    */
   constructor(line, path, options = {}) {
-    checkNames('PathPlayer', options, NAMES);
+    checkOptions('PathPlayer', options, NAMES);
     const { duration = 1200, cool = COOL, warm = WARM, reducedMotion, onFrame = () => {} } = options;
     this.#line = line;
     this.#duration = duration;

@@ -1,0 +1,76 @@
+// What one piece is, and what two: `disconnected` is said of pieces that a fine grid separates, not of creases, thin bodies or flat boxes.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+const surfpath = await load();
+const PAIRS = 10;
+
+/** @param {number[]} half sides from the middle @returns {[[number, number], [number, number], [number, number]]} */
+const box = ([x, y, z]) => [
+  [-x, x],
+  [-y, y],
+  [-z, z],
+];
+
+/** A point of the unit sphere, or where its ray meets the cube. @param {import('../helpers/random.js').Random} random @param {(p: number[]) => number} norm */
+function direction(random, norm) {
+  const p = [0, 0, 0].map(() => random.between(-1, 1));
+  return p.map((x) => x / norm(p));
+}
+
+const round = (/** @type {number[]} */ p) => Math.hypot(...p);
+const square = (/** @type {number[]} */ p) => Math.max(...p.map(Math.abs));
+const CUBE = 'max(abs(x), max(abs(y), abs(z))) - 1';
+
+/** Formula, bounds, what its points are measured by, and what the axes are stretched by.
+ * @type {Record<string, [string, [[number, number], [number, number], [number, number]] | undefined, (p: number[]) => number, number[]]>} */
+const ONE_PIECE = {
+  cube: [CUBE, box([1.2, 1.2, 1.2]), square, [1, 1, 1]],
+  'cube without bounds': [CUBE, undefined, square, [1, 1, 1]],
+  'ellipsoid of 1e3 : 1e-3 : 1': ['x^2/1e6 + y^2*1e6 + z^2 - 1', box([1100, 1.1e-3, 1.1]), round, [1000, 1e-3, 1]],
+  'ellipsoid of 10 : 0.1 : 1': ['x^2/100 + y^2*100 + z^2 - 1', box([11, 0.11, 1.1]), round, [10, 0.1, 1]],
+  'disc of 1 : 1 : 0.01': ['x^2 + y^2 + z^2*1e4 - 1', box([1.1, 1.1, 0.011]), round, [1, 1, 0.01]],
+};
+
+for (const [name, [f, bounds, norm, stretch]] of Object.entries(ONE_PIECE))
+  test(`${name}: one piece, seed 4`, () => {
+    const surface = surfpath.implicit({ f, bounds });
+    const random = createRandom(4);
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, to] = [0, 1].map(() => direction(random, norm).map((x, j) => x * stretch[j]));
+      const { status } = surface.shortestPath(from, to);
+      assert.notEqual(status, 'disconnected', `${from} to ${to}`);
+      assert.notEqual(status, 'off-surface', `${from} to ${to}`);
+    }
+    surface.dispose();
+  });
+
+test('across an edge of a cube a path is found, as wrong as it says', () => {
+  const cube = surfpath.implicit({ f: CUBE, bounds: box([1.2, 1.2, 1.2]) });
+  const path = cube.shortestPath([0.2, 1, 0.5], [0.3, -0.1, 1]);
+  const exact = Math.hypot(0.1, 0.5 + 1.1);
+  assert.equal(path.status, 'tolerance-not-met');
+  assert.ok(Math.abs(path.length - exact) <= Math.min(path.lengthError, 0.05 * exact), `${path.length}, exact ${exact}`);
+  for (let i = 0; i < path.points.length; i += 3) assert.ok(Math.abs(square([...path.points.subarray(i, i + 3)]) - 1) <= 1e-9);
+  cube.dispose();
+});
+
+test('a thin ellipsoid is solved where its rim is not in between', () => {
+  const [f, bounds] = ONE_PIECE['ellipsoid of 10 : 0.1 : 1'];
+  const surface = surfpath.implicit({ f, bounds });
+  const at = (/** @type {number} */ x, /** @type {number} */ z) => [x, Math.sqrt((1 - (x * x) / 100 - z * z) / 100), z];
+  const path = surface.shortestPath(at(-6, -0.3), at(5, 0.4));
+  assert.equal(path.status, 'converged');
+  const chord = Math.hypot(...at(-6, -0.3).map((x, j) => x - at(5, 0.4)[j]));
+  assert.ok(path.length > chord && path.length < 1.01 * chord);
+  surface.dispose();
+});
+
+test('pieces that lie within each other, a cell apart, are still two', () => {
+  const surface = surfpath.surface(gallery.threeTori);
+  assert.equal(surface.shortestPath([0, 0, 1.2166683], [0.0208436, 0.0500302, -0.8539475]).status, 'disconnected');
+  surface.dispose();
+});
