@@ -24,13 +24,24 @@ static double extrapolated(const struct sp_system *system, int32_t j) {
     return value;
 }
 
+/* Of a tensor the length around the pole per unit of the coordinate around it grows as fast as this with the distance from it: there
+ * g_around has the value and the slope 0. */
+static double growth_of(int32_t across, const sp_pair *metric) {
+    sp_pair bend = metric[3 * (across ? SP_METRIC_T22 : SP_METRIC_T11) + (across ? 0 : 2)], squared = 0.5 * bend / metric[across ? 2 : 0];
+    return sp_square_root(squared)[0];
+}
+
 double sp_pole_angle(const struct sp_surface *surface, int32_t across, double value, double from, double to) {
-    double angle = 0;
+    double angle = 0, step = (to > from ? to - from : from - to) / SWEEP;
     struct sp_vector before = {{0}, {0}, {0}};
     for (int i = 0; i <= SWEEP; i++) {
         sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
         place[across] = sp_splat(value), place[1 - across] = sp_splat(from + (to - from) * i / SWEEP);
         sp_kind_of(surface)->charts(surface, 1, place, chart, metric);
+        if (surface->metric == SP_TENSOR) { /* Simpson's rule */
+            angle += (i == 0 || i == SWEEP ? 1 : i % 2 ? 4 : 2) * step / 3 * growth_of(across, metric);
+            continue;
+        }
         struct sp_vector along = sp_load(chart + (across ? SP_CHART_2 : SP_CHART_1));
         along = sp_scale(along, 1.0 / sp_square_root(sp_dot(along, along)));
         struct sp_vector change = sp_subtract(along, before);
@@ -42,9 +53,8 @@ double sp_pole_angle(const struct sp_surface *surface, int32_t across, double va
 }
 
 /* By how much the way over the pole turns there towards where a way past it is shorter, radians: off straight on where the surface closes
- * around the pole; between walls, into the rectangle. Of a tensor that is not known. */
+ * around the pole; between walls, into the rectangle. */
 static double corner_of(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
-    if (surface->metric == SP_TENSOR) return 0;
     double angle = sp_pole_angle(surface, across, value, around[0], around[1]);
     if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle < PI ? PI - angle : 0;
     while (angle > 2 * PI && angle < 100)

@@ -21,7 +21,7 @@ enum { SPREAD_NODES = 64 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
-enum { LAST_RUNGS = 3 };
+enum { LAST_RUNGS = 2 };
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* Why these: MATH.md, "The ladder". */
@@ -248,7 +248,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
                 return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
             bottom = arena->used;
         }
-        aim(newton, options, r < rungs - LAST_RUNGS);
+        aim(newton, options, r < rungs - (follows ? LAST_RUNGS : 1));
         struct rung rung = ladder[r];
         for (int k = 0; uneven && k <= SP_SPREAD; k++)
             present[k] = spread[k], rung.spread = present;

@@ -100,3 +100,31 @@ test('ends farthest from each other are not disconnected', () => {
   ];
   for (const [from, to] of pairs) assert.equal(ball.shortestPath(from, to).status, 'ill-conditioned');
 });
+
+// Where E, F and G measure length the corner was not looked at: 7e-6 too long, and converged.
+test('a corner over a pole of E, F, G', () => {
+  const plane = surfpath.metric({ E: 'v^2', F: '0', G: '1', u: [0, 2 * Math.PI], v: [0, 2], periodic: { u: true, v: false } });
+  /** @type {[Place, Place][]} */
+  const pairs = [
+    [
+      [4.150863732227052, 0.3532150136306882],
+      [1.0162196672290253, 1.585276922211051],
+    ],
+    [
+      [4.7697223652131555, 1.4543419214896858],
+      [1.627177029944317, 0.7369510605931282],
+    ],
+    [
+      [0.5, 1.2],
+      [0.5 + Math.PI, 0.7],
+    ],
+  ];
+  for (const [from, to] of pairs) {
+    const apart = Math.hypot(from[1] - to[1], 2 * Math.sqrt(from[1] * to[1]) * Math.sin((to[0] - from[0]) / 2));
+    const path = plane.shortestPath(from, to);
+    const error = Math.abs(path.length - apart);
+    assert.ok(error <= path.lengthError + ROUNDING, `${path.status}, error ${error}, said ${path.lengthError}`);
+    if (path.converged) assert.ok(error <= 1e-9 * apart, `converged, error ${error}`);
+  }
+  plane.dispose();
+});
