@@ -4,10 +4,13 @@ import { writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { nextFrame, openBrowser, openPage, settled } from '../tests/helpers/page.js';
 import { ENTRIES } from './state/entries.js';
+import { FIRST } from './state/state.js';
 
 const FOLDER = fileURLToPath(new URL('thumbnails/', import.meta.url));
 const [WIDTH, HEIGHT] = [320, 240];
 const QUALITY = 0.8;
+/** Of the picture that stands in for the first scene, blurred, until that is drawn: it counts among what is loaded. */
+const QUALITY_OF_FIRST = 0.6;
 /** What is left of the page: the canvas, half as wide again as the picture, with the strip below that the player covers. */
 const BARE = `.panel, .result, .view > :not(canvas) { display: none !important }
 body { grid-template: 1fr / 1fr !important } .stage { display: block !important } .view { position: fixed !important; inset: 0 }
@@ -31,7 +34,7 @@ try {
     await page.waitForTimeout(name === 'hindered' || name === 'grained' ? 500 : 150);
     await nextFrame(page);
     const picture = await page.screenshot({ omitBackground: true, clip: { x: 0, y: 0, width: 1.5 * WIDTH, height: 1.5 * HEIGHT } });
-    const webp = await shrink(page, picture);
+    const webp = await shrink(page, picture, { quality: name === FIRST ? QUALITY_OF_FIRST : QUALITY });
     await writeFile(`${FOLDER}${name}.webp`, webp);
   }
 } finally {
@@ -51,14 +54,14 @@ async function takePicture(colorScheme, file) {
     await settled(page);
     await page.waitForSelector('html:not([data-measuring]) #scale:not([hidden])');
     await nextFrame(page);
-    await writeFile(fileURLToPath(new URL(file, import.meta.url)), await shrink(page, await page.screenshot(), width, height));
+    await writeFile(fileURLToPath(new URL(file, import.meta.url)), await shrink(page, await page.screenshot(), { width, height }));
   } finally {
     await browser.close();
   }
 }
 
-/** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @param {number} [width] @param {number} [height] @returns {Promise<Buffer>} WebP */
-async function shrink(page, picture, width = WIDTH, height = HEIGHT) {
+/** @param {import('playwright-core').Page} page @param {Buffer} picture PNG @param {{ width?: number, height?: number, quality?: number }} [options] @returns {Promise<Buffer>} WebP */
+async function shrink(page, picture, { width = WIDTH, height = HEIGHT, quality = QUALITY } = {}) {
   const text = await page.evaluate(
     async ({ png, width, height, quality }) => {
       const bytes = Uint8Array.from(atob(png), (character) => character.charCodeAt(0));
@@ -69,7 +72,7 @@ async function shrink(page, picture, width = WIDTH, height = HEIGHT) {
       const blob = await canvas.convertToBlob({ type: 'image/webp', quality });
       return btoa(Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
     },
-    { png: picture.toString('base64'), width, height, quality: QUALITY },
+    { png: picture.toString('base64'), width, height, quality },
   );
   return Buffer.from(text, 'base64');
 }
