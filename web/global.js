@@ -75,9 +75,7 @@ export function findPaths(problem, options, most) {
   const ways = overPoles(problem, options);
   const found = choosePaths(problem, options, most, ways);
   const corner = most === 1 && ways.find(({ path }) => path.status === STATUS.stalled)?.path;
-  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length)
-    ? [corner]
-    : found;
+  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length) ? [corner] : found;
 }
 
 /**
