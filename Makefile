@@ -144,8 +144,8 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs contact cusp flow functions graph graph_attach graph_field graph_parametric graph_sample memory mesh mesh_vertices newton normal piece polar pole \
-    project refine solve start trace
+COLD := arcs bridge contact crossing cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample memory mesh mesh_vertices \
+    newton normal piece polar pole project refine solve start trace check sample
 $(COLD:%=build/wasm/%.o): HOT := -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools

@@ -1,248 +1,14 @@
-/* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: free arcs that meet in points of it. One unknown
- * each, where; the elements that touch the curve are graded (reference.h). MATH.md, "Arcs". */
+/* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: bridges of arcs that meet in points of it, from
+ * rough ones that are ranked to one solved to the tolerance, along walls where it must. MATH.md, "Arcs". */
+#include "bridge.h"
 #include "check.h"
-#include "contact.h"
-#include "metric.h"
 #include "normal.h"
 
-static const double VANISHING = 1e-8, ROUNDING = 2e-15, SLACK = 1e-14, ROUGH = 1e-4, ENOUGH = 0.02, ASIDE = 0.1, MARGIN = 1.1, LOOSER = 1e4,
-                    TOUCHING = 1e-3, DOUBT = 2e-3, DOUBTFUL = 4;
-static const double FIRST_STEP = 0.25, LARGEST_STEP = 0.5, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { BISECTIONS = 60, CORRECTIONS = 20, ROUNDS = 40, CHECKS = 6, SEEDS = 5, SCAN = 64, MOST = 3, MOST_BEYOND = 5, SETS = 4 };
+static const double ROUNDING = 2e-15, ROUGH = 1e-4, ENOUGH = 0.02, MARGIN = 1.1, LOOSER = 1e4, TOUCHING = 1e-3, DOUBT = 2e-3, DOUBTFUL = 4;
+enum { CHECKS = 6, SEEDS = 5, SCAN = 64, MOST_BEYOND = 5, SETS = 4 };
 
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
-
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
-    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
-    sp_parametric_kind.charts(surface, 1, at, chart, NULL);
-}
-
-/* The singular curve near a place: h = N . nu and its gradient, nu the direction in which N leaves zero. */
-struct curve {
-    double value, slope[2];
-};
-
-static struct curve curve_at(const struct sp_surface *surface, const double place[2], double nu[3], int choose) {
-    sp_pair chart[SP_CHART];
-    chart_at(surface, place, chart);
-    struct sp_vector u = sp_load(chart + SP_CHART_1), v = sp_load(chart + SP_CHART_2), uu = sp_load(chart + SP_CHART_11),
-                     uv = sp_load(chart + SP_CHART_12), vv = sp_load(chart + SP_CHART_22), n = sp_cross(u, v);
-    struct sp_vector slopes[2] = {sp_add(sp_cross(uu, v), sp_cross(u, uv)), sp_add(sp_cross(uv, v), sp_cross(u, vv))};
-    if (choose) {
-        struct sp_vector larger = sp_dot(slopes[0], slopes[0])[0] > sp_dot(slopes[1], slopes[1])[0] ? slopes[0] : slopes[1];
-        double length = root(sp_dot(larger, larger)[0]);
-        nu[0] = larger.x[0] / length, nu[1] = larger.y[0] / length, nu[2] = larger.z[0] / length;
-    }
-    struct sp_vector direction = {sp_splat(nu[0]), sp_splat(nu[1]), sp_splat(nu[2])};
-    return (struct curve){sp_dot(n, direction)[0], {sp_dot(slopes[0], direction)[0], sp_dot(slopes[1], direction)[0]}};
-}
-
-/* The point of the crossing, and the direction of the curve there per unit of the coordinate `along`, which parametrises it. */
-struct crossing {
-    double place[2], nu[3];
-    int32_t along;
-};
-
-/* Puts a crossing onto the curve again, at its coordinate `along`. Returns 0 where it does not settle. */
-static int correct(const struct sp_surface *surface, struct crossing *crossing) {
-    int32_t other = 1 - crossing->along;
-    for (int round = 0; round < CORRECTIONS; round++) {
-        struct curve at = curve_at(surface, crossing->place, crossing->nu, 0);
-        double step = at.value / at.slope[other], size = absolute(crossing->place[other]) + absolute(crossing->place[crossing->along]);
-        if (!(step - step == 0)) return 0;
-        crossing->place[other] -= step;
-        if (absolute(step) <= 1e-15 * size || step == 0) return 1;
-    }
-    return 0;
-}
-
-/* Where the normal turns over between two places, found by bisection; 0 if it does not vanish there (a fold too sharp to see). */
-static int find_crossing(const struct sp_surface *surface, const double from[2], const double to[2], struct crossing *crossing) {
-    struct sp_turn turn;
-    if (!sp_normal_turn(surface, from, to, BISECTIONS, &turn) || !(root(turn.least) <= VANISHING * root(turn.largest))) return 0;
-    crossing->place[0] = turn.place[0], crossing->place[1] = turn.place[1];
-    struct curve at = curve_at(surface, crossing->place, crossing->nu, 1);
-    crossing->along = absolute(at.slope[1]) >= absolute(at.slope[0]) ? 0 : 1;
-    return correct(surface, crossing);
-}
-
-/* Arcs from end to end by way of the crossings; the derivatives of their length with respect to the crossings' coordinates, and an estimate
- * of the inverse of its second ones. */
-struct bridge {
-    int32_t count; /* crossings */
-    struct crossing crossing[MOST];
-    struct sp_piece piece[MOST + 1];
-    struct sp_contact *beyond[2]; /* the whole of which the first, last, arc is the part from a wall to the crossing; NULL: it meets none */
-    double length, slope[MOST], inverse[MOST][MOST];
-    double reach[MOST]; /* how far, in its coordinate, a crossing is from the nearer end of its arcs */
-    double gain;        /* what moving the crossings on would still gain */
-    int learnt;         /* the estimate is more than a first guess */
-};
-
-/* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
- * arc's length. */
-static void measure_end(const struct sp_newton *newton, const struct sp_piece *piece, int end, int32_t k, struct bridge *bridge) {
-    const struct sp_system *system = &newton->system;
-    const struct crossing *crossing = bridge->crossing + k;
-    double nu[3] = {crossing->nu[0], crossing->nu[1], crossing->nu[2]};
-    struct curve at = curve_at(system->line.surface, crossing->place, nu, 0);
-    struct sp_form form = sp_metric_form(0, system->line.nodes.charts, NULL);
-    int32_t along = crossing->along;
-    double beside = -at.slope[along] / at.slope[1 - along], energy = piece->solved.outcome.energy;
-    double squared = (along ? form.g : form.e)[end] + 2 * beside * form.f[end] + beside * beside * (along ? form.e : form.g)[end];
-    sp_pair pull[2];
-    sp_system_end_pull(system, pull);
-    bridge->slope[k] += (pull[along][end] + beside * pull[1 - along][end]) * system->elements.count / root(energy);
-    double reach = piece->solved.length / root(squared);
-    if (!(bridge->reach[k] <= reach)) bridge->reach[k] = reach;
-}
-
-/* Puts the singular joints of arc i onto their crossings, and aside of them by a part of what the other end of the arc is beside the curve.
- */
-static void place_joints(struct bridge *bridge, int32_t i) {
-    struct sp_joint *joint = bridge->piece[i].joint;
-    for (int32_t end = 0; end < 2; end++)
-        for (int j = 0; j < 2 && joint[end].singular; j++)
-            joint[end].place[j] = joint[end].aside[j] = bridge->crossing[i - 1 + end].place[j];
-    for (int32_t end = 0; end < 2; end++) {
-        if (!joint[end].singular) continue;
-        int32_t other = 1 - bridge->crossing[i - 1 + end].along;
-        joint[end].aside[other] += ASIDE * (joint[1 - end].place[other] - joint[end].place[other]);
-    }
-}
-
-/* The part of a path beyond a wall that the first, last, arc of a bridge is. */
-static struct sp_piece *part_beyond(const struct bridge *bridge, int side) {
-    struct sp_contact *beyond = bridge->beyond[side];
-    return beyond->pieces + (side ? 0 : beyond->made - 1);
-}
-
-/* Length of what is beyond the wall from which the first, last, arc leaves; NaN if the piece of edge would run backwards. */
-static double length_beyond(const struct bridge *bridge, int side, const struct sp_surface *surface, struct sp_arena *arena) {
-    struct sp_contact *beyond = bridge->beyond[side];
-    double length = 0;
-    *part_beyond(bridge, side) = bridge->piece[side ? bridge->count : 0];
-    if (!sp_contact_assemble(beyond)) return __builtin_nan("");
-    for (int32_t i = side; i < beyond->arcs.count - 1 + side; i++) {
-        const struct sp_arc *arc = beyond->arcs.arc + i;
-        length += arc->on_edge ? sp_arcs_edge_length(surface, arc, arena) : arc->length;
-    }
-    return length;
-}
-
-static int solve_arc(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
-                     struct sp_arena *arena) {
-    int slides = piece->joint[0].slides || piece->joint[1].slides;
-    return slides ? sp_contact_fit(newton, options, checked, piece, arena) : sp_piece_solve(newton, options, checked, piece, arena);
-}
-
-/* Solves all arcs to the crossings. Returns 0 where one fails: then the length stays that of the last time all were solved. */
-static int solve_bridge(struct sp_newton *newton, const struct sp_options *options, int checked, struct bridge *bridge,
-                        struct sp_arena *arena) {
-    double length = 0;
-    for (int32_t i = 0; i < bridge->count; i++)
-        bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
-    for (int32_t i = 0; i <= bridge->count; i++) {
-        struct sp_piece *piece = bridge->piece + i;
-        place_joints(bridge, i);
-        if (!solve_arc(newton, options, checked, piece, arena)) return 0;
-        length += piece->solved.length;
-        for (int32_t end = 0; end < 2; end++)
-            if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
-        sp_piece_keep(newton, piece);
-    }
-    for (int side = 0; side < 2; side++)
-        if (bridge->beyond[side]) length += length_beyond(bridge, side, newton->system.line.surface, arena);
-    if (length - length != 0) return 0;
-    bridge->length = length;
-    return 1;
-}
-
-/* A first guess: steps of FIRST_STEP. */
-static void start_curvature(struct bridge *bridge) {
-    bridge->learnt = 0;
-    for (int32_t i = 0; i < bridge->count; i++)
-        for (int32_t j = 0; j < bridge->count; j++)
-            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->reach[i] / absolute(bridge->slope[i]) : 0;
-}
-
-/* Learns from a step and what it changed of the slopes (BFGS): H <- (1 - s y'/s'y) H (1 - y s'/s'y) + s s'/s'y. */
-static void learn(const double step[MOST], const double change[MOST], struct bridge *bridge) {
-    double product = 0, moved[MOST] = {0}, twice = 0;
-    for (int32_t i = 0; i < bridge->count; i++)
-        product += step[i] * change[i];
-    if (!(product > 0)) return;
-    for (int32_t i = 0; i < bridge->count; i++) {
-        for (int32_t j = 0; j < bridge->count; j++)
-            moved[i] += bridge->inverse[i][j] * change[j];
-        twice += change[i] * moved[i];
-    }
-    for (int32_t i = 0; i < bridge->count; i++)
-        for (int32_t j = 0; j < bridge->count; j++)
-            bridge->inverse[i][j] += ((1 + twice / product) * step[i] * step[j] - moved[i] * step[j] - step[i] * moved[j]) / product;
-    bridge->learnt = 1;
-}
-
-/* A step in parts of the crossings' reaches. */
-static double largest_part(const struct bridge *bridge, const double step[MOST]) {
-    double largest = 0;
-    for (int32_t i = 0; i < bridge->count; i++)
-        if (absolute(step[i]) > largest * bridge->reach[i]) largest = absolute(step[i]) / bridge->reach[i];
-    return largest;
-}
-
-/* The step downhill, no crossing by more than `most` of its reach. Returns the gain it promises; infinite while that is a guess. */
-static double downhill(const struct bridge *bridge, double most, double step[MOST]) {
-    double gain = bridge->learnt ? 0 : __builtin_inf(), largest;
-    for (int32_t i = 0; i < bridge->count; i++) {
-        step[i] = 0;
-        for (int32_t j = 0; j < bridge->count; j++)
-            step[i] -= bridge->inverse[i][j] * bridge->slope[j];
-        gain -= step[i] * bridge->slope[i];
-    }
-    largest = largest_part(bridge, step);
-    for (int32_t i = 0; i < bridge->count && largest > most; i++)
-        step[i] *= most / largest;
-    return gain;
-}
-
-static int move_crossings(const struct sp_surface *surface, struct bridge *bridge, const double step[MOST]) {
-    for (int32_t i = 0; i < bridge->count; i++) {
-        struct crossing *crossing = bridge->crossing + i;
-        crossing->place[crossing->along] += step[i];
-        if (!correct(surface, crossing)) return 0;
-    }
-    return 1;
-}
-
-/* Moves the crossings of a solved bridge downhill until the gain promised is below `enough` of the length; steps are halved until the
- * length falls. `spare`: room for what is tried. */
-static int descend(struct sp_newton *newton, const struct sp_options *options, double enough, struct bridge *bridge,
-                   struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
-    const struct sp_surface *surface = newton->system.line.surface;
-    double step[MOST] = {0}, change[MOST] = {0}, most = LARGEST_STEP;
-    for (int round = 0; round < ROUNDS && most > LEAST_STEP; round++) {
-        if (downhill(bridge, most, step) <= enough * bridge->length) return 1;
-        struct bridge next = *bridge;
-        for (int32_t i = 0; i <= bridge->count; i++)
-            sp_piece_move(&next.piece[i], spare + i);
-        if (!move_crossings(surface, &next, step) || !solve_bridge(newton, options, 0, &next, arena) ||
-            !(next.length <= bridge->length * (1 + SLACK))) {
-            most = 0.5 * largest_part(bridge, step);
-            continue;
-        }
-        for (int32_t i = 0; i < bridge->count; i++)
-            change[i] = next.slope[i] - bridge->slope[i];
-        learn(step, change, &next);
-        for (int32_t i = 0; i <= bridge->count; i++)
-            spare[i] = bridge->piece[i].storage;
-        *bridge = next;
-    }
-    return 0;
-}
 
 /* Node i of the given path at parameter t. */
 static void given_place(const struct sp_system *given, double t, double place[2]) {
@@ -252,7 +18,7 @@ static void given_place(const struct sp_system *given, double t, double place[2]
 }
 
 /* The places where the given path crosses singular curves, and its arcs between them. Returns 0 if it crosses none, or too many. */
-static int scan(const struct sp_system *given, struct bridge *bridge) {
+static int scan(const struct sp_system *given, struct sp_bridge *bridge) {
     const struct sp_surface *surface = given->line.surface;
     double before[2], here[2], first[3], normal[3], from = 0;
     bridge->count = 0;
@@ -262,7 +28,7 @@ static int scan(const struct sp_system *given, struct bridge *bridge) {
         given_place(given, (double)i / SCAN, here);
         sp_normal_at(surface, here, normal);
         if (dot(first, normal) < 0) {
-            if (bridge->count == MOST || !find_crossing(surface, before, here, bridge->crossing + bridge->count)) return 0;
+            if (bridge->count == SP_CROSSINGS || !sp_crossing_find(surface, before, here, bridge->crossing + bridge->count)) return 0;
             double parameter = (i - 0.5) / SCAN;
             bridge->piece[bridge->count++] = (struct sp_piece){.system = *given, .first = from, .last = parameter};
             from = parameter;
@@ -282,16 +48,17 @@ static int scan(const struct sp_system *given, struct bridge *bridge) {
 
 /* Solves a bridge of one crossing roughly with the crossing at evenly spaced places between the ends, each from the one before, and leaves
  * it at the given places of the two shortest of those that are shorter than their neighbours, or as long as the given: `seeds`. */
-static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, const struct bridge *given, struct bridge *bridge,
-                      struct crossing seeds[2], struct sp_arena *arena) {
-    struct crossing crossing[SEEDS];
+static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, const struct sp_bridge *given, struct sp_bridge *bridge,
+                      struct sp_crossing seeds[2], struct sp_arena *arena) {
+    struct sp_crossing crossing[SEEDS];
     double length[SEEDS + 2], best[2] = {__builtin_inf(), __builtin_inf()};
     int32_t along = bridge->crossing[0].along, count = 0;
     double from = bridge->piece[0].joint[0].place[along], to = bridge->piece[1].joint[1].place[along];
     length[0] = length[SEEDS + 1] = __builtin_inf();
     for (int i = 0; i < SEEDS; i++) {
         bridge->crossing[0].place[along] = from + (to - from) * i / (SEEDS - 1);
-        int solved = correct(newton->system.line.surface, bridge->crossing) && solve_bridge(newton, options, 0, bridge, arena);
+        int solved =
+            sp_crossing_correct(newton->system.line.surface, bridge->crossing) && sp_bridge_solve(newton, options, 0, bridge, arena);
         crossing[i] = bridge->crossing[0], length[i + 1] = solved ? bridge->length : __builtin_inf();
         for (int k = 0; k < 2 && !solved; k++)
             bridge->piece[k].system = given->piece[k].system, bridge->piece[k].first = given->piece[k].first,
@@ -309,20 +76,20 @@ static int rank_seeds(struct sp_newton *newton, const struct sp_options *options
 }
 
 /* From the present crossings downhill on few elements. */
-static int approach(struct sp_newton *newton, const struct sp_options *rough, struct bridge *bridge, struct sp_storage spare[MOST + 1],
-                    struct sp_arena *arena) {
-    if (!solve_bridge(newton, rough, 0, bridge, arena)) return 0;
-    start_curvature(bridge);
-    return descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
+static int approach(struct sp_newton *newton, const struct sp_options *rough, struct sp_bridge *bridge,
+                    struct sp_storage spare[SP_CROSSINGS + 1], struct sp_arena *arena) {
+    if (!sp_bridge_solve(newton, rough, 0, bridge, arena)) return 0;
+    sp_bridge_start(bridge);
+    return sp_bridge_descend(newton, rough, ENOUGH * rough->tolerance, bridge, spare, arena);
 }
 
 /* Finds the crossings roughly: those of found[0], or, of one, where two of some seeds lead, if as far as can be told by now both may be
  * the shortest. Returns how many ways, the shorter first. */
-static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, struct sp_storage storage[SETS][MOST + 1],
-                            struct bridge found[2], struct sp_arena *arena) {
+static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, struct sp_storage storage[SETS][SP_CROSSINGS + 1],
+                            struct sp_bridge found[2], struct sp_arena *arena) {
     struct sp_options rough = *options;
-    struct crossing seeds[2];
-    struct bridge given = found[0], work = given;
+    struct sp_crossing seeds[2];
+    struct sp_bridge given = found[0], work = given;
     int32_t count = 0;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;
     int32_t tried = given.count == 1 ? rank_seeds(newton, &rough, &given, &work, seeds, arena) : 0;
@@ -343,7 +110,8 @@ static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *o
 
 /* Cuts the first or last arc of a bridge, solved with nodes on walls, where it leaves them: what is beyond is solved once, the rest becomes
  * the arc. Returns 0, the bridge as it was, where that fails. */
-static int meet_wall(struct sp_newton *newton, const struct sp_options *options, int side, struct bridge *bridge, struct sp_arena *arena) {
+static int meet_wall(struct sp_newton *newton, const struct sp_options *options, int side, struct sp_bridge *bridge,
+                     struct sp_arena *arena) {
     struct sp_piece *arc = bridge->piece + (side ? bridge->count : 0);
     struct sp_contact *beyond = sp_arena_take(arena, 1, sizeof(struct sp_contact));
     if (!beyond) return 0;
@@ -351,7 +119,7 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
     int32_t count = beyond->arcs.count;
     if (beyond->made < 1 || count < 2 || count > MOST_BEYOND || beyond->arcs.arc[side ? 0 : count - 1].on_edge) return 0;
     bridge->beyond[side] = beyond;
-    struct sp_piece *part = part_beyond(bridge, side);
+    struct sp_piece *part = sp_bridge_beyond(bridge, side);
     part->joint[1 - side] = arc->joint[1 - side], part->storage = arc->storage;
     for (int32_t i = 0; i < beyond->made; i++) {
         struct sp_piece *piece = beyond->pieces + i;
@@ -365,21 +133,21 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
 }
 
 /* Solves the arcs to the tolerance, and moves the crossings as long as that gains something. */
-static int finish(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge, struct sp_storage spare[MOST + 1],
-                  struct sp_arena *arena) {
-    double enough = ENOUGH * options->tolerance > ROUNDING ? ENOUGH * options->tolerance : ROUNDING, step[MOST];
+static int finish(struct sp_newton *newton, const struct sp_options *options, struct sp_bridge *bridge,
+                  struct sp_storage spare[SP_CROSSINGS + 1], struct sp_arena *arena) {
+    double enough = ENOUGH * options->tolerance > ROUNDING ? ENOUGH * options->tolerance : ROUNDING, step[SP_CROSSINGS];
     for (int i = 0; i < CHECKS; i++) {
-        if (!solve_bridge(newton, options, 1, bridge, arena)) return 0;
-        bridge->gain = downhill(bridge, LARGEST_STEP, step);
+        if (!sp_bridge_solve(newton, options, 1, bridge, arena)) return 0;
+        bridge->gain = sp_bridge_downhill(bridge, SP_BRIDGE_STEP, step);
         if (bridge->gain <= enough * bridge->length) return 1;
-        if (!descend(newton, options, enough, bridge, spare, arena)) return 0;
+        if (!sp_bridge_descend(newton, options, enough, bridge, spare, arena)) return 0;
     }
     return 0;
 }
 
 /* Where arcs from ends close to the curve do not settle to the tolerance: one that they do, LOOSER times it. */
-static int finish_loosely(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
-                          struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
+static int finish_loosely(struct sp_newton *newton, const struct sp_options *options, struct sp_bridge *bridge,
+                          struct sp_storage spare[SP_CROSSINGS + 1], struct sp_arena *arena) {
     struct sp_options loose = *options;
     while ((loose.tolerance *= LOOSER) < ROUGH && newton->steps_left > 0)
         if (finish(newton, &loose, bridge, spare, arena)) return 1;
@@ -387,7 +155,7 @@ static int finish_loosely(struct sp_newton *newton, const struct sp_options *opt
 }
 
 /* The bridge as a list of arcs. */
-static struct sp_refined cross(struct sp_newton *newton, const struct sp_options *options, const struct bridge *bridge,
+static struct sp_refined cross(struct sp_newton *newton, const struct sp_options *options, const struct sp_bridge *bridge,
                                struct sp_arena *arena, struct sp_arcs *arcs) {
     double slopes = 0;
     for (int32_t i = 0; i <= bridge->count; i++) {
@@ -427,8 +195,8 @@ int sp_cusp_divides(const struct sp_newton *newton) {
 }
 
 /* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */
-static enum sp_status settle(struct sp_newton *newton, const struct sp_options *options, struct bridge *bridge,
-                             struct sp_storage spare[MOST + 1], struct sp_arena *arena) {
+static enum sp_status settle(struct sp_newton *newton, const struct sp_options *options, struct sp_bridge *bridge,
+                             struct sp_storage spare[SP_CROSSINGS + 1], struct sp_arena *arena) {
     for (int side = 0; side < 2; side++)
         if (bridge->piece[side ? bridge->count : 0].solved.outcome.active) meet_wall(newton, options, side, bridge, arena);
     if (finish(newton, options, bridge, spare, arena)) return SP_CONVERGED;
@@ -444,8 +212,8 @@ static enum sp_status settle(struct sp_newton *newton, const struct sp_options *
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct bridge found[2] = {{0}}, *best = NULL;
-    struct sp_storage storage[SETS][MOST + 1];
+    struct sp_bridge found[2] = {{0}}, *best = NULL;
+    struct sp_storage storage[SETS][SP_CROSSINGS + 1];
     enum sp_status status = SP_SINGULAR_METRIC;
     arcs->count = 0;
     if (!scan(given, found)) return refined;
