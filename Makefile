@@ -35,7 +35,7 @@ LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB 
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
-TOOLS := emcc:emscripten wasm-opt:binaryen
+TOOLS := emcc:emscripten wasm-opt:binaryen zopfli:zopfli
 ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
 TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
 endif
@@ -145,7 +145,7 @@ $(NPM): package-lock.json | tools
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
 COLD := arcs bridge contact crossing cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample memory mesh mesh_vertices \
-    newton normal piece polar pole project refine solve start trace check sample
+    metric newton normal piece polar pole project refine solve start trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools
@@ -160,7 +160,7 @@ define shrink
 @wasm-opt $(BINARYEN) $(1) -Oz -S $@ -o $@.wat
 @node wasm/shorten.js $@.wat
 @wasm-as $(BINARYEN) $(1) $@.wat -o $@
-@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --generate-stack-ir --optimize-stack-ir $@ -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --reorder-functions --generate-stack-ir --optimize-stack-ir $@ -o $@
 @rm $@.wat
 endef
 

@@ -149,10 +149,12 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
 static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
                                  struct sp_arena *arena, struct sp_result *result) {
     struct sp_polyline *line = &newton->system.line;
+    newton->size = newton->scale;
     line->fold = sp_fold_of(inner);
     enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
     if (status != SP_CONVERGED) return status;
     sp_polyline_charts(line, line->nodes);
+    newton->size = size_of(newton);
     result->crosses_singularity = may_cross(line) && sp_cusp_turns(line, 0) > 0;
     return SP_CONVERGED;
 }
@@ -175,10 +177,8 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
                                      struct sp_refined *refined) {
     size_t used = arena->used;
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used) {
-        newton->size = newton->scale;
         enum sp_status status = start_with(newton, request, ends, inner, arena, result);
         if (status == SP_CONVERGED) {
-            newton->size = size_of(newton);
             *refined = solve_elements(newton, options, request->pole, arena, arcs, result);
             status = refined->outcome.status;
         }
@@ -199,7 +199,6 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     enum sp_status status = sp_start_end(surface, newton.scale, ends[0]);
     if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, ends[1]);
     if (status != SP_CONVERGED) return status;
-    newton.size = newton.scale;
     struct sp_arcs arcs;
     arcs.count = 0;
     struct sp_chord_sums sums;
@@ -209,7 +208,6 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     } else {
         status = start_points(&newton, request, options, ends, arena, result);
         if (status != SP_CONVERGED) return status;
-        newton.size = size_of(&newton);
         refined.outcome = sp_newton_run(&newton, options);
         status = refined.outcome.status;
     }
