@@ -269,23 +269,27 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     struct run runs[SP_MAX_ARCS];
-    int32_t touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs)), lone = 0;
+    int32_t touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs)), lone = 0, fits;
     size_t bottom = arena->used;
     for (;; arena->used = bottom) {
         contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(contact.pieces, contact.made, arena)) return refined;
-        if (fit_all(newton, options, &contact, arena)) break;
-        if (lone) return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
-        if (touching > 0)
+        fits = fit_all(newton, options, &contact, arena);
+        /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
+        int may_try = contact.made >= 0 && 2 * newton->steps_left > options->max_iterations;
+        if (fits || lone || (touching == 0 && !may_try)) break;
+        if (touching == 0)
+            touching = find_runs(&walled.line, runs), lone = 1;
+        else if (may_try)
             drop_shortest(runs, touching--);
         else
-            touching = find_runs(&walled.line, runs), lone = 1;
+            touching = 0;
     }
     *arcs = contact.arcs;
-    refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
-    /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
-    if (lone && absolute(refined.length - chords.length) > 3 * chords.length_error)
-        return arena->used = bottom, arcs->count = 0, fall_back(newton, options, &walled, arena);
+    if (fits) refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
     refined.outcome.active = touching > 0;
-    return refined;
+    /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
+    if (fits && !(lone && absolute(refined.length - chords.length) > 3 * chords.length_error)) return refined;
+    arena->used = bottom, arcs->count = 0;
+    return fall_back(newton, options, &walled, arena);
 }

@@ -15,7 +15,8 @@ enum {
     FACE_SITES = 6, /* lattice points around a face of a cell */
     EDGES = 7,      /* edges owned by a lattice point: those to points that come earlier in the sweep */
     LIVE_LAYERS = 3,
-    LEAST_PART = 4 /* a short side has this part of the cells of the longest, at least: thin boxes hold thin surfaces */
+    LEAST_PART = 12 /* a short side has this part of the cells of the longest, at least: thin boxes hold thin surfaces, but cells that are
+                       no cubes thin triangles */
 };
 
 /* The layers of the lattice that the sweep can see, and what it has found. */

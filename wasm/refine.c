@@ -16,7 +16,7 @@ static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL
 static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
                                      {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
-static const double UNEVEN = 3, TURNING = 3;
+static const double UNEVEN = 3;
 enum { SPREAD_NODES = 64 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };
@@ -209,11 +209,11 @@ static int spread_elements(const struct sp_system *system, sp_pair *turns, doubl
     double total = 1, passed = 0, most = 0, to = 0, turn = 0;
     measure_turns(&system->line, turns);
     for (int32_t i = 1; i < last; i++)
-        total += TURNING * sp_fold_get(fold, turns, 1, i, 0);
+        total += sp_fold_get(fold, turns, 1, i, 0);
     for (int32_t i = 0; i < last; i++) {
         double from = to, before = turn;
         to = sp_sample_parameter(&system->elements, i + 1), turn = sp_fold_get(fold, turns, 1, i + 1, 0);
-        double span = to - from, part = span + 0.5 * TURNING * (before + turn);
+        double span = to - from, part = span + 0.5 * (before + turn);
         most = larger(most, part / span);
         for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
             spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
