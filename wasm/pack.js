@@ -12,7 +12,7 @@ regroup(module, room, ends, true);
 const heaps = starts.map((start, kind) => room.subarray(start, ends[kind]));
 const lengths = new Uint8Array(Uint32Array.from(heaps, ({ length }) => length).buffer);
 
-// zopfli divides a file into blocks of deflate where its frequencies change, as they do from heap to heap: 9 % less than zlib at its best.
+// zopfli divides a file into blocks of deflate where its frequencies change, as they do from heap to heap: 6 % less than zlib with a block for each heap.
 const scratch = `${output}.bytes`;
 writeFileSync(scratch, Buffer.concat([lengths, ...heaps]));
 const text = execFileSync('zopfli', ['--i100', '-c', scratch]).toString('base64');
