@@ -105,7 +105,10 @@ function openAddress(hash) {
 
 /** @param {boolean} animated */
 function solved(animated) {
-  if (performance.getEntriesByName('first path').length === 0) performance.mark('first path');
+  if (performance.getEntriesByName('first path').length === 0) {
+    performance.mark('first path');
+    requestAnimationFrame(() => setTimeout(() => performance.mark('first path drawn')));
+  }
   if (animated) player.play(1);
   else player.stop();
   if (state.sketch.colour !== 'plain') recolour();

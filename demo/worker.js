@@ -28,7 +28,7 @@ self.addEventListener('message', async ({ data: { id, task, request, stop } }) =
     stopped = stop;
     return;
   }
-  const report = (/** @type {unknown} */ progress) => self.postMessage({ id, progress });
+  const report = (/** @type {any} */ progress) => self.postMessage({ id, progress }, { transfer: buffersOf(progress.mesh) });
   try {
     workshop ??= new Workshop(await loading);
     const result = /** @type {any} */ (await workshop.run(task, request, { report, isStopped: () => stopped === id }));

@@ -11,6 +11,7 @@ import { askLong, live } from './workers.js';
 /** @typedef {import('../state/sketch.js').Sketch} Sketch */
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('./opened.js').Surfaces} Surfaces */
+/** @typedef {import('./tasks.js').Solved} Solved */
 
 /** Milliseconds after the last movement before everything is computed exactly. */
 const SETTLE = 180;
@@ -61,44 +62,54 @@ function give(why) {
   render();
 }
 
-/** The question that the sketch asks, about the surface that is seen. */
-function question() {
-  const { ends, via, task, algorithm, tolerance, points, start, angle, reach } = state.sketch;
-  const definition = surfaceOf(/** @type {Sketch} */ (state.shown));
-  return { definition, ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
+/** What a sketch asks, about its own surface or the one that is seen. @param {Sketch} sketch @param {Sketch} shown */
+function questionOf(sketch, shown) {
+  const { ends, via, task, algorithm, tolerance, points, start, angle, reach } = sketch;
+  return { definition: surfaceOf(shown), ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
 }
+
+const question = () => questionOf(state.sketch, /** @type {Sketch} */ (state.shown));
 
 /** What neither end alone is at fault for. @param {unknown} error @returns {import('../state/ends.js').EndProblem} */
 const endProblemOf = (error) => ({ end: -1, coordinate: 0, message: messageOf(error) });
 
+/** There is no path. @param {unknown} error why */
+const unsolved = (error) => ({ endProblem: endProblemOf(error), solved: UNSOLVED, chosen: 0, moment: 1 });
+
 const messageOf = (/** @type {unknown} */ error) => sentence(error instanceof Error ? error.message : String(error));
 
-/** The surface of the formulas, anew; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
+/** The surface of the formulas, anew, and its path; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
 export async function rebuild({ frame, direction }) {
-  const mine = ++builds;
-  begin();
+  const [mine, asked] = [++builds, begin()];
   const { sketch } = state;
   const problem = findBadBound(sketch.kind, sketch.texts);
   if (problem) return give({ problem, building: false });
   Object.assign(state, { problem: null, building: true });
   /** @type {Surfaces | null} */ let opened = null;
-  try {
-    const definition = surfaceOf(sketch);
-    opened = openSurfaces(surfpath, definition);
-    const mesh = await live.ask('mesh', { definition });
-    if (!mesh || mine !== builds) return closeSurfaces(opened);
-    const outgrown = adopt(sketch, opened, mesh);
+  /** @type {Solved | null} */ let solved = null;
+  let isSeen = false;
+  const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
+    if (mine !== builds) return;
+    const outgrown = adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
+    isSeen = true;
     toLookFrom = direction;
     if (frame || outgrown) stage?.frame(middle(), direction);
+  };
+  try {
+    opened = openSurfaces(surfpath, surfaceOf(sketch));
+    const isSolvable = areInside(sketch, opened.surface);
+    solved = await live.ask('open', { ...questionOf(sketch, sketch), isSolvable }, receive);
   } catch (error) {
-    if (opened) closeSurfaces(opened);
-    if (mine === builds) give({ problem: problemOf(error, sketch.kind, sketch.texts), building: false });
-    return;
+    if (isSeen && asked === turn) return give(unsolved(error));
+    if (!isSeen && mine === builds) give({ problem: problemOf(error, sketch.kind, sketch.texts), building: false });
   }
+  if (!isSeen && opened) closeSurfaces(opened);
+  if (!isSeen || mine !== builds) return;
   repairEnds();
-  const path = await solve(true);
+  if (solved && asked === turn) show(solved, true);
+  else await solve(true);
   // A formula that was changed may have left its ends behind.
-  if (path?.status !== 'off-surface') return;
+  if (chosenPath()?.status !== 'off-surface') return;
   state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
   await solve(true);
 }
@@ -116,11 +127,18 @@ function adopt(sketch, opened, mesh) {
 const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
 const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
 
+/** Whether all points of a sketch may lie on a surface. @param {Sketch} sketch @param {import('surfpath').Surface} surface */
+const areInside = ({ kind, ends, via }, surface) =>
+  !findBadEnd(kind, surface, ends) && via.every((point) => !findBadEnd(kind, surface, [point, point]));
+
 function repairEnds() {
   const { kind, ends, via } = state.sketch;
+  if (areInside(state.sketch, surfaceNow())) return;
   const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point, point]);
-  if (findBadEnd(kind, surfaceNow(), ends)) state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
-  else if (!via.every(inside)) state.sketch = { ...state.sketch, via: via.filter(inside) };
+  const change = findBadEnd(kind, surfaceNow(), ends)
+    ? { ends: chooseEnds(surfaceNow(), meshNow()), via: [] }
+    : { via: via.filter(inside) };
+  state.sketch = { ...state.sketch, ...change };
 }
 
 /** A place to look from: the middle between the ends. */
@@ -129,27 +147,28 @@ function middle() {
   return places[0] && places[1] ? places[0].map((x, k) => (x + /** @type {number[]} */ (places[1])[k]) / 2) : null;
 }
 
-/** The path, exactly. @param {boolean} animated @returns {Promise<import('surfpath').Path | null>} null: there is none, or another question was asked meanwhile */
+/** The path, exactly. @param {boolean} animated */
 export async function solve(animated) {
   const mine = begin();
-  if (!isReady()) return null;
+  if (!isReady()) return;
   const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), state.sketch.ends);
   if (endProblem) {
-    give({ endProblem, solved: UNSOLVED });
-    return null;
+    return give({ endProblem, solved: UNSOLVED });
   }
   state.endProblem = null;
   render();
   try {
     const solved = await live.ask('solve', question());
-    if (mine !== turn || !solved) return null;
-    give({ solved, chosen: 0, moment: 1 });
+    if (mine === turn && solved) show(solved, animated);
   } catch (error) {
-    if (mine === turn) give({ endProblem: endProblemOf(error), solved: UNSOLVED, chosen: 0, moment: 1 });
-    return null;
+    if (mine === turn) give(unsolved(error));
   }
+}
+
+/** @param {Solved} solved @param {boolean} animated */
+function show(solved, animated) {
+  give({ solved, chosen: 0, moment: 1 });
   onSolved(animated);
-  return chosenPath();
 }
 
 /** Everything exactly, a moment after the last movement. */

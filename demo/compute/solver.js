@@ -38,7 +38,7 @@ export class Solver {
   /**
    * @param {string} task
    * @param {{ definition: object, [name: string]: any }} request
-   * @param {(progress: any) => void} [report] a number `share` in the progress says how far it is
+   * @param {(progress: any) => void} [report] a number `share` in the progress says how far it is, a name `task` what is done from now on
    * @returns {Promise<any>} null if a newer one took its place; rejects with `Cancelled`
    */
   ask(task, request, report = () => {}) {
@@ -111,6 +111,7 @@ export class Solver {
     if (progress !== undefined) {
       this.#running.report(progress);
       if (Number.isFinite(progress.share)) this.#tell({ share: progress.share });
+      if (progress.task) this.#tell({ task: progress.task });
     } else if (error) this.#end((job) => job.reject(Object.assign(new Error(), error)));
     else this.#end((job) => job.resolve(result));
   }

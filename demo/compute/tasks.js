@@ -46,6 +46,10 @@ export class Workshop {
     const opened = this.#open(request.definition);
     const mesh = () => meshOf(opened, request.resolution, this.#surfpath);
     if (task === 'mesh') return mesh();
+    if (task === 'open') {
+      job.report({ mesh: mesh(), task: 'solve' });
+      return request.isSolvable ? solve(opened, request) : null;
+    }
     if (task === 'draft') return { mesh: mesh(), path: warmPath(opened, request) };
     if (task === 'solve') return solve(opened, request);
     if (task === 'shade') return shade(opened, request, job, this.#surfpath);

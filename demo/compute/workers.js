@@ -7,6 +7,7 @@ import { onRender, render, state } from '../state/state.js';
 
 /** @type {Record<string, string>} by task */
 const WORDS = {
+  open: 'Drawing the surface',
   mesh: 'Drawing the surface',
   draft: 'Drawing the surface',
   solve: 'Searching for paths',
