@@ -11,14 +11,9 @@ struct sp_arena {
     size_t used; /* bytes from base that are taken; a multiple of 16 */
 };
 
-/* Takes `count` items of `item_bytes` bytes, aligned to 16 bytes, contents undefined. NULL when they do not fit: the arena is then
- * unchanged and the caller answers SP_OUT_OF_MEMORY. */
-static inline void *sp_arena_take(struct sp_arena *arena, size_t count, size_t item_bytes) {
-    size_t left = (arena->size - arena->used) & ~(size_t)15;
-    if (item_bytes != 0 && count > left / item_bytes) return NULL;
-    void *taken = arena->base + arena->used;
-    arena->used += (count * item_bytes + 15) & ~(size_t)15;
-    return taken;
-}
+/* Takes `count` items of `item_bytes` bytes, aligned to 16 bytes, contents undefined. NULL when they do not fit: the caller answers
+ * SP_OUT_OF_MEMORY. What has refused once refuses everything from then on, its size 0: a solve that would try something smaller instead
+ * ends as out of memory, too, and not as another path. */
+void *sp_arena_take(struct sp_arena *arena, size_t count, size_t item_bytes);
 
 #endif

@@ -177,7 +177,8 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
     struct run runs[SP_MAX_ARCS];
-    int32_t count = without_lone_ends(&system->line, runs, find_runs(&system->line, runs));
+    int32_t count = find_runs(&system->line, runs);
+    count = without_lone_ends(&system->line, runs, count);
     contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
 }
 
@@ -200,9 +201,9 @@ int sp_contact_assemble(struct sp_contact *contact) {
 }
 
 /* Room for what outlives the solves: the path of every piece. */
-static int take_storage(struct sp_piece *pieces, int32_t made, struct sp_arena *arena) {
+static int take_storage(const struct sp_newton *newton, struct sp_piece *pieces, int32_t made, struct sp_arena *arena) {
     for (int32_t i = 0; i < made; i++)
-        if (!sp_storage_take(&pieces[i].storage, 2, SP_REFINE_INNER, arena)) return 0;
+        if (!sp_refine_take(&pieces[i].storage, newton, arena)) return 0;
     return 1;
 }
 
@@ -260,7 +261,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_contact contact;
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
-    if (!sp_storage_take(&storage, 2, SP_REFINE_INNER, arena)) return refined;
+    if (!sp_refine_take(&storage, newton, arena)) return refined;
     struct sp_system walled = sp_storage_keep(&storage, &newton->system);
     int32_t count = walled.line.fold.inner + 1, chosen = count < CONTACT_NODES     ? CONTACT_NODES
                                                          : count > FALLBACK_CHORDS ? FALLBACK_CHORDS
@@ -269,11 +270,12 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     walled = sp_storage_keep(&storage, &newton->system);
     struct run runs[SP_MAX_ARCS];
-    int32_t touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs)), lone = 0, fits;
+    int32_t touching = find_runs(&walled.line, runs), lone = 0, fits;
+    touching = without_lone_ends(&walled.line, runs, touching);
     size_t bottom = arena->used;
     for (;; arena->used = bottom) {
         contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
-        if (!take_storage(contact.pieces, contact.made, arena)) return refined;
+        if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = fit_all(newton, options, &contact, arena);
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
         int may_try = contact.made >= 0 && 2 * newton->steps_left > options->max_iterations;

@@ -24,8 +24,10 @@ struct sp_curve sp_curve_at(const struct sp_surface *surface, const double place
     struct sp_vector slopes[2] = {sp_add(sp_cross(uu, v), sp_cross(u, uv)), sp_add(sp_cross(uv, v), sp_cross(u, vv))};
     if (choose) {
         struct sp_vector larger = sp_dot(slopes[0], slopes[0])[0] > sp_dot(slopes[1], slopes[1])[0] ? slopes[0] : slopes[1];
-        double length = root(sp_dot(larger, larger)[0]);
-        nu[0] = larger.x[0] / length, nu[1] = larger.y[0] / length, nu[2] = larger.z[0] / length;
+        sp_pair unit[3];
+        sp_store(sp_scale(larger, 1.0 / sp_square_root(sp_dot(larger, larger))), unit);
+        for (int j = 0; j < 3; j++)
+            nu[j] = unit[j][0];
     }
     struct sp_vector direction = {sp_splat(nu[0]), sp_splat(nu[1]), sp_splat(nu[2])};
     return (struct sp_curve){sp_dot(n, direction)[0], {sp_dot(slopes[0], direction)[0], sp_dot(slopes[1], direction)[0]}};

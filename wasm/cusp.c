@@ -124,7 +124,7 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
     for (int32_t i = 0; i < beyond->made; i++) {
         struct sp_piece *piece = beyond->pieces + i;
         if (piece == part) continue;
-        if (!sp_storage_take(&piece->storage, 2, SP_REFINE_INNER, arena) || !sp_contact_fit(newton, options, 1, piece, arena))
+        if (!sp_refine_take(&piece->storage, newton, arena) || !sp_contact_fit(newton, options, 1, piece, arena))
             return bridge->beyond[side] = NULL, 0;
     }
     *arc = *part;
@@ -204,7 +204,7 @@ static enum sp_status settle(struct sp_newton *newton, const struct sp_options *
         bridge->gain = 0; /* at most what is gained by the slopes as they are, over all the reach */
         for (int32_t i = 0; i < bridge->count; i++)
             bridge->gain += absolute(bridge->slope[i]) * bridge->reach[i];
-        return bridge->length > 0 ? SP_ITERATION_LIMIT : SP_SINGULAR_METRIC;
+        return __builtin_isnan(bridge->length) ? SP_SINGULAR_METRIC : SP_ITERATION_LIMIT;
     }
     return finish_loosely(newton, options, bridge, spare, arena) ? SP_TOLERANCE_NOT_MET : SP_SINGULAR_METRIC;
 }
@@ -219,7 +219,7 @@ struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options 
     if (!scan(given, found)) return refined;
     for (int32_t i = 0; i <= found->count; i++)
         for (int32_t set = 0; set < (found->count == 1 ? SETS : 2); set++)
-            if (!sp_storage_take(&storage[set][i], 2, SP_REFINE_INNER, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
+            if (!sp_refine_take(&storage[set][i], newton, arena)) return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
     for (int32_t i = 0; i <= found->count; i++)
         found->piece[i].storage = storage[0][i];
     int32_t count = find_bridges(newton, options, storage, found, arena);

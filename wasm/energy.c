@@ -128,10 +128,10 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     sp_mask held[2], none = {0, 0}, coordinate = hessian == SP_COORDINATE ? ~none : none;
     sp_pair squares = sp_splat(0.0), slopes = squares, slope = squares;
     const sp_pair *chart = line->nodes.charts + SP_CHART;
-    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART)), next;
+    struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++, chart += SP_CHART) {
         int mirrored = k > fold.both;
-        next = mirrored ? minus(sp_swap_vector(chord)) : sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
+        struct sp_vector next = mirrored ? minus(sp_swap_vector(chord)) : sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
         straight[k] = coordinate;
         assemble_node(chart, sp_subtract(next, chord), sp_splat(2.0), none, rows + k);
         if (coordinate[0]) sp_row_assemble(chart, sp_subtract(chord, next), sp_splat(2.0), coordinate, rows + k);

@@ -56,14 +56,14 @@ int sp_builder_take(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct sp_arena *arena = builder->arena;
     size_t vertices = (size_t)graph->vertex_count;
-    graph->samples = sp_graph_take(arena, vertices * (size_t)graph->width, sizeof(double));
+    graph->samples = sp_arena_take(arena, vertices * (size_t)graph->width, sizeof(double));
     for (int j = 0; j < 2; j++)
-        graph->lines[j] = sp_graph_take(arena, (size_t)graph->count[j] + 1, sizeof(double));
-    graph->normals = graph->kind == SP_IMPLICIT ? sp_graph_take(arena, vertices, 3 * sizeof(float)) : NULL;
-    graph->first = sp_graph_take(arena, vertices + 1, sizeof(int32_t));
+        graph->lines[j] = sp_arena_take(arena, (size_t)graph->count[j] + 1, sizeof(double));
+    graph->normals = graph->kind == SP_IMPLICIT ? sp_arena_take(arena, vertices, 3 * sizeof(float)) : NULL;
+    graph->first = sp_arena_take(arena, vertices + 1, sizeof(int32_t));
     size_t left = (arena->size - arena->used) / sizeof(struct sp_graph_edge), most = INT32_MAX / 2;
     builder->edge_capacity = (int32_t)(left < most ? left : most);
-    graph->edges = sp_graph_take(arena, 0, sizeof(struct sp_graph_edge));
+    graph->edges = sp_arena_take(arena, 0, sizeof(struct sp_graph_edge));
     return graph->samples && graph->lines[0] && graph->lines[1] && (graph->normals || graph->kind != SP_IMPLICIT) && graph->first;
 }
 
@@ -90,5 +90,3 @@ void sp_graph_keep(struct sp_graph *graph, void *block) {
         graph->lines[j] = (double *)(to + ((char *)graph->lines[j] - begin));
     graph->samples = (double *)to;
 }
-
-void *sp_graph_take(struct sp_arena *arena, size_t count, size_t item_bytes) { return sp_arena_take(arena, count, item_bytes); }

@@ -18,9 +18,6 @@ struct sp_builder {
 int32_t sp_graph_build_parametric(struct sp_builder *builder);
 int32_t sp_graph_build_implicit(struct sp_builder *builder);
 
-/* sp_arena_take, once. */
-void *sp_graph_take(struct sp_arena *arena, size_t count, size_t item_bytes);
-
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 

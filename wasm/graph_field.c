@@ -37,9 +37,9 @@ static int sort_into_buckets(struct buckets *buckets, const struct sp_graph *gra
     while (2 * count <= (uint32_t)graph->vertex_count)
         count *= 2;
     buckets->mask = count - 1, buckets->width = SP_ATTACHED_NEAR * graph->spacing;
-    buckets->first = sp_graph_take(arena, (size_t)count + 2, sizeof(int32_t));
-    buckets->vertices = sp_graph_take(arena, (size_t)graph->vertex_count, sizeof(int32_t));
-    buckets->around = sp_graph_take(arena, (size_t)graph->vertex_count, sizeof(int32_t));
+    buckets->first = sp_arena_take(arena, (size_t)count + 2, sizeof(int32_t));
+    buckets->vertices = sp_arena_take(arena, (size_t)graph->vertex_count, sizeof(int32_t));
+    buckets->around = sp_arena_take(arena, (size_t)graph->vertex_count, sizeof(int32_t));
     if (!buckets->first || !buckets->vertices || !buckets->around) return 0;
     memset(buckets->first, 0, ((size_t)count + 2) * sizeof(int32_t));
     for (int32_t i = 0; i < graph->vertex_count; i++)

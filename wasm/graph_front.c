@@ -4,10 +4,10 @@
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
     *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf()};
-    front->distance = sp_graph_take(arena, vertices, sizeof(double));
-    front->before = sp_graph_take(arena, vertices, sizeof(int32_t));
-    front->heap = sp_graph_take(arena, vertices, sizeof(int32_t));
-    front->slot = sp_graph_take(arena, vertices, sizeof(int32_t));
+    front->distance = sp_arena_take(arena, vertices, sizeof(double));
+    front->before = sp_arena_take(arena, vertices, sizeof(int32_t));
+    front->heap = sp_arena_take(arena, vertices, sizeof(int32_t));
+    front->slot = sp_arena_take(arena, vertices, sizeof(int32_t));
     if (!front->distance || !front->before || !front->heap || !front->slot) return 0;
     for (size_t i = 0; i < vertices; i++)
         front->distance[i] = __builtin_inf(), front->before[i] = -1, front->slot[i] = -1;

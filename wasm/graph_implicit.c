@@ -53,7 +53,7 @@ static int take_slots(struct cells *cells, uint32_t wanted) {
     while (slots < wanted)
         slots *= 2;
     cells->mask = slots - 1;
-    cells->slots = sp_graph_take(cells->builder->arena, slots, sizeof(int32_t));
+    cells->slots = sp_arena_take(cells->builder->arena, slots, sizeof(int32_t));
     for (uint32_t i = 0; cells->slots && i < slots; i++)
         cells->slots[i] = -1;
     return cells->slots != NULL;
@@ -64,11 +64,11 @@ static void open_list(struct cells *cells) {
     struct sp_arena *arena = cells->builder->arena;
     size_t most = (arena->size - arena->used) / sizeof(struct cell);
     cells->capacity = (int32_t)(most < 1U << 24 ? most : 1U << 24);
-    cells->list = sp_graph_take(arena, 0, sizeof(struct cell));
+    cells->list = sp_arena_take(arena, 0, sizeof(struct cell));
 }
 
 static int close_list(struct cells *cells) {
-    return sp_graph_take(cells->builder->arena, (size_t)cells->count, sizeof(struct cell)) != NULL;
+    return sp_arena_take(cells->builder->arena, (size_t)cells->count, sizeof(struct cell)) != NULL;
 }
 
 static void corner(const struct cells *cells, int32_t i, int32_t j, int32_t k, double point[3]) {
@@ -142,7 +142,7 @@ static int sweep_box(struct cells *cells) {
         cells->origin[j] = options->box[2 * j], cells->width[j] = side / cells->size[j];
     }
     size_t corners = (size_t)(cells->size[0] + 1) * (size_t)(cells->size[1] + 1);
-    uint8_t *below = sp_graph_take(cells->builder->arena, corners, 1), *above = sp_graph_take(cells->builder->arena, corners, 1);
+    uint8_t *below = sp_arena_take(cells->builder->arena, corners, 1), *above = sp_arena_take(cells->builder->arena, corners, 1);
     cells->stride[0] = (uint32_t)cells->size[0], cells->stride[1] = (uint32_t)(cells->size[0] * cells->size[1]);
     if (!below || !above || !take_slots(cells, cells->stride[1] * (uint32_t)cells->size[2])) return 0;
     open_list(cells);

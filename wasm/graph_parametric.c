@@ -198,8 +198,8 @@ static void write_vertices(const struct grid *grid) {
 static int take_grid(struct grid *grid) {
     struct sp_builder *builder = (struct sp_builder *)grid->builder;
     size_t samples = (size_t)grid->count[0] * (size_t)grid->count[1], vertices = (size_t)builder->graph->vertex_count;
-    grid->samples = sp_graph_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
-    grid->normals = sp_graph_take(builder->arena, vertices, 3 * sizeof(double));
+    grid->samples = sp_arena_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
+    grid->normals = sp_arena_take(builder->arena, vertices, 3 * sizeof(double));
     return grid->samples && grid->normals && sp_builder_take(builder);
 }
 
@@ -252,7 +252,7 @@ static int choose_lines(struct grid *grid) {
     grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
     grid->size = length[0] + length[1];
     for (int d = 0; d < 2; d++) {
-        grid->lines[d] = sp_graph_take(grid->builder->arena, 2 * (size_t)grid->cells[d] + 1, sizeof(double));
+        grid->lines[d] = sp_arena_take(grid->builder->arena, 2 * (size_t)grid->cells[d] + 1, sizeof(double));
         if (!grid->lines[d]) return 0;
         spread_lines(grid->lines[d], 2 * grid->cells[d], grid->builder->options->box + 2 * d, steps[d], length[d]);
     }

@@ -120,9 +120,9 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};
-    answer->places = sp_graph_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
-    answer->lengths = sp_graph_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
-    search.vertices = sp_graph_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
+    answer->places = sp_arena_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
+    answer->lengths = sp_arena_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
+    search.vertices = sp_arena_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
     int fits = answer->places && answer->lengths && search.vertices;
     for (int end = 0; end < 2; end++)
         fits = fits && sp_front_take(search.front + end, graph, arena);

@@ -25,8 +25,8 @@ double sp_way_bytes(const struct sp_graph *graph) {
 static int take_line(struct line *line, const struct sp_way *way, struct sp_arena *arena) {
     size_t most = (size_t)way->count + 2 + POLAR_STEPS;
     line->way = way, line->count = 0, line->dimension = way->graph->kind == SP_IMPLICIT ? 3 : 2;
-    line->places = sp_graph_take(arena, most, (size_t)line->dimension * sizeof(double));
-    line->along = sp_graph_take(arena, most, sizeof(double));
+    line->places = sp_arena_take(arena, most, (size_t)line->dimension * sizeof(double));
+    line->along = sp_arena_take(arena, most, sizeof(double));
     return line->places && line->along;
 }
 

@@ -89,7 +89,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         around[i] = sp_fold_get(line->fold, line->nodes.places, 2, i ? last : 0, 1 - across);
     double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */
     arcs->count = 0;
-    if (!sp_storage_take(&storage, 2, line->fold.inner, arena)) return none;
+    if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
     open.lower[across] = -__builtin_inf(), open.upper[across] = __builtin_inf();
     line->surface = &open;
@@ -98,7 +98,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         for (int32_t j = 0; j < 2; j++)
             piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
         piece.joint[1].place[across] = value;
-        if (!sp_storage_take(&piece.storage, 2, SP_REFINE_INNER, arena)) break;
+        if (!sp_refine_take(&piece.storage, newton, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
         none.outcome.status = SP_SINGULAR_METRIC;
         if (!fit(newton, options, &piece, across, range, arena)) break;

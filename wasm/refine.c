@@ -10,8 +10,8 @@ struct rung {
     const double *spread; /* of its elements */
 };
 
-static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL},   {8, 16, NULL}, {12, 16, NULL},
-                                     {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}};
+static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL},   {8, 16, NULL},  {12, 16, NULL},
+                                     {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}, {16, 128, NULL}};
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
                                      {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
@@ -167,10 +167,10 @@ static int is_settled(double moved, double moved_before, double allowed) {
     return moved <= allowed || SAFETY * ratio * moved <= allowed;
 }
 
-/* A path that took many chords has nothing to learn from a few nodes, and Newton on them wanders. */
-static int first_rung(const struct sp_system *first) {
+/* The last rung of fewer nodes: a path that took many has nothing to learn from a few, and Newton on them wanders. */
+static int lowest_rung(const struct rung *ladder, int rungs, int32_t nodes) {
     int r = 0;
-    while (LADDER[r].degree * LADDER[r].count < (first->line.fold.inner + 1) / 4)
+    while (r + LEAST_RUNGS < rungs && ladder[r + 1].degree * ladder[r + 1].count < nodes)
         r++;
     return r;
 }
@@ -224,9 +224,21 @@ static int spread_elements(const struct sp_system *system, sp_pair *turns, doubl
     return most > UNEVEN * total;
 }
 
-/* Climbs until two neighbouring rungs agree. `first`: the path of chords. */
+/* The path of `count` chords, from another one. */
+static struct climbed climb_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                                   struct sp_arena *arena) {
+    struct start start;
+    struct climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
+    newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
+    if (sp_reference_make(&newton->system.elements.reference, 1, arena))
+        chords = climb(newton, options, from, (struct rung){1, count, NULL}, &start, arena);
+    return chords;
+}
+
+/* Climbs until two neighbouring rungs agree. `first`: a path that all must be near to; of chords, if it has a storage: then of twice as
+ * many if a rung that has as many nodes is not. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
-                                   const struct sp_system *first, double first_length, struct sp_arena *arena) {
+                                   struct sp_system *first, const struct sp_storage *chords, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
     double last = first_length, change = first_length, moved = 0, error = 0, allowed = 0;
@@ -236,13 +248,12 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         spread[k] = first->elements.spread[k];
     struct start start;
     struct sp_storage storage;
-    if (!present || !sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
-        return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
+    if (!present || !sp_refine_take(&storage, newton, arena)) return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
     size_t floor = arena->used, bottom = floor;
     for (int r = 0; r < rungs; r++) {
         int from_elements = r > 0 && before.elements.reference.degree > 1;
         arena->used = bottom;
-        if (r == 0 || ladder[r].degree != ladder[r - 1].degree) {
+        if (r == 0 || ladder[r].degree != newton->system.elements.reference.degree) {
             arena->used = floor;
             if (!sp_reference_make(&newton->system.elements.reference, ladder[r].degree, arena))
                 return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
@@ -263,6 +274,15 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         }
         if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, distance(now.length, last));
+        int32_t count = 2 * (first->line.fold.inner + 1);
+        if (astray && now.outcome.status == SP_CONVERGED && chords && count <= rung.degree * rung.count && count <= SP_REFINE_CHORDS) {
+            arena->used = floor;
+            now = climb_chords(newton, options, count, first, arena);
+            if (now.outcome.status != SP_CONVERGED) return finish(newton, now, distance(now.length, last));
+            before = *first = sp_storage_keep(chords, &newton->system);
+            last = change = first_length = now.length, moved = 0, r--;
+            continue;
+        }
         double previous = change;
         follows = !astray && from_elements;
         change = distance(now.length, last);
@@ -286,26 +306,41 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     return finish(newton, now, error);
 }
 
-/* The largest rung, two stored paths. */
+int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, struct sp_arena *arena) {
+    return sp_storage_take(storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena);
+}
+
+/* The largest matrices, those of the last rung but one; the most nodes, those of the last; two stored paths. */
 double sp_refine_bytes(void) {
-    struct rung last = LADDER[RUNGS - 1];
-    double order = sp_elements_order(last.degree), half = last.count / 2, degree = last.degree, pairs = SP_REFINE_INNER / 2 + 3;
-    double numbers = order * order * half + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
-    return 4 * sp_reference_bytes(last.degree) + numbers * sizeof(sp_pair) + (half + 1) * sizeof(struct sp_row) +
+    struct rung largest = LADDER[RUNGS - 2], last = LADDER[RUNGS - 1];
+    double order = sp_elements_order(largest.degree), degree = largest.degree, pairs = SP_REFINE_INNER / 2 + 3;
+    double numbers = order * order * (largest.count / 2) + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
+    return 4 * sp_reference_bytes(largest.degree) + numbers * sizeof(sp_pair) + (last.count / 2 + 1.0) * sizeof(struct sp_row) +
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
-/* The path of chords. Where length has a metric of its own a rapidly turning one makes 32 chords wrong by more
- * than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
-static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage) {
+/* What chords are wrong by in length, and whether they may be trusted. */
+static double check_chords(const struct sp_newton *newton, const struct climbed *chords, enum sp_status *status) {
+    struct sp_chord_sums sums = {0, 0};
+    *status = sp_check_chords(&newton->system.line, newton->scale, &sums);
+    return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
+}
+
+/* Where the path turns quickly, or a metric does, 32 chords are wrong by more than the guard allows (7 % on a field of 25:1 that turns by
+ * three radians): then twice as many, until they are not. */
+static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
+                                 double *error) {
+    struct sp_polyline *line = &newton->system.line;
     struct climbed now = {0};
     for (;;) {
-        int32_t count = 2 * (newton->system.line.fold.inner + 1);
+        int32_t count = 2 * (line->fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) return now;
-        now.length = sp_system_length(&newton->system, newton->system.line.nodes);
-        int enough = newton->system.line.kind->components == 0 || count > SP_REFINE_INNER + 1 ||
-                     sp_metric_length_error(&newton->system.line) <= CHORD_ERROR * now.length;
+        now.length = sp_system_length(&newton->system, line->nodes);
+        enum sp_status checked;
+        *error = check_chords(newton, &now, &checked);
+        if (checked < 0) now.outcome.status = checked;
+        int enough = line->kind->components == 0 || count > SP_REFINE_CHORDS || *error <= CHORD_ERROR * now.length;
         if (now.outcome.status != SP_CONVERGED || enough) return now;
         struct sp_system before = sp_storage_keep(storage, &newton->system);
         now.outcome.status = carry_over(newton, &before, count);
@@ -314,33 +349,26 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
 }
 
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
-    struct climbed first = {0};
     struct sp_storage storage;
-    struct sp_chord_sums sums = {0, 0};
-    if (!sp_storage_take(&storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena))
-        return first.outcome.status = SP_OUT_OF_MEMORY, finish(newton, first, 0);
+    if (!sp_refine_take(&storage, newton, arena)) return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
     newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0, newton->system.elements.spread = NULL;
-    first = find_first(newton, options, &storage);
-    if (first.outcome.status < 0) return finish(newton, first, 0);
-    enum sp_status chords = sp_check_chords(&newton->system.line, newton->scale, &sums);
-    if (chords < 0) first.outcome.status = chords;
+    double error = 0;
+    struct climbed first = find_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
-    if (!at_rest || first.outcome.energy == 0 || first.outcome.active)
-        return finish(newton, first, sp_check_length_error(&newton->system.line, newton->size, first.outcome.active, &sums));
-    int lowest = first_rung(&newton->system);
+    if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
+    int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner / 2);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, first.length, arena);
+    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);
 }
 
 struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
                                   struct sp_arena *arena) {
     const int32_t *singular = newton->system.elements.singular;
-    int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS, lowest = 0;
+    int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS;
     const struct rung *ladder = graded ? GRADED : LADDER;
-    int32_t nodes = from->elements.reference.degree * from->elements.count;
-    while (lowest + LEAST_RUNGS < rungs && ladder[lowest + 1].degree * ladder[lowest + 1].count < nodes)
-        lowest++;
-    return climb_all(newton, options, ladder + lowest, rungs - lowest, from, length, arena);
+    int lowest = lowest_rung(ladder, rungs, from->elements.reference.degree * from->elements.count);
+    struct sp_system first = *from;
+    return climb_all(newton, options, ladder + lowest, rungs - lowest, &first, NULL, length, arena);
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
@@ -356,15 +384,9 @@ struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_optio
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
-    struct start start;
-    newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
-    struct climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
-    if (sp_reference_make(&newton->system.elements.reference, 1, arena))
-        chords = climb(newton, options, from, (struct rung){1, count, NULL}, &start, arena);
-    struct sp_chord_sums sums = {0, 0};
-    if (chords.outcome.status < 0) return finish(newton, chords, 0);
-    sp_check_chords(&newton->system.line, newton->scale, &sums);
-    return finish(newton, chords, sp_check_length_error(&newton->system.line, newton->size, chords.outcome.active, &sums));
+    struct climbed chords = climb_chords(newton, options, count, from, arena);
+    enum sp_status ignored;
+    return finish(newton, chords, chords.outcome.status < 0 ? 0 : check_chords(newton, &chords, &ignored));
 }
 
 /* From how many chords on a coarser polyline helps, how few it may have, and by what it is coarser. */

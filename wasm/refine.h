@@ -3,9 +3,10 @@
 #define SURFPATH_REFINE_H
 
 #include "newton.h"
+#include "sample.h"
 
 /* Most inner nodes of any rung. */
-enum { SP_REFINE_INNER = 24 * 64 - 1, SP_REFINE_FIRST = 31 };
+enum { SP_REFINE_INNER = 16 * 128 - 1, SP_REFINE_FIRST = 31, SP_REFINE_CHORDS = 2048 };
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */
 struct sp_refined {
@@ -43,5 +44,8 @@ double sp_refine_polyline_bytes(int32_t dimension, int32_t count);
 
 /* Bytes of arena that sp_refine_run takes. */
 double sp_refine_bytes(void);
+
+/* Room for any path that the ladder leads to: SP_REFINE_INNER nodes. Returns 0 if there is none. */
+int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, struct sp_arena *arena);
 
 #endif

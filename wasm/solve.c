@@ -182,7 +182,7 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
             *refined = solve_elements(newton, options, request->pole, arena, arcs, result);
             status = refined->outcome.status;
         }
-        if (status != SP_SHEET_JUMP || 2 * inner >= SP_REFINE_INNER) return status;
+        if (status != SP_SHEET_JUMP || inner >= SP_REFINE_CHORDS - 1) return status;
     }
 }
 

@@ -52,8 +52,8 @@ const MARGIN = 1e-3;
 const MOST_FINE = 4;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
-/** Of the ways across a cuspidal edge, the shortest first, so many are solved. */
-const MOST_CROSSING = 2;
+/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved. */
+const MOST_UNFOLLOWED = 2;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 const holds = ({ path }) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
@@ -86,10 +86,10 @@ export function findPaths(problem, options, most) {
 function choosePaths(problem, options, most, ways) {
   const { starts, status } = findStarts(problem);
   const tried = starts.map((start) => solveRoughly(problem, start));
-  const crossing = isPointed(problem)
-    ? []
-    : tried.flatMap(({ path }, i) => (path.crossesSingularity && starts[i].start ? [starts[i]] : []));
   const rough = distinct(tried.filter(holds));
+  const isUnfollowed = (/** @type {RawPath} */ path) =>
+    path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > rough[0]?.path.length);
+  const unfollowed = starts.filter(({ start }, i) => start && isUnfollowed(tried[i].path));
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
@@ -104,9 +104,9 @@ function choosePaths(problem, options, most, ways) {
     if (holds(fine)) usable = distinct([...usable, fine]);
     else failed.push(fine.path);
   }
-  for (const crossed of acrossCusps(problem, options, crossing))
-    if (holds(crossed)) usable.push(crossed);
-    else failed.push(crossed.path);
+  for (const followed of asTheyAre(problem, options, unfollowed))
+    if (holds(followed)) usable.push(followed);
+    else failed.push(followed.path);
   const beside = besidePoles(problem, options, ways, usable);
   usable.push(...beside.filter(holds));
   usable.push(...shorterOverPole(ways, usable));
@@ -228,12 +228,12 @@ const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =
   status > STATUS.converged && status !== STATUS.stalled && length + lengthError < best.length * (1 - tolerance) - best.lengthError;
 
 /**
- * Paths across a cuspidal edge, which polylines cannot cross: ways of the graph that do are solved as they are.
- * @param {Problem} problem @param {SolveOptions} options @param {Start[]} crossing
+ * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
+ * @param {Problem} problem @param {SolveOptions} options @param {Start[]} unfollowed
  */
-function acrossCusps({ solve }, options, crossing) {
+function asTheyAre({ solve }, options, unfollowed) {
   if (options.algorithm !== ELEMENTS) return [];
-  return crossing.slice(0, MOST_CROSSING).map(({ to, start }) => ({ to, path: solve(to, start, options) }));
+  return unfollowed.slice(0, MOST_UNFOLLOWED).map(({ to, start }) => ({ to, path: solve(to, start, options) }));
 }
 
 /**

@@ -26,9 +26,9 @@ threads.Worker = class extends threads.Worker {
   }
 };
 
-/** Ends a worker as nobody expects it. @param {import('./random.js').Random} random */
-export function killOne(random) {
-  if (alive.size > 0) random.pick([...alive]).terminate();
+/** Ends a worker as nobody expects it. @param {import('./random.js').Random} random @returns when it has ended: until then it may be given work */
+export async function killOne(random) {
+  if (alive.size > 0) await random.pick([...alive]).terminate();
 }
 
 /** @param {number} milliseconds */

@@ -49,9 +49,11 @@ describe(`workers that are killed, seed ${SEED}`, () => {
         },
       });
       await wait(random.between(0, 150));
-      killOne(random);
+      const ended = killOne(random);
       assert.deepEqual(await batch, expected);
       assert.equal(sum, COUNT);
+      // Else it might still be given the next round's pairs, and they would die twice.
+      await ended;
     });
 
   test('again and again: every pair is solved, or lost for two workers', async () => {

@@ -1,0 +1,115 @@
+// Surfaces that turn within a small part of a path: a landscape of many steep hills, and bodies with a rim that is sharper than the first chords.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+import { verifyPath } from '../helpers/verify-path.js';
+
+const surfpath = await load();
+const RIGHT = 2e-9;
+
+test('a landscape with slopes of 2.6: every path converges, to the length that polylines extrapolate to, seed 1', () => {
+  const z = '0.15*sin(5*x)*cos(4*y)+0.1*sin(9*x+3*y)+0.05*cos(17*y-5*x)';
+  const definition = { kind: /** @type {const} */ ('graph'), z, x: /** @type {const} */ ([-2, 2]), y: /** @type {const} */ ([-2, 2]) };
+  const surface = surfpath.surface(definition);
+  const random = createRandom(1);
+  const point = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
+  let told = 0;
+  for (let i = 0; i < 40; i++) {
+    const [from, to] = [point(), point()];
+    const path = surface.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    if (path.touchesBoundary) continue;
+    const [half, all] = [1023, 2047].map((points) => surface.shortestPath(from, to, { algorithm: 'polyline', start: path, points }));
+    assert.equal(all.status, 'converged', `${from} to ${to}, as a polyline`);
+    const extrapolated = all.length + (all.length - half.length) / 3;
+    assert.ok(Math.abs(path.length / extrapolated - 1) < 1e-8, `${from} to ${to}: ${path.length}, polylines ${extrapolated}`);
+    told++;
+  }
+  assert.ok(told > 20, `${told} that touch no edge`);
+});
+
+for (const steepness of [5, 20, 40])
+  test(`rays through a layer of ${1 / steepness}: refracted as Snell's law says, seed 3`, () => {
+    const density = (/** @type {number} */ v) => 1.5 + 0.5 * Math.tanh(steepness * v);
+    const surface = surfpath.parametric({
+      x: 'u',
+      y: 'v',
+      z: '0',
+      u: [-5, 5],
+      v: [-3, 3],
+      density: '1.5+0.5*tanh(k*v)',
+      parameters: { k: steepness },
+    });
+    const random = createRandom(3);
+    const point = (/** @type {number} */ side) => [random.between(-2, 2), side * random.between(0.5, 2.5)];
+    for (let i = 0; i < 12; i++) {
+      const [from, to] = [point(-1), point(1)];
+      const path = surface.shortestPath(from, to, { points: 400 });
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      // Where a ray crosses lines of equal density, density times the sine of its angle to their normal stays the same: so does its mean over a chord.
+      const places = /** @type {Float64Array} */ (path.parameters);
+      const invariants = [];
+      for (let k = 0; k + 3 < places.length; k += 2) {
+        const [u, v] = [places[k + 2] - places[k], places[k + 3] - places[k + 1]];
+        const [low, high] = [density(places[k + 1]), density(places[k + 3])];
+        if (Math.abs(high - low) < 0.001) invariants.push(((low + high) / 2) * (u / Math.hypot(u, v)));
+      }
+      assert.ok(invariants.length > 100);
+      const spread = Math.max(...invariants) - Math.min(...invariants);
+      assert.ok(spread < 1e-4, `${from} to ${to}: density times sine from ${Math.min(...invariants)} to ${Math.max(...invariants)}`);
+    }
+  });
+
+for (const height of [0.2, 0.1])
+  test(`an ellipsoid of half axes 3, 2 and ${height}: a formula in x, y, z finds what one in u and v finds, seed 2`, () => {
+    const body = surfpath.implicit({
+      f: 'x^2/9 + y^2/4 + (z/c)^2 - 1',
+      bounds: [
+        [-3.2, 3.2],
+        [-2.2, 2.2],
+        [-2 * height, 2 * height],
+      ],
+      parameters: { c: height },
+    });
+    const chart = surfpath.parametric({
+      x: '3*sin(v)*cos(u)',
+      y: '2*sin(v)*sin(u)',
+      z: 'c*cos(v)',
+      u: [0, 2 * Math.PI],
+      v: [0, Math.PI],
+      parameters: { c: height },
+    });
+    const random = createRandom(2);
+    let around = 0;
+    for (let i = 0; i < 24; i++) {
+      const ends = [0, 1].map(() => [random.between(0, 2 * Math.PI), Math.acos(random.between(-1, 1))]);
+      const [from, to] = ends.map((end) => Array.from(chart.evaluate(end).subarray(0, 3)));
+      const path = body.shortestPath(from, to);
+      const other = chart.shortestPath(ends[0], ends[1]);
+      assert.ok(['converged', 'tolerance-not-met'].includes(path.status), `${from} to ${to}: ${path.status}`);
+      if (!path.converged || !other.converged) continue;
+      assert.ok(
+        Math.abs(path.length - other.length) <= RIGHT * other.length,
+        `${from} to ${to}: ${path.length}, in u and v ${other.length}`,
+      );
+      if (from[2] * to[2] < 0) around++;
+    }
+    assert.ok(around >= 8, `${around} around the rim`);
+  });
+
+test('a body of which every edge is sharp: its path is a geodesic', () => {
+  const definition = {
+    kind: 'implicit',
+    f: 'x^2/9 + y^2/4 + z^2/0.01 - 1',
+    bounds: [
+      [-3.2, 3.2],
+      [-2.2, 2.2],
+      [-0.2, 0.2],
+    ],
+  };
+  const surface = surfpath.surface(/** @type {any} */ (definition));
+  const path = surface.shortestPath([0.94335, 0.27668, 0.093914], [2.4566, -0.14333, -0.056947], { points: 2000 });
+  assert.equal(path.status, 'converged');
+  assert.deepEqual(verifyPath(/** @type {any} */ (definition), path, { lengthTolerance: 1e-3 }), []);
+});
