@@ -245,8 +245,8 @@ static void drop_shortest(struct run *runs, int32_t count) {
     int32_t shortest = 0;
     for (int32_t r = 1; r < count; r++)
         if (runs[r].last - runs[r].first < runs[shortest].last - runs[shortest].first) shortest = r;
-    for (int32_t r = shortest; r + 1 < count; r++)
-        runs[r] = runs[r + 1];
+    for (int32_t r = shortest + 1; r < count; r++)
+        runs[r - 1] = runs[r];
 }
 
 /* Solves all pieces and joins them. */
