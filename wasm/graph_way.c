@@ -126,16 +126,19 @@ static void smooth(double *places, int32_t points, int32_t dimension) {
     }
 }
 
-/* A line that is not finite, between vertices that are, is none. */
+/* A line that is not finite, between vertices that are, is none; be it its length, or a place between ends that are huge. */
 static void emit(struct line *line, double length, struct sp_graph_answer *answer) {
     measure(line);
-    if (!sp_is_finite(line->along[line->count - 1])) return;
-    int32_t points = answer->point_count, number = answer->candidate_count++;
+    double sum = line->along[line->count - 1];
+    int32_t points = answer->point_count, number = answer->candidate_count;
     double *out = answer->places + (size_t)number * (size_t)(points * line->dimension);
     resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);
-    answer->lengths[number] = length;
+    for (int32_t i = 0; i < points * line->dimension; i++)
+        sum += out[i] - out[i];
+    if (!sp_is_finite(sum)) return;
+    answer->lengths[number] = length, answer->candidate_count++;
 }
 
 /* The vertices [begin, end) of a way that lie on its first collapsed edge. */
