@@ -236,7 +236,7 @@ static struct climbed climb_chords(struct sp_newton *newton, const struct sp_opt
 }
 
 /* Climbs until two neighbouring rungs agree. `first`: a path that all must be near to; of chords, if it has a storage: then of twice as
- * many if a rung that has as many nodes is not. */
+ * many if a rung at rest that has as many nodes is not. */
 static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
                                    struct sp_system *first, const struct sp_storage *chords, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
@@ -326,8 +326,8 @@ static double check_chords(const struct sp_newton *newton, const struct climbed 
     return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
 }
 
-/* Where the path turns quickly, or a metric does, 32 chords are wrong by more than the guard allows (7 % on a field of 25:1 that turns by
- * three radians): then twice as many, until they are not. */
+/* The path of chords, as it was checked, and what its length is wrong by. Where a metric turns quickly 32 chords are wrong by more than the
+ * guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                  double *error) {
     struct sp_polyline *line = &newton->system.line;

@@ -5,7 +5,7 @@
 #include "newton.h"
 #include "sample.h"
 
-/* Most inner nodes of any rung. */
+/* Most inner nodes of any rung; inner nodes of the first path of chords, and the most chords that one may be begun again with. */
 enum { SP_REFINE_INNER = 16 * 128 - 1, SP_REFINE_FIRST = 31, SP_REFINE_CHORDS = 2048 };
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */

@@ -37,6 +37,7 @@ test('how soon the first path is there, in a tab that is open', async (t) => {
     await page.goto(browser.address);
     await settled(page);
     assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
+    await page.waitForFunction(() => performance.getEntriesByName('first path drawn').length === 1, null, { polling: 100 });
     const marks = await page.evaluate(() => performance.getEntriesByType('mark').map(({ startTime }) => startTime));
     assert.equal(marks.length, 2, 'when the first path was known, and when it had been drawn');
     times.push(marks.map(Math.round).join(' and '));

@@ -6,6 +6,7 @@ import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
+/** Two tolerances of 1e-9, relative: one of each path. */
 const RIGHT = 2e-9;
 
 test('a landscape with slopes of 2.6: every path converges, to the length that polylines extrapolate to, seed 1', () => {
@@ -57,6 +58,7 @@ for (const steepness of [5, 20, 40])
       }
       assert.ok(invariants.length > 100);
       const spread = Math.max(...invariants) - Math.min(...invariants);
+      // What the mean of a chord's ends may be wrong by, a tenth of how they may differ.
       assert.ok(spread < 1e-4, `${from} to ${to}: density times sine from ${Math.min(...invariants)} to ${Math.max(...invariants)}`);
     }
   });
