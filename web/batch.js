@@ -3,10 +3,7 @@
 import { checkList } from './definition.js';
 import { enterDomain } from './domain.js';
 import { readOptions } from './path.js';
-
-/** Of enum sp_status. */
-export const OFF_SURFACE = -4;
-export const NOT_FINITE = -5;
+import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 
 /**
  * Options of paths that many pairs share.

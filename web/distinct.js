@@ -17,7 +17,7 @@ export function distinct(found) {
 }
 
 /** @param {RawPath} a @param {RawPath} b */
-function isSame(a, b) {
+export function isSame(a, b) {
   if (Math.abs(estimate(a) - estimate(b)) > APART * estimate(a)) return false;
   const [p, q] = [samplesOf(a), samplesOf(b)];
   let [away, size] = [0, 0];

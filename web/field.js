@@ -2,8 +2,8 @@
 
 import { checkBoolean, checkOptions, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
-import { OUT_OF_MEMORY } from './runtime/heap.js';
 import { EXHAUSTED } from './runtime/solver.js';
+import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -20,8 +20,6 @@ import { EXHAUSTED } from './runtime/solver.js';
  */
 
 /** @typedef {import('./routes.js').Field} Field */
-
-const CONVERGED = 0;
 
 /** @param {string} caller @param {FieldOptions | undefined} given @returns {{ resolution: number | undefined, exact: boolean }} */
 export function readFieldOptions(caller, given) {

@@ -3,15 +3,26 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { distinct, estimate } from './distinct.js';
+import { distinct, estimate, isSame } from './distinct.js';
 import { isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
+import {
+  CONVERGED,
+  DISCONNECTED,
+  ILL_CONDITIONED,
+  NOT_FINITE,
+  OFF_SURFACE,
+  SHEET_JUMP,
+  SINGULAR_METRIC,
+  STALLED,
+} from './runtime/status.js';
 
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
 /** @typedef {{ to: number[], path: RawPath }} Found a path, and where its second end is lifted to */
+/** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
 /** @typedef {Found & { pole: number }} Way over a pole, 1 + 2 · coordinate + side */
 
 /**
@@ -28,19 +39,9 @@ import { emptyPath } from './runtime/heap.js';
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
  */
 
-const STATUS = {
-  converged: 0,
-  stalled: 2,
-  illConditioned: 4,
-  disconnected: -1,
-  singular: -2,
-  sheetJump: -3,
-  offSurface: -4,
-  notFinite: -5,
-};
 const ELEMENTS = 0;
 /** Why a straight start comes to nothing that has to do with an end alone. */
-const BAD_ENDS = [STATUS.singular, STATUS.offSurface, STATUS.notFinite];
+const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds. */
@@ -52,14 +53,16 @@ const MARGIN = 1e-3;
 const MOST_FINE = 4;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
+/** Rough paths at rest at the same places are equally long up to this part of it. */
+const AT_REST = 1e-9;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved. */
 const MOST_UNFOLLOWED = 2;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
-const holds = ({ path }) => path.status === STATUS.converged || path.status === STATUS.illConditioned;
+const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
 
 /** @param {RawPath} path @returns {boolean} more points may help */
-const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STATUS.sheetJump;
+const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
 
 /**
  * All locally shortest paths that are found between two points, shortest first; without any, the one path of a status that says why.
@@ -70,11 +73,11 @@ const isTooCoarse = ({ status }) => status === STATUS.stalled || status === STAT
 export function findPaths(problem, options, most) {
   if (problem.domain && problem.graph(0)?.unique) {
     const path = problem.solve(problem.to, null, options);
-    if (path.status === STATUS.converged) return [path];
+    if (path.status === CONVERGED) return [path];
   }
   const ways = overPoles(problem, options);
   const found = choosePaths(problem, options, most, ways);
-  const corner = most === 1 && ways.find(({ path }) => path.status === STATUS.stalled)?.path;
+  const corner = most === 1 && ways.find(({ path }) => path.status === STALLED)?.path;
   return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length) ? [corner] : found;
 }
 
@@ -85,11 +88,14 @@ export function findPaths(problem, options, most) {
  */
 function choosePaths(problem, options, most, ways) {
   const { starts, status } = findStarts(problem);
-  const tried = starts.map((start) => solveRoughly(problem, start));
+  /** @type {Tried[]} */
+  const tried = [];
+  for (const start of starts) tried.push(solveRoughly(problem, start, tried));
   const rough = distinct(tried.filter(holds));
   const isUnfollowed = (/** @type {RawPath} */ path) =>
     path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > rough[0]?.path.length);
-  const unfollowed = starts.filter(({ start }, i) => start && isUnfollowed(tried[i].path));
+  const unknown = tried.filter(({ coarse }) => !isKnown(coarse, tried));
+  const unfollowed = unknown.filter(({ start, path }) => start && isUnfollowed(path));
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
@@ -114,10 +120,10 @@ function choosePaths(problem, options, most, ways) {
   const weak =
     most === 1 &&
     chosen.length > 0 &&
-    (failed.find((path) => isShorterAnyway(path, chosen[0].path, options)) ?? stalledBeside(problem, tried, options, chosen[0].path));
+    (failed.find((path) => isShorterAnyway(path, chosen[0].path, options)) ?? stalledBeside(problem, unknown, options, chosen[0].path));
   if (weak) return [weak];
   if (chosen.length > 0) return chosen.slice(0, most).map(({ path }) => path);
-  const apart = status === STATUS.disconnected && !BAD_ENDS.includes(tried[0].path.status);
+  const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
   return [failed[0] ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
 }
 
@@ -130,23 +136,23 @@ function findStarts(problem) {
   /** @type {Start[]} */
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
   const search = (/** @type {Graph} */ graph) => {
-    if (graph.status !== STATUS.converged) return graph.status;
+    if (graph.status !== CONVERGED) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
     return status;
   };
-  let status = STATUS.offSurface;
+  let status = OFF_SURFACE;
   /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
   let level = problem.domain || (problem.isPlain && problem.graph(0)?.resolved) ? 0 : 1;
   for (const find of [problem.graph, problem.flood]) {
     for (let graph = find(level); graph; graph = find(++level)) {
       status = search(graph);
-      if (status !== STATUS.disconnected && status !== STATUS.offSurface) break;
+      if (status !== DISCONNECTED && status !== OFF_SURFACE) break;
       if (find === problem.graph) continue;
-      if (graph.vertices === FLOOD_CELLS) return { starts, status: STATUS.offSurface };
-      status = STATUS.disconnected;
+      if (graph.vertices === FLOOD_CELLS) return { starts, status: OFF_SURFACE };
+      status = DISCONNECTED;
     }
-    if (status !== STATUS.offSurface) break;
+    if (status !== OFF_SURFACE) break;
     level = 0;
   }
   return { starts, status };
@@ -197,7 +203,7 @@ function besidePoles({ from, to, domain, solve }, options, ways, others) {
       const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
       return { to: end, path: solve(end, null, options, pole + 4) };
     })
-    .filter(({ path }) => path.status >= STATUS.converged);
+    .filter(({ path }) => path.status >= CONVERGED);
 }
 
 /** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
@@ -209,10 +215,10 @@ const refine = ({ solve }, { to, path }, options) => solve(to, path.parameters ?
 
 /**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
- * @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options @param {RawPath} best
+ * @param {Problem} problem @param {Found[]} unknown @param {SolveOptions} options @param {RawPath} best
  */
-function stalledBeside(problem, tried, options, best) {
-  const weak = problem.domain?.poles.length && shortestWeak(tried.filter(({ path }) => path.status === STATUS.stalled));
+function stalledBeside(problem, unknown, options, best) {
+  const weak = problem.domain?.poles.length && shortestWeak(unknown.filter(({ path }) => path.status === STALLED));
   const least = best.length * (1 - options.tolerance);
   if (!weak || !(estimate(weak.path) < least)) return null;
   const path = refine(problem, weak, options);
@@ -225,7 +231,7 @@ function stalledBeside(problem, tried, options, best) {
  * @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
  */
 const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =>
-  status > STATUS.converged && status !== STATUS.stalled && length + lengthError < best.length * (1 - tolerance) - best.lengthError;
+  status > CONVERGED && status !== STALLED && length + lengthError < best.length * (1 - tolerance) - best.lengthError;
 
 /**
  * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
@@ -244,12 +250,27 @@ function isPointed({ from, to, domain, graph }) {
   return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
 }
 
-/** Solves with few points, and with more where that does not hold. @param {Problem} problem @param {Start} start */
-function solveRoughly(problem, { to, start }) {
+/**
+ * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds.
+ * @param {RawPath} coarse @param {Tried[]} tried
+ */
+const isKnown = (coarse, tried) =>
+  coarse.status === STALLED &&
+  tried.some((other) => holds(other) && Math.abs(other.coarse.length / coarse.length - 1) <= AT_REST && isSame(other.coarse, coarse));
+
+/**
+ * Solves with few points, and with more where that does not hold, unless that was done.
+ * @param {Problem} problem @param {Start} start @param {Tried[]} tried
+ * @returns {Tried}
+ */
+function solveRoughly(problem, { to, start }, tried) {
   const options = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
-  let path = problem.solve(to, start, { ...options, points: ROUGH[0] });
-  for (const points of ROUGH.slice(1)) if (start && isTooCoarse(path)) path = problem.solve(to, start, { ...options, points });
-  return { to, path };
+  const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...options, points });
+  const coarse = solve(ROUGH[0]);
+  let path = coarse;
+  const more = start && !isKnown(coarse, tried) ? ROUGH.slice(1) : [];
+  for (const points of more) if (isTooCoarse(path)) path = solve(points);
+  return { to, start, path, coarse };
 }
 
 /** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */

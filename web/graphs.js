@@ -1,6 +1,6 @@
 /** The graphs of one surface: built when they are first needed, finer ones where a coarser one separates two ends, freed together. */
 
-import { OUT_OF_MEMORY } from './runtime/heap.js';
+import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
@@ -16,7 +16,6 @@ const RESOLUTION = [
 /** Without a box: cells between the ends. */
 const FLOOD_RESOLUTION = [14, 22, 34];
 const IMPLICIT = 1;
-const CONVERGED = 0;
 
 export class Graphs {
   #kind;

@@ -1,28 +1,13 @@
 /** Options in, Path out: what a caller may ask of a path, checked, and how the solver's answer is handed back as plain data. */
 
+import { STATUS } from './runtime/status.js';
+
 /**
  * How a path ended. `converged`: as asked. Usable, weaker: `iteration-limit`, `stalled`, `tolerance-not-met`, `ill-conditioned`, `saddle`, `edge-reached`.
  * No path: `disconnected`, `singular-metric`, `sheet-jump`, `off-surface`, `not-finite`, `out-of-memory`; from a pool also `worker-died`.
  * @typedef {'converged' | 'iteration-limit' | 'stalled' | 'tolerance-not-met' | 'ill-conditioned' | 'saddle' | 'edge-reached'
  *   | 'disconnected' | 'singular-metric' | 'sheet-jump' | 'off-surface' | 'not-finite' | 'out-of-memory' | 'worker-died'} Status
  */
-
-/** @type {Map<number, Status>} enum sp_status of wasm/status.h */
-export const STATUS = new Map([
-  [0, 'converged'],
-  [1, 'iteration-limit'],
-  [2, 'stalled'],
-  [3, 'tolerance-not-met'],
-  [4, 'ill-conditioned'],
-  [5, 'saddle'],
-  [6, 'edge-reached'],
-  [-1, 'disconnected'],
-  [-2, 'singular-metric'],
-  [-3, 'sheet-jump'],
-  [-4, 'off-surface'],
-  [-5, 'not-finite'],
-  [-6, 'out-of-memory'],
-]);
 
 /**
  * @typedef {object} Path a path, plain data, copies only

@@ -3,7 +3,8 @@
 import { facePoles, liftEnds } from './domain.js';
 import { findPaths, reverse } from './global.js';
 import { makePath } from './path.js';
-import { emptyPath, OUT_OF_MEMORY } from './runtime/heap.js';
+import { emptyPath } from './runtime/heap.js';
+import { OUT_OF_MEMORY } from './runtime/status.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */

@@ -1,6 +1,6 @@
 /** A surface: its formulas, compiled and installed, and every question that can be asked about it. Hands the work to the solver; does no mathematics of paths. */
 
-import { NOT_FINITE, OFF_SURFACE, readPairs, readPairOptions } from './batch.js';
+import { readPairs, readPairOptions } from './batch.js';
 import { checkBounds, checkList, checkParameters, checkPeriodic, readNumbers } from './definition.js';
 import { DISPOSE } from './dispose.js';
 import { enterDomain, findDomain } from './domain.js';
@@ -9,9 +9,10 @@ import { measureField, readFieldOptions } from './field.js';
 import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
-import { checkOptions, describe, makePath, readOptions, readStart, STATUS } from './path.js';
+import { checkOptions, describe, makePath, readOptions, readStart } from './path.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
+import { CONVERGED, NOT_FINITE, OFF_SURFACE, STATUS } from './runtime/status.js';
 import { findGlobal, passThrough, solveNear } from './routes.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
@@ -26,7 +27,6 @@ import { readTrace, readTraceOptions } from './trace.js';
 
 /** enum sp_surface_kind of wasm/surface.h. */
 const KIND = { parametric: 0, implicit: 1, metric: 0 };
-const STATUS_CONVERGED = 0;
 /** `project` without `near` starts from the nearest of this many points a direction. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
@@ -510,7 +510,7 @@ export class Surface {
   /** @param {string} caller @param {number[]} target @param {number[]} place where to start */
   #projectOnto(caller, target, place) {
     const found = this.#run((heap) => heap.project(this.#shapeRecord, target, place));
-    if (found.status >= STATUS_CONVERGED) return found.place;
+    if (found.status >= CONVERGED) return found.place;
     throw new RangeError(
       `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`,
     );

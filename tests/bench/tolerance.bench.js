@@ -10,7 +10,7 @@ const ROUNDS = quick ? 1 : 9;
 
 const surfpath = await load();
 
-/** @param {'saddle' | 'parametricTorus' | 'dini' | 'torus'} name */
+/** @param {'saddle' | 'parametricTorus' | 'globe' | 'dini' | 'torus' | 'printed47'} name */
 function measure(name) {
   const surface = surfpath.surface(gallery[name]);
   const pairs = randomPairs(surface, createRandom(SEED), 4 * PAIRS)
@@ -47,6 +47,6 @@ function measure(name) {
 report(
   'tolerance',
   `Microseconds a path to 1e-9, ${PAIRS} random pairs`,
-  /** @type {const} */ (['saddle', 'parametricTorus', 'dini', 'torus']).map(measure),
+  /** @type {const} */ (['saddle', 'parametricTorus', 'globe', 'dini', 'torus', 'printed47']).map(measure),
   ['wanted: warm in at most 300 µs'],
 );

@@ -6,7 +6,7 @@ import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
-import { STATUS } from '../../web/path.js';
+import { STATUS } from '../../web/runtime/status.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const readme = readFileSync(`${root}/README.md`, 'utf8');

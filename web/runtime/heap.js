@@ -3,6 +3,8 @@
  * call, and results are copies. Mirrors the structs of wasm/surfpath.h; a test compares the two.
  */
 
+import { CONVERGED, OUT_OF_MEMORY } from './status.js';
+
 /** Byte offsets in WebAssembly of the structs of wasm/surfpath.h and wasm/surface.h. */
 export const LAYOUT = {
   sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, metric: 12, lower: 16, upper: 32, extent: 48 },
@@ -48,7 +50,6 @@ export const LAYOUT = {
   sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
 };
 
-export const OUT_OF_MEMORY = -6;
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
 const MOST_TRACE_STEPS = 200_000;
@@ -255,7 +256,7 @@ export class Heap {
         [vertices, triangles] = [vertexCount, triangleCount];
         continue;
       }
-      if (status !== 0) return emptyMesh(status);
+      if (status !== CONVERGED) return emptyMesh(status);
       return {
         status,
         positions: this.#copyDoubles(positionsAt, 3 * vertexCount),
@@ -268,7 +269,7 @@ export class Heap {
   /**
    * Runs sp_graph_build and keeps the graph.
    * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, loose: boolean }} options
-   * @returns {Graph} of status 0; any other: nothing is kept
+   * @returns {Graph} of status CONVERGED; any other: nothing is kept
    */
   buildGraph(surface, kind, { box, cell, resolution, loose }) {
     const graphOptions = this.#structs.sp_graph_options;
@@ -281,13 +282,13 @@ export class Heap {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
       status = this.#exports.sp_graph_build(surface, graphOptions, this.#openArena(), at);
     }
-    const bytes = status === 0 ? this.#exports.sp_graph_bytes(at) : 0;
-    const block = status === 0 ? this.allocate(bytes) : 0;
+    const bytes = status === CONVERGED ? this.#exports.sp_graph_bytes(at) : 0;
+    const block = status === CONVERGED ? this.allocate(bytes) : 0;
     if (block) this.#exports.sp_graph_keep(at, block);
     else this.release(at);
     const word = (/** @type {number} */ offset) => (block ? this.#words(at + offset, 1)[0] : 0);
     return {
-      status: block ? 0 : status || OUT_OF_MEMORY,
+      status: block ? CONVERGED : status || OUT_OF_MEMORY,
       at: block && at,
       block,
       bytes,

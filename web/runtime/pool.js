@@ -1,11 +1,12 @@
 /** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
 
-import { NOT_FINITE, readPairNumbers, readPairOptions } from '../batch.js';
+import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
 import { checkOptions, describe, makePath } from '../path.js';
 import { Crew } from './crew.js';
 import { emptyPath } from './heap.js';
 import { Job } from './job.js';
+import { NOT_FINITE } from './status.js';
 import { countProcessors, startThread } from './thread.js';
 import { unpackError, writeDefinition } from './wire.js';
 

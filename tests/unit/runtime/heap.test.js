@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { STATUS } from '../../../web/path.js';
+import { STATUS } from '../../../web/runtime/status.js';
 import { LAYOUT } from '../../../web/runtime/heap.js';
 
 const read = (/** @type {string} */ name) => readFileSync(new URL(`../../../wasm/${name}`, import.meta.url), 'utf8');
