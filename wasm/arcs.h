@@ -22,10 +22,11 @@ struct sp_arcs {
     struct sp_arc arc[SP_MAX_ARCS];
 };
 
-/* Solves a path that touches the walls. newton->system.line holds the projected Newton's polyline; `arcs` is filled. Where the arcs do not
+/* Solves a path that touches the walls. `given`: the projected Newton's, not in newton's own arrays; `arcs` is filled. Where the arcs do not
  * fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,
  * SP_TOLERANCE_NOT_MET if that is not enough. */
-struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs);
+struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
+                                 struct sp_arena *arena, struct sp_arcs *arcs);
 
 /* Solves a path through the point to which an edge of the rectangle collapses (a pole, an apex): two free arcs. newton->system.line holds
  * any polyline from end to end. `edge`: 2 * coordinate + side. */

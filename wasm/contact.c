@@ -257,18 +257,18 @@ static int fit_all(struct sp_newton *newton, const struct sp_options *options, s
     return fits && sp_contact_assemble(contact);
 }
 
-struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs) {
+struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
+                                 struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_contact contact;
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY, .active = 1}};
     if (!sp_refine_take(&storage, newton, arena)) return refined;
-    struct sp_system walled = sp_storage_keep(&storage, &newton->system);
-    int32_t count = walled.line.fold.inner + 1, chosen = count < CONTACT_NODES     ? CONTACT_NODES
+    int32_t count = given->line.fold.inner + 1, chosen = count < CONTACT_NODES     ? CONTACT_NODES
                                                          : count > FALLBACK_CHORDS ? FALLBACK_CHORDS
                                                                                    : count;
-    struct sp_refined chords = sp_refine_chords(newton, options, chosen, &walled, arena);
+    struct sp_refined chords = sp_refine_chords(newton, options, chosen, given, arena);
     if (chords.outcome.status < 0) return chords;
-    walled = sp_storage_keep(&storage, &newton->system);
+    struct sp_system walled = sp_storage_keep(&storage, &newton->system);
     struct run runs[SP_MAX_ARCS];
     int32_t touching = find_runs(&walled.line, runs), lone = 0, fits;
     touching = without_lone_ends(&walled.line, runs, touching);

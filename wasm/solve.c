@@ -132,13 +132,17 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     int may = may_cross(line);
     result->crosses_singularity = 0;
     if (pole >= 1 && pole <= 4 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
-    if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return refined;
+    if (!sp_refine_take(&storage, newton, arena)) return refined;
+    size_t used = arena->used;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
         refined = sp_refine_run(newton, options, arena);
         int solved = refined.outcome.status == SP_CONVERGED || refined.outcome.status == SP_TOLERANCE_NOT_MET;
-        if (solved && refined.outcome.active) return sp_contact_run(newton, options, arena, arcs);
+        if (solved && refined.outcome.active) {
+            start = sp_storage_keep(&storage, &newton->system), arena->used = used;
+            return sp_contact_run(newton, options, &start, arena, arcs);
+        }
         if (refined.outcome.status != SP_SINGULAR_METRIC || !may) return refined;
     }
     result->crosses_singularity = 1;
