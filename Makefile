@@ -144,7 +144,7 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs arena bridge contact crossing cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample memory mesh mesh_vertices \
+COLD := arcs arena bridge contact crossing cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample hole memory mesh mesh_vertices \
     metric newton normal piece polar pole project refine solve start trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 

@@ -22,16 +22,21 @@ struct sp_arcs {
     struct sp_arc arc[SP_MAX_ARCS];
 };
 
-/* Solves a path that touches the walls. `given`: the projected Newton's, not in newton's own arrays; `arcs` is filled. Where the arcs do not
- * fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,
+/* Solves a path that touches the walls. `given`: the projected Newton's, not in newton's own arrays; `arcs` is filled. Where the arcs do
+ * not fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,
  * SP_TOLERANCE_NOT_MET if that is not enough. */
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                                  struct sp_arena *arena, struct sp_arcs *arcs);
 
 /* Solves a path through the point to which an edge of the rectangle collapses (a pole, an apex): two free arcs. newton->system.line holds
- * any polyline from end to end. `edge`: 2 * coordinate + side. */
-struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
-                              struct sp_arcs *arcs);
+ * any polyline from end to end. `edge`: 2 * coordinate + side; `beyond`: how far beyond it the point lies, in the coordinate across. */
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+                              struct sp_arena *arena, struct sp_arcs *arcs);
+
+/* Solves a path around an edge that is almost a point: around a hole, whose middle lies `beyond` it. The end nodes of newton->system.line
+ * tell from where to where, and on which side. SP_SINGULAR_METRIC where that fails, or the path passes beside the hole. */
+struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+                              struct sp_arena *arena, struct sp_arcs *arcs);
 
 /* The angle on the surface at a pole between the lines along which the coordinate around it is `from` and `to`: the directions in between,
  * turned through. `across`, `value`: the coordinate that is constant on its edge. */

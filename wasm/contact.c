@@ -3,7 +3,7 @@
 #include "contact.h"
 #include "metric.h"
 
-static const double DIFFERENCE = 1e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
+static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
 enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -81,12 +81,18 @@ static int solve_piece(struct sp_newton *newton, const struct sp_options *option
 
 static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
 
+/* The most that an end may slide in one step. */
+static double reach_of(const struct sp_piece *piece, int end) {
+    double reach = piece->joint[end].reach;
+    return reach > 0 ? reach : 0.5 * piece->solved.length / piece->speed[end];
+}
+
 /* Derivatives of both sines with respect to the sliding ends, by differences. */
 static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
                             struct sp_arena *arena, double jacobian[2][2]) {
     double step[2];
     for (int end = 0; end < 2; end++)
-        step[end] = DIFFERENCE * piece->solved.length / piece->speed[end];
+        step[end] = DIFFERENCE * reach_of(piece, end);
     for (int end = 0; end < 2; end++) {
         jacobian[0][end] = 0, jacobian[1][end] = end == 1;
         if (end == 0) jacobian[0][0] = 1;
@@ -116,7 +122,7 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, int w
         double move[2] = {-(jacobian[1][1] * piece->sine[0] - jacobian[0][1] * piece->sine[1]) / determinant,
                           -(jacobian[0][0] * piece->sine[1] - jacobian[1][0] * piece->sine[0]) / determinant};
         for (int end = 0; end < 2; end++) {
-            double most = 0.5 * piece->solved.length / piece->speed[end];
+            double most = reach_of(piece, end);
             if (!piece->joint[end].slides) continue;
             if (!(move[end] - move[end] == 0)) return 0;
             *slide(piece, end) += move[end] > most ? most : move[end] < -most ? -most : move[end];
@@ -147,7 +153,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
         int32_t to = r < count ? runs[r].first : last;
-        struct sp_joint end = {r < count && to > 0, r < count ? runs[r].across : 0, 0, {0, 0}, {0, 0}};
+        struct sp_joint end = {.slides = r < count && to > 0, .across = r < count ? runs[r].across : 0};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
         if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
@@ -169,7 +175,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
         from = runs[r].last;
         arc->ends[0] = sp_fold_get(line->fold, line->nodes.places, 2, to > 0 ? to - 1 : 0, 1 - across);
         arc->ends[1] = sp_fold_get(line->fold, line->nodes.places, 2, from < last ? from + 1 : last, 1 - across);
-        start = (struct sp_joint){from < last, across, 0, {0, 0}, {0, 0}};
+        start = (struct sp_joint){.slides = from < last, .across = across};
         start.place[across] = value, start.place[1 - across] = sp_fold_get(line->fold, line->nodes.places, 2, from, 1 - across);
     }
     return made;
@@ -249,12 +255,14 @@ static void drop_shortest(struct run *runs, int32_t count) {
         runs[r - 1] = runs[r];
 }
 
-/* Solves all pieces and joins them. */
-static int fit_all(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena) {
+int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
+                     struct sp_refined *whole) {
     int fits = contact->made >= 0;
     for (int32_t i = 0; fits && i < contact->made; i++)
         fits = sp_contact_fit(newton, options, 1, contact->pieces + i, arena);
-    return fits && sp_contact_assemble(contact);
+    fits = fits && sp_contact_assemble(contact);
+    if (fits) *whole = sp_arcs_join(&contact->arcs, newton, slopes_of(contact->pieces, contact->made), arena);
+    return fits;
 }
 
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
@@ -276,7 +284,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     for (;; arena->used = bottom) {
         contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
-        fits = fit_all(newton, options, &contact, arena);
+        fits = sp_contact_solve(newton, options, &contact, arena, &refined);
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
         int may_try = contact.made >= 0 && 2 * newton->steps_left > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
@@ -288,7 +296,6 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
             touching = 0;
     }
     *arcs = contact.arcs;
-    if (fits) refined = sp_arcs_join(arcs, newton, slopes_of(contact.pieces, contact.made), arena);
     refined.outcome.active = touching > 0;
     /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
     if (fits && !(lone && absolute(refined.length - chords.length) > 3 * chords.length_error)) return refined;

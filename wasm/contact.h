@@ -22,4 +22,8 @@ int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, i
  * backwards. */
 int sp_contact_assemble(struct sp_contact *contact);
 
+/* Fits all pieces and joins the arcs: `whole`. Returns 0 where that fails. */
+int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
+                     struct sp_refined *whole);
+
 #endif

@@ -16,6 +16,7 @@ struct sp_elements {
     struct sp_reference reference; /* degree p */
     int32_t count;                 /* m, even */
     const double *spread;          /* the path's parameter at k/SP_SPREAD of the elements: closer where the path turns. NULL: evenly */
+    int32_t fixed;                 /* 1: that stays as it is */
     int32_t singular[2];           /* 1: the path begins, ends, on a singular curve, and its outermost elements are graded */
     struct sp_graded graded;       /* for them; not used if neither is */
     sp_pair *matrices; /* m/2 matrices of sp_elements_order^2 numbers: LDL' of each element, below it its borders and right-hand side */

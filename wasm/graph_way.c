@@ -101,17 +101,22 @@ static void measure(struct line *line) {
     }
 }
 
-static void resample(const struct line *line, int32_t points, double *out) {
+/* Places at equal steps of length. Returns 0 if they are all finite, else NaN. */
+static double resample(const struct line *line, int32_t points, double *out) {
     int32_t segment = 0, dimension = line->dimension;
+    double spoilt = 0;
     for (int32_t i = 0; i < points; i++) {
         double target = line->along[line->count - 1] * ((double)i / (points - 1));
         while (segment < line->count - 2 && line->along[segment + 1] < target)
             segment++;
         double span = line->along[segment + 1] - line->along[segment], t = span > 0 ? (target - line->along[segment]) / span : 0;
         const double *a = line->places + dimension * segment, *b = a + dimension;
-        for (int32_t j = 0; j < dimension; j++)
-            out[dimension * i + j] = i == points - 1 ? line->places[dimension * (line->count - 1) + j] : a[j] + t * (b[j] - a[j]);
+        for (int32_t j = 0; j < dimension; j++) {
+            double at = i == points - 1 ? line->places[dimension * (line->count - 1) + j] : a[j] + t * (b[j] - a[j]);
+            *out++ = at, spoilt += at - at;
+        }
     }
+    return spoilt;
 }
 
 /* Every place becomes the mean of itself and its neighbours. */
@@ -129,14 +134,11 @@ static void smooth(double *places, int32_t points, int32_t dimension) {
 /* A line that is not finite, between vertices that are, is none; be it its length, or a place between ends that are huge. */
 static void emit(struct line *line, double length, struct sp_graph_answer *answer) {
     measure(line);
-    double sum = line->along[line->count - 1];
     int32_t points = answer->point_count, number = answer->candidate_count;
     double *out = answer->places + (size_t)number * (size_t)(points * line->dimension);
-    resample(line, points, out);
+    double sum = line->along[line->count - 1] + resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);
-    for (int32_t i = 0; i < points * line->dimension; i++)
-        sum += out[i] - out[i];
     if (!sp_is_finite(sum)) return;
     answer->lengths[number] = length, answer->candidate_count++;
 }

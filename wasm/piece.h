@@ -10,6 +10,7 @@ struct sp_joint {
     int32_t slides, across; /* a contact, and the coordinate across its edge */
     int32_t singular;
     double place[2];
+    double reach;    /* a contact: as far as it may slide at once, in the coordinate along its edge; 0: by half the arc */
     double aside[2]; /* singular: a place beside it, on the side of the arc, where a first path is easier to find */
 };
 

@@ -69,7 +69,8 @@ static void polar_charts(const struct sp_surface *surface, int32_t pair_count, c
 
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved) {
     int32_t pole = request->pole - 5, across = pole >> 1;
-    double open = __builtin_inf(), edge = (pole & 1 ? surface->upper : surface->lower)[across], turn = request->to[2];
+    double open = __builtin_inf(), beyond = request->from[2],
+           edge = pole & 1 ? surface->upper[across] + beyond : surface->lower[across] - beyond, turn = request->to[2];
     double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
     if (surface->kind != SP_PARAMETRIC || surface->metric == SP_TENSOR) return 0;
     double angle = sp_pole_angle(surface, across, edge, from, from + turn);
@@ -92,9 +93,17 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
 
 int sp_polar_holds(const struct sp_polyline *line) {
     const struct sp_surface *whole = polar_of(line->surface)->whole;
-    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
+    for (int32_t i = 0; i <= line->fold.inner; i++) {
+        double from[2], step[2];
         sp_pair place[2];
-        sp_polar_leave(polar_of(line->surface), 1, line->nodes.places + 2 * k, place);
+        for (int32_t j = 0; j < 2; j++)
+            from[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j),
+            step[j] = sp_fold_get(line->fold, line->nodes.places, 2, i + 1, j) - from[j];
+        double t = -(from[0] * step[0] + from[1] * step[1]) / (step[0] * step[0] + step[1] * step[1]);
+        t = t > 0 ? t < 1 ? t : 1 : 0;
+        for (int32_t j = 0; j < 2; j++)
+            place[j] = (sp_pair){from[j], from[j] + t * step[j]};
+        sp_polar_leave(polar_of(line->surface), 1, place, place);
         for (int j = 0; j < 2; j++)
             if (sp_any((place[j] < sp_splat(whole->lower[j])) | (place[j] > sp_splat(whole->upper[j])))) return 0;
     }

@@ -25,7 +25,7 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
 /* Places over u and v from those over p and q. */
 void sp_polar_leave(const struct sp_polar *polar, int32_t pair_count, const sp_pair *places, sp_pair *left);
 
-/* Whether all nodes lie in the rectangle. */
+/* Whether all nodes lie in the rectangle, and the place nearest to the pole between any two, where there may be a hole. */
 int sp_polar_holds(const struct sp_polyline *line);
 
 /* Makes the parameters of a path those over u and v, from end to end of the request, continuous but for jumps of half turns at the pole. */

@@ -4,7 +4,7 @@
 #include "piece.h"
 
 enum { ROUNDS = 12, SWEEP = 64 };
-static const double ENOUGH = 1e-13, PI = 3.14159265358979323846;
+static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
 
 /* How far from straight a path may pass a pole, radians. A path that passes beside it is shorter by the square of that over twice the
  * stiffness of the path; between nearly antipodal places of the earth, where that is least, by 2e-11 of its length. */
@@ -66,25 +66,28 @@ static double corner_of(const struct sp_surface *surface, int32_t across, double
 static int fit(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, int32_t across, double range,
                struct sp_arena *arena) {
     double *end = piece->joint[1].place + 1 - across;
-    for (int round = 0; round < ROUNDS; round++) {
-        if (!sp_piece_solve(newton, options, 1, piece, arena)) return 0;
+    struct sp_options loose = *options;
+    if (loose.tolerance < LOOSE) loose.tolerance = LOOSE;
+    for (int round = 0, strict = 0; round < ROUNDS; round++) {
+        if (!sp_piece_solve(newton, strict ? options : &loose, 1, piece, arena)) return 0;
         sp_piece_keep(newton, piece);
-        double next = extrapolated(&piece->system, 1 - across), change = next - *end;
-        if (change * change <= ENOUGH * ENOUGH * range * range) return 1;
+        double next = extrapolated(&piece->system, 1 - across), change = next - *end, enough = (strict ? ENOUGH : LOOSE) * range;
+        if (strict && change * change <= enough * enough) return 1;
+        strict |= change * change <= enough * enough;
         *end = next;
     }
     return 1;
 }
 
-struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, struct sp_arena *arena,
-                              struct sp_arcs *arcs) {
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+                              struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_polyline *line = &newton->system.line;
     const struct sp_surface *surface = line->surface;
     struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     struct sp_storage storage;
     int32_t across = edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
-    double value = edge % 2 ? surface->upper[across] : surface->lower[across], around[2];
+    double value = edge % 2 ? surface->upper[across] + beyond : surface->lower[across] - beyond, around[2];
     for (int i = 0; i < 2; i++)
         around[i] = sp_fold_get(line->fold, line->nodes.places, 2, i ? last : 0, 1 - across);
     double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */

@@ -297,7 +297,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         else
             before = sp_storage_keep(&storage, &newton->system);
         /* In the plane of u and v, where lengths are not those of a tensor, turns say nothing. */
-        if (!astray && newton->system.line.kind->components != 3 && rung.degree * rung.count >= SPREAD_NODES)
+        if (!astray && !newton->system.elements.fixed && newton->system.line.kind->components != 3 &&
+            rung.degree * rung.count >= SPREAD_NODES)
             uneven = spread_elements(&newton->system, newton->step, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */

@@ -124,14 +124,15 @@ static void measure(struct sp_refined *refined, const struct sp_newton *newton, 
 static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_INDUCED; }
 
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
-static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, int32_t pole, struct sp_arena *arena,
-                                        struct sp_arcs *arcs, struct sp_result *result) {
+static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, const struct sp_request *request,
+                                        struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
-    int may = may_cross(line);
+    int32_t may = may_cross(line), pole = line->surface->kind == SP_PARAMETRIC ? request->pole : 0;
     result->crosses_singularity = 0;
-    if (pole >= 1 && pole <= 4 && line->surface->kind == SP_PARAMETRIC) return sp_pole_run(newton, options, pole - 1, arena, arcs);
+    if (pole >= 1 && pole <= 4) return sp_pole_run(newton, options, pole - 1, request->from[2], arena, arcs);
+    if (pole >= 9 && pole <= 12 && request->from[2] > 0) return sp_hole_run(newton, options, pole - 9, request->from[2], arena, arcs);
     if (!sp_refine_take(&storage, newton, arena)) return refined;
     size_t used = arena->used;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
@@ -183,7 +184,7 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used) {
         enum sp_status status = start_with(newton, request, ends, inner, arena, result);
         if (status == SP_CONVERGED) {
-            *refined = solve_elements(newton, options, request->pole, arena, arcs, result);
+            *refined = solve_elements(newton, options, request, arena, arcs, result);
             status = refined->outcome.status;
         }
         if (status != SP_SHEET_JUMP || inner >= SP_REFINE_CHORDS - 1) return status;

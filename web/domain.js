@@ -1,7 +1,8 @@
 /** The parameter rectangle of a surface: its ranges, which directions are closed, and lifts of points across a seam. Knows only evaluations of S and its derivatives. */
 
 /** @typedef {{ lower: number[], upper: number[] }} Range */
-/** @typedef {Range & { periodic: boolean[], poles: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side */
+/** @typedef {{ pole: number, beyond: number, at: Float64Array | null, smooth: boolean }} Tip an edge, 1 + 2 · coordinate + side; how far beyond it, in the coordinate across, the surface collapses to a point; negative: before it; that point, where it is known; and whether the surface is smooth there and closed around it */
+/** @typedef {Range & { periodic: boolean[], poles: number[], tips: Tip[], around: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: those of all that the surface lies around by more than half a turn */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
 /** @typedef {(points: number[]) => ArrayLike<number>[]} Sampler */
 /** @typedef {{ jets: Jets, metrics: Sampler, tensors: Sampler | null }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does. `tensors`: E F G, where they do */
@@ -12,12 +13,21 @@ const GRID = 16;
 const FRACTIONS = Array.from({ length: GRID + 1 }, (_, i) => i / GRID);
 const POSITION_GAP = 1e-9;
 const DERIVATIVE_GAP = 1e-7;
+/** An edge that is almost a point: the point is so near, in parts of the range, and equally near everywhere along the edge, up to this part of that. */
+const NEAR_POINT = 0.05;
+const SAME_POINT = 0.1;
+const FLAT = 1e-5;
+/** Of the range. */
+const ROUNDING = 2e-15;
 
 /** @param {Float64Array} jets @param {number} i @param {number} offset of three numbers in a jet */
 const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offset + 3);
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** The largest distance from a point to those of these samples that are finite. @param {Float64Array} jets @param {ArrayLike<number>} point */
 function reach(jets, point) {
@@ -75,10 +85,61 @@ function findPoles({ jets, tensors }, range) {
   return [0, 1, 2, 3]
     .filter((edge) => {
       const [direction, side] = [edge >> 1, edge & 1];
-      const beside = linePlaces(range, direction, side ? 1 - 1 / GRID : 1 / GRID, FRACTIONS);
+      const beside = linePlaces(range, direction, Math.abs(side - 1 / GRID), FRACTIONS);
       return isPoint(linePlaces(range, direction, side, FRACTIONS), beside, 1 - direction);
     })
     .map((edge) => edge + 1);
+}
+
+/**
+ * Edges that are almost a point, as where 3.14 stands for π: the speed along them vanishes at a point a little beyond, extrapolated, or before.
+ * @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number[]} edges that may be
+ * @returns {Tip[]}
+ */
+function findHoles(jets, range, periodic, edges) {
+  return edges.flatMap((pole) => /** @type {Tip[]} */ {
+    const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+    const span = range.upper[direction] - range.lower[direction];
+    const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
+    /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
+    const offsetsAt = (fraction) => {
+      const sampled = jets(place(fraction));
+      return FRACTIONS.map((_, i) => {
+        const [speed, change] = [vector(sampled, i, direction ? 3 : 6), vector(sampled, i, 12)];
+        const [product, squared] = [dot(speed, change), dot(change, change)];
+        return product ** 2 >= (1 - SAME_POINT) * dot(speed, speed) * squared ? -product / (squared * span) : Number.NaN;
+      });
+    };
+    const offsets = offsetsAt(side);
+    const [first] = offsets;
+    const isNear = Math.abs(first) <= NEAR_POINT && offsets.every((offset) => Math.abs(offset - first) <= SAME_POINT * Math.abs(first));
+    if (!isNear) return [];
+    const outwards = side ? span : -span;
+    const exact = side + first + offsetsAt(side + first)[0];
+    /* Not behind the point, not even by rounding: there the normal has turned over. */
+    const before = exact - ROUNDING * (2 * side - 1);
+    if (isOnePlace(jets)(place(before), place(Math.abs(side - 1 / GRID)))) return [tipAt(jets, range, periodic, pole, before)];
+    return first * outwards > 0 ? [{ pole, beyond: first * outwards, at: null, smooth: false }] : [];
+  });
+}
+
+/** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
+function tipAt(jets, range, periodic, pole, fraction) {
+  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const places = linePlaces(range, direction, fraction, FRACTIONS);
+  const smooth = periodic[1 - direction] && Math.abs(turning(jets, places, direction) - 2 * Math.PI) <= FLAT;
+  const beyond = (fraction - side) * (side ? 1 : -1) * (range.upper[direction] - range.lower[direction]);
+  return { pole, beyond, at: vector(jets(places), 0, 0), smooth };
+}
+
+/**
+ * By how much the direction across turns along a line of the rectangle: radians, exact where it stays in a plane.
+ * @param {Jets} jets @param {number[]} places @param {number} direction
+ */
+function turning(jets, places, direction) {
+  const sampled = jets(places);
+  const across = FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)).map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
+  return across.slice(1).reduce((sum, x, i) => sum + 2 * Math.asin(Math.min(1, gap(x, across[i]) / 2)), 0);
 }
 
 /** @param {Jets} jets */
@@ -168,7 +229,22 @@ export function findDomain(asked, surface, { lower, upper }) {
     for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkCloses(surface.jets, range, size, direction);
   }
   const periodic = asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, direction)) : [asked.u === true, asked.v === true];
-  return { lower, upper, periodic, poles: findPoles(surface, range) };
+  const poles = findPoles(surface, range);
+  const { jets } = surface;
+  const winding = surface.tensors
+    ? []
+    : [1, 2, 3, 4].filter((pole) => {
+        const direction = (pole - 1) >> 1;
+        return turning(jets, linePlaces(range, direction, (pole - 1) & 1, FRACTIONS), direction) > Math.PI;
+      });
+  const holes = findHoles(
+    jets,
+    range,
+    periodic,
+    winding.filter((pole) => !poles.includes(pole)),
+  );
+  const tips = [...poles.map((pole) => tipAt(jets, range, periodic, pole, (pole - 1) & 1)), ...holes];
+  return { lower, upper, periodic, poles, tips, around: winding.filter((pole) => tips.some((tip) => tip.pole === pole)) };
 }
 
 /**

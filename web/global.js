@@ -4,7 +4,7 @@
  */
 
 import { distinct, estimate, isSame } from './distinct.js';
-import { isAtPole, liftNear } from './domain.js';
+import { gap, isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -21,9 +21,9 @@ import {
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
-/** @typedef {{ to: number[], path: RawPath }} Found a path, and where its second end is lifted to */
+/** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with */
 /** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
-/** @typedef {Found & { pole: number }} Way over a pole, 1 + 2 · coordinate + side */
+/** @typedef {Found & import('./domain.js').Tip} Way over a pole, or where a hole takes its place */
 
 /**
  * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
@@ -31,9 +31,9 @@ import {
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
- * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number) => RawPath} solve from `from`; pole: through the point to which
- *   an edge of the rectangle collapses, 1 + 2 · coordinate + side; 4 more: in a chart around it, and a third
- *   number of the end is what the coordinate along that edge changes by once around
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
+ *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
+ *   number of the end is what the coordinate along that edge changes by once around; 8 more: around the edge, as around a hole
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
@@ -55,11 +55,27 @@ const MOST_FINE = 4;
 const AGREEMENT = 1e-6;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
 const AT_REST = 1e-9;
+/** Nearer to a pole than its nodes are to each other, a path turns by half of the range in a chord; no path by this part of it. */
+const LEAP = 0.75;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved. */
 const MOST_UNFOLLOWED = 2;
+/** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
+const COMPARED_POINTS = 64;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
+
+/** @param {SolveOptions} options @returns {SolveOptions} */
+const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
+
+/** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
+const asAsked = ({ path, again }, options) => (again && (options.points !== COMPARED_POINTS || options.record) ? again(options) : path);
+
+/** Whether a path is one of these. @param {Found[]} list @param {Found} found */
+const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
+
+/** Infinite where there is none. @param {Found[]} list */
+const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => path.length || Infinity));
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
@@ -75,46 +91,53 @@ export function findPaths(problem, options, most) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === CONVERGED) return [path];
   }
-  const ways = overPoles(problem, options);
-  const found = choosePaths(problem, options, most, ways);
-  const corner = most === 1 && ways.find(({ path }) => path.status === STALLED)?.path;
-  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.length) ? [corner] : found;
-}
-
-/**
- * The paths among all starts; `ways` lead over poles.
- * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {Way[]} ways
- * @returns {RawPath[]}
- */
-function choosePaths(problem, options, most, ways) {
   const { starts, status } = findStarts(problem);
   /** @type {Tried[]} */
   const tried = [];
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
-  const rough = distinct(tried.filter(holds));
-  const isUnfollowed = (/** @type {RawPath} */ path) =>
-    path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > rough[0]?.path.length);
-  const unknown = tried.filter(({ coarse }) => !isKnown(coarse, tried));
-  const unfollowed = unknown.filter(({ start, path }) => start && isUnfollowed(path));
+  const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
+  const ways = overPoles(problem, options, rough[0]?.path);
+  const found = choosePaths(problem, options, most, { tried, status, rough, ways });
+  const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
+  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length)
+    ? [asAsked(corner, options)]
+    : found;
+}
+
+/**
+ * The paths among all that were tried.
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most
+ * @param {{ tried: Tried[], status: number, rough: Found[], ways: Way[] }} candidates status: of the search; rough: those tried that hold; ways: over poles
+ * @returns {RawPath[]}
+ */
+function choosePaths(problem, options, most, { tried, status, rough, ways }) {
+  const beside = besidePoles(problem, options, ways, rough);
+  /* Charts around two poles may lead to the same path: the first one tells, whatever the last bits say. */
+  const passing = beside.filter((found, i) => holds(found) && !isAmong(beside.slice(0, i).filter(holds), found));
+  const fine = [...passing, ...ways.filter(holds)];
+  const unknown = tried.filter((one) => !isKnown(one.coarse, tried) && !isAmong(fine, one) && !leaps(problem, one.path));
+  const shortest = lengthOfShortest([...rough, ...fine]);
+  const unfollowed = unknown.filter(
+    ({ start, path }) => start && (path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > shortest)),
+  );
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
     i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
   /** @type {Found[]} */
-  let usable = [];
+  let usable = passing;
   /** @type {RawPath[]} */
   const failed = [];
   for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
-    const fine = { to: found.to, path: refine(problem, found, options) };
-    if (holds(fine)) usable = distinct([...usable, fine]);
-    else failed.push(fine.path);
+    if (isAmong(passing, found)) continue;
+    const refined = { to: found.to, path: refine(problem, found, options) };
+    if (holds(refined)) usable = distinct([...usable, refined]);
+    else failed.push(refined.path);
   }
   for (const followed of asTheyAre(problem, options, unfollowed))
     if (holds(followed)) usable.push(followed);
     else failed.push(followed.path);
-  const beside = besidePoles(problem, options, ways, usable);
-  usable.push(...beside.filter(holds));
   usable.push(...shorterOverPole(ways, usable));
   const chosen = distinct(usable);
   const weak =
@@ -122,9 +145,10 @@ function choosePaths(problem, options, most, ways) {
     chosen.length > 0 &&
     (failed.find((path) => isShorterAnyway(path, chosen[0].path, options)) ?? stalledBeside(problem, unknown, options, chosen[0].path));
   if (weak) return [weak];
-  if (chosen.length > 0) return chosen.slice(0, most).map(({ path }) => path);
+  if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
-  return [failed[0] ?? beside[0]?.path ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
+  if (failed.length === 0 && beside.length > 0) return [asAsked(beside[0], options)];
+  return [failed[0] ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
 }
 
 /**
@@ -172,38 +196,62 @@ function straightEnds({ from, to, domain }) {
 
 /**
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
- * shortest.
- * @param {Problem} problem @param {SolveOptions} options
+ * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
+ * even as straight lines in space are longer than the best path are left out.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath | undefined} best
  */
-function overPoles({ from, to, domain, solve }, options) {
+function overPoles({ from, to, domain, isPlain, solve }, options, best) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
-  return domain.poles
-    .filter((pole) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
-    .map((pole) => ({ to, pole, path: solve(to, null, options, pole) }))
+  const isFar = (/** @type {ArrayLike<number>} */ at, /** @type {RawPath} */ path) =>
+    gap(path.points, at) + gap(path.points.subarray(-3), at) > (1 + MARGIN) * estimate(path);
+  return domain.tips
+    .filter(({ pole, at }) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole) && !(isPlain && best && at && isFar(at, best)))
+    .map((tip) => {
+      const again = (/** @type {SolveOptions} */ asked) => solve(to, null, asked, tip.pole, tip.beyond);
+      const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
+      return { ...tip, to, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
+    })
     .sort((a, b) => (a.path.length || Number.MAX_VALUE) - (b.path.length || Number.MAX_VALUE));
 }
 
 /** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
 function shorterOverPole(ways, others) {
-  const shortest = Math.min(...others.map(({ path }) => path.length));
+  const shortest = lengthOfShortest(others);
   return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
 }
 
 /**
- * Paths that pass a pole nearby, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
+ * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
 function besidePoles({ from, to, domain, solve }, options, ways, others) {
-  const shortest = Math.min(...[...others, ...ways].map(({ path }) => path.length || Infinity));
+  const shortest = lengthOfShortest([...others, ...ways]);
   return ways
     .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
-    .map(({ pole }) => {
+    .flatMap(({ pole, beyond, at }) => {
       const range = /** @type {import('./domain.js').Domain} */ (domain);
       const along = pole > 2 ? 0 : 1;
       const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
-      return { to: end, path: solve(end, null, options, pole + 4) };
+      const kinds = [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])];
+      return kinds.map((kind) => {
+        const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, pole + kind, beyond);
+        return { to: end, again, path: again(compared(options)) };
+      });
     })
     .filter(({ path }) => path.status >= CONVERGED);
+}
+
+/**
+ * Whether a rough path goes around a pole or a hole within a chord, or through a slit between walls.
+ * @param {Problem} problem @param {RawPath} path
+ */
+function leaps({ domain }, { parameters }) {
+  if (!domain || !parameters) return false;
+  return domain.around.some((pole) => {
+    const along = pole > 2 ? 0 : 1;
+    const most = LEAP * (domain.upper[along] - domain.lower[along]);
+    return parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most);
+  });
 }
 
 /** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */

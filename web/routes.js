@@ -64,7 +64,8 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
         to: b,
         isPlain,
         domain,
-        solve: (end, start, asked, pole) => watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, pole }, asked)),
+        solve: (end, start, asked, pole, beyond = 0) =>
+          watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
         graph: (level) => watch(graphs.find(heap, record, place, level)),
         flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
         search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points, most > 1)),

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { KINDS } from '../../demo/state/kinds.js';
 import { describeStatus } from '../../demo/panels/words.js';
-import { STATUS } from '../../web/path.js';
+import { STATUS } from '../../web/runtime/status.js';
 import { measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { gallery } from '../../web/gallery.js';
 import { ExpressionError, load } from '../../web/index.js';
-import { STATUS } from '../../web/path.js';
+import { STATUS } from '../../web/runtime/status.js';
 
 /** @typedef {import('../helpers/random.js').Random} Random */
 

@@ -21,6 +21,7 @@ const METRICS = {
   induced: { kind: 'parametric', x: 'u', y: 'v', z: '0', u: [-1, 1], v: [-1, 1], metric: { E: '1+v^2', F: 'u*v/4', G: '1+sin(u)^2' } },
   abstract: { kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-1, 1], v: [0.5, 2] },
   sphere: { kind: 'implicit', f: 'x^2+y^2+z^2-1', bounds: [-2, -2, -2].map((low) => [low, -low]), density: '1+x^2' },
+  slit: { kind: 'parametric', x: 'sin(u)*cos(v)', y: 'sin(u)*sin(v)', z: 'cos(u)', u: [0, 3.1], v: [0, 6.2], density: '1+z^2/5' },
 };
 /** Not smooth, not finite, not there. @type {Record<string, any>} */
 const HOSTILE = {

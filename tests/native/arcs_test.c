@@ -227,6 +227,46 @@ static void test_poles(void) {
     }
 }
 
+/* Around the end of a globe that is cut off: along a great circle that touches the parallel at the cut, along that, and away. `apart`:
+ * radians. Returns NaN where a great circle passes it. */
+static double around_cut(double radius, const double to_middle[2], double apart) {
+    double length = 0, turned = 0;
+    for (int i = 0; i < 2; i++)
+        length += acos(cos(to_middle[i]) / cos(radius)), turned += acos(tan(radius) / tan(to_middle[i]));
+    return apart > turned ? length + (apart - turned) * sin(radius) : (double)NAN;
+}
+
+static void test_holes(void) {
+    const double radii[] = {0.05, 1e-3, 1e-6, 1e-9};
+    struct sp_surface cut = whole_globe_surface;
+    for (int i = 0; i < 4; i++)
+        for (double apart = -3.9; apart < 4; apart += 0.6) {
+            double radius = radii[i], end = PI / 2 - radius, to_middle[2] = {PI / 2 - 1.2, PI / 2 - 0.3};
+            double length = around_cut(radius, to_middle, fabs(apart));
+            cut.lower[1] = -end, cut.upper[1] = end;
+            for (int side = -1; side <= 1; side += 2) {
+                struct sp_request around = {{0.3, side * 1.2, radius}, {0.3 + apart, side * 0.3, 0}, NULL, 0, side > 0 ? 12 : 11};
+                struct sp_result result = solve(&cut, around, options_of(1e-9));
+                if (length > 0)
+                    check_length("around a hole", result, length, 1e-9);
+                else
+                    CHECK(result.status == SP_SINGULAR_METRIC, "beside a hole: status %d, length %g", result.status, result.length);
+            }
+        }
+    cut.lower[1] = -PI / 2 + 1e-3, cut.upper[1] = PI / 2 - 1e-3;
+    struct sp_request around = {{0.3, 1.2, 1e-3}, {4, 0.3, 0}, NULL, 0, 12};
+    check_starved("hole", &cut, around, around_cut(1e-3, (double[2]){PI / 2 - 1.2, PI / 2 - 0.3}, 3.7));
+    /* The same cut, over its middle, and in the chart around that. */
+    struct sp_request over = {{0.3, 1.2, 1e-3}, {0.3 + PI, 1.1, 0}, NULL, 0, 4},
+                      beside = {{0.3, 1.2, 1e-3}, {2.3, 0.3, 2 * PI}, NULL, 0, 8};
+    check_length("over a hole", solve(&cut, over, options_of(1e-9)), PI - 2.3, 1e-9);
+    check_length("past a hole", solve(&cut, beside, options_of(1e-9)), acos(sin(1.2) * sin(0.3) + cos(1.2) * cos(0.3) * cos(2)), 1e-9);
+    /* Half a turn apart, but for what lets the great circle pass the middle by half the hole's radius, between two nodes. */
+    double off = 0.5e-3 * (1 / tan(PI / 2 - 1.2) + 1 / tan(PI / 2 - 0.3));
+    struct sp_request through = {{0.3, 1.2, 1e-3}, {0.3 + PI - off, 0.3, 2 * PI}, NULL, 0, 8};
+    CHECK(solve(&cut, through, options_of(1e-9)).status == SP_SINGULAR_METRIC, "through a hole");
+}
+
 /* Where longitude is no polar angle a path that arrives straight turns, in the chart, on its way to the pole. Between places opposite to
  * each other it goes on in the opposite direction; else it would have to turn there, and is no geodesic. */
 static void test_turning(void) {
@@ -282,6 +322,9 @@ int main(void) {
     test_walls();
     test_corner();
     test_poles();
+    arena.size = 1 << 24;
+    test_holes();
+    arena.size = 1 << 24;
     test_turning();
     arena.size = 1 << 24;
     test_cusps();

@@ -26,11 +26,24 @@ static struct sp_result solve(const struct sp_surface *surface, const struct sp_
 static void check_pole(void) {
     struct sp_request request = {{0.1, 0.2, 0}, {1.4, -0.3, 0}, NULL, 0, 0}, wrong = request;
     struct sp_result plain = solve(&globe_surface, &request);
-    for (int32_t pole = 5; pole < 9; pole++) {
+    for (int32_t pole = 5; pole < 14; pole++) {
         wrong.pole = pole;
         struct sp_result result = solve(&globe_surface, &wrong);
         CHECK(result.status == SP_CONVERGED && result.length == plain.length, "pole %d: status %d", pole, result.status);
     }
+}
+
+/* How far beyond an edge the surface collapses may be any number, and wrong. */
+static void check_beyond(void) {
+    const double numbers[] = {0, -1, 1e-3, 1, 1e308, -1e308, 1e-308, (double)INFINITY, -(double)INFINITY, (double)NAN};
+    for (int32_t pole = 1; pole < 13; pole++)
+        for (int i = 0; i < 10; i++) {
+            struct sp_request request = {{0.1, 0.2, numbers[i]}, {1.4, -0.3, 6.28}, NULL, 0, pole};
+            struct sp_result result = solve(&globe_surface, &request);
+            int is_path = result.length >= 0 && result.length_error >= 0;
+            CHECK(result.status < 0 ? isnan(result.length) : is_path, "pole %d, %g beyond: status %d, length %g", pole, numbers[i],
+                  result.status, result.length);
+        }
 }
 
 /* A rectangle from infinity led to a length of NaN, called converged. */
@@ -115,6 +128,7 @@ static void check_empty_graph(void) {
 
 int main(void) {
     check_pole();
+    check_beyond();
     check_rectangle();
     check_unsolved_pole();
     check_projection();

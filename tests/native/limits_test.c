@@ -82,6 +82,10 @@ static void check_solves(void) {
     check_solve("pole", &whole_globe_surface, past_pole, elements, 1);
     past_pole.pole = 8, past_pole.to[2] = 2 * HALF_TURN, past_pole.to[0] -= 1e-4;
     check_solve("beside a pole", &whole_globe_surface, past_pole, elements, 0);
+    struct sp_surface cut = whole_globe_surface;
+    cut.upper[1] -= 1e-3;
+    struct sp_request around = {{0.3, 1.3, 1e-3}, {0.5 + HALF_TURN, 1.2, 0}, NULL, 0, 12};
+    check_solve("around a hole", &cut, around, elements, 1);
 }
 
 static void check_traces(void) {

@@ -23,6 +23,8 @@ const SLOW = 5000;
 const FINE_POINTS = 255;
 /** A path is traced in so many pieces: a direction at its start says little about a far end. */
 const PIECES = 8;
+/** Of a piece: as many as tell its first direction. */
+const FEWEST_CHORDS = 8;
 /** One-sided differences of eighth order at the first of equally spaced points, times 840. */
 const DIFFERENCES = [-2283, 6720, -11760, 15680, -14700, 9408, -3920, 960, -105];
 const TURN = 1e-6;
@@ -90,21 +92,31 @@ function shoot(surface, from, direction, length, target) {
 }
 
 /**
+ * The length of a piece of a path, traced; where that does not hit its end, as beside a rim, of its halves.
+ * @param {Surface} surface @param {Path} fine @param {number} at its first chord @param {number} chords
+ * @returns {number} as shoot
+ */
+function tracedLength(surface, fine, at, chords) {
+  const [places, width] = fine.parameters ? [fine.parameters, 2] : [fine.points, 3];
+  const from = Array.from(places.subarray(width * at, width * (at + 1)));
+  const target = fine.points.subarray(3 * (at + chords), 3 * (at + chords + 1));
+  const direction = directionAt(fine.points, at);
+  const way = width === 2 ? inParameters(surface, from, direction) : direction;
+  const length = shoot(surface, from, way, (fine.length * chords) / (FINE_POINTS + 1), target);
+  const half = chords / 2;
+  if (length !== Infinity || half < FEWEST_CHORDS) return length;
+  return tracedLength(surface, fine, at, half) + tracedLength(surface, fine, at + half, half);
+}
+
+/**
  * How much longer a path is if it is traced, piece by piece.
  * @param {Surface} surface @param {Path} fine
  * @returns {number} relative; infinite: a piece does not hit its end; NaN: an edge is in the way
  */
 function missOf(surface, fine) {
-  const places = fine.parameters ?? fine.points;
-  const width = fine.parameters ? 2 : 3;
   const chords = (FINE_POINTS + 1) / PIECES;
   let length = 0;
-  for (let at = 0; at <= FINE_POINTS; at += chords) {
-    const from = Array.from(places.subarray(width * at, width * (at + 1)));
-    const target = fine.points.subarray(3 * (at + chords), 3 * (at + chords + 1));
-    const direction = directionAt(fine.points, at);
-    length += shoot(surface, from, width === 2 ? inParameters(surface, from, direction) : direction, fine.length / PIECES, target);
-  }
+  for (let at = 0; at <= FINE_POINTS; at += chords) length += tracedLength(surface, fine, at, chords);
   return (length - fine.length) / fine.length;
 }
 

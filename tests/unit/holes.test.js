@@ -1,0 +1,130 @@
+// Edges that are almost a point, as where 3.14 stands for π: paths wind around them, pass them, and cross a pole that lies within the rectangle. Against spherical
+// trigonometry, and against the same surface in its own range.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+const surfpath = await load();
+const RIGHT = 1e-9;
+const PAIRS = 40;
+
+/** A unit sphere by colatitude and longitude. @param {number} least of the colatitude @param {number} most @param {number} around the longitude's range */
+const sphere = (least, most, around) =>
+  surfpath.parametric({ x: 'sin(u) cos(v)', y: 'sin(u) sin(v)', z: 'cos(u)', u: [least, most], v: [0, around] });
+
+/**
+ * The shortest way on the unit sphere between two places, colatitude and longitude, that winds by an angle around caps cut off at both poles.
+ * @param {number[]} from @param {number[]} to @param {number} angle @param {number[]} radii of the caps
+ */
+function wayBetween([a], [b], angle, radii) {
+  const apart = Math.abs(angle);
+  const around = radii.flatMap((radius, end) => {
+    const away = [a, b].map((colatitude) => (end ? Math.PI - colatitude : colatitude));
+    const turned = away.map((x) => Math.acos(Math.tan(radius) / Math.tan(x)));
+    const rest = apart - turned[0] - turned[1];
+    const tangents = away.map((x) => Math.acos(Math.cos(x) / Math.cos(radius)));
+    return rest > 0 ? [tangents[0] + tangents[1] + rest * Math.sin(radius)] : [];
+  });
+  const cosine = Math.cos(a) * Math.cos(b) + Math.sin(a) * Math.sin(b) * Math.cos(apart);
+  return around.length > 0 ? Math.min(...around) : Math.acos(cosine);
+}
+
+/** @param {number} seed @param {number[]} low @param {number[]} high */
+function* randomPairs(seed, low, high) {
+  const random = createRandom(seed);
+  const place = () => low.map((x, j) => random.between(x, high[j]));
+  for (let i = 0; i < PAIRS; i++) yield [place(), place()];
+}
+
+describe('a sphere whose range is not quite that of a sphere', () => {
+  for (const [most, around] of [
+    [3.14, 6.28],
+    [3.14, 6.2],
+    [3.1, 6.2],
+    [Math.PI - 2.7e-6, 2 * Math.PI - 5.3e-6],
+    [3, 5],
+  ])
+    test(`colatitude up to ${most}, longitude up to ${around}: every path converges, to the length that trigonometry gives, seed 1`, () => {
+      const surface = sphere(0.002, most, around);
+      for (const [from, to] of randomPairs(1, [0.01, 0], [most - 1e-4, around])) {
+        const path = surface.shortestPath(from, to);
+        const length = wayBetween(from, to, to[1] - from[1], [0.002, Math.PI - most]);
+        assert.equal(path.status, 'converged', `${from} to ${to}`);
+        assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+        assert.ok(Math.abs(path.length - length) <= path.lengthError + 1e-14, `${from} to ${to}: an error of ${path.length - length}`);
+        assert.equal(surface.shortestPath(to, from).length, path.length);
+      }
+    });
+
+  test('closed around: a path between places opposite to each other touches the hole or passes it, seed 2', () => {
+    const surface = sphere(0.002, Math.PI - 0.002, 2 * Math.PI);
+    const random = createRandom(2);
+    let touching = 0;
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, to] = [
+        [random.between(0.1, 1.2), random.between(0, 3)],
+        [random.between(0.1, 1.2), 0],
+      ];
+      const angle = Math.PI - random.between(0, 0.02);
+      to[1] = from[1] + angle;
+      const path = surface.shortestPath(from, to);
+      const length = wayBetween(from, to, angle, [0.002, 0.002]);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+      touching += Number(path.touchesBoundary);
+    }
+    assert.ok(touching > 5 && touching < PAIRS - 5, `${touching} touch`);
+  });
+
+  test('the pole within the rectangle: over it where a slit is in the way, seed 3', () => {
+    const surface = sphere(0, Math.PI + 7e-6, 6.28);
+    for (const [from, to] of randomPairs(3, [0.1, 0], [3, 6.28])) {
+      const path = surface.shortestPath(from, to);
+      const length = wayBetween(from, to, to[1] - from[1], [0, 0]);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+    }
+  });
+});
+
+test('an ellipsoid with tips cut off: as the whole one, where its paths pass them, seed 4', () => {
+  const axes = { x: '3 cos(v) cos(u)', y: '2 cos(v) sin(u)', z: 'sin(v)' };
+  const cut = surfpath.parametric({ ...axes, u: ['-pi', 'pi'], v: [-1.57, 1.57] });
+  const whole = surfpath.parametric({ ...axes, u: ['-pi', 'pi'], v: ['-pi/2', 'pi/2'] });
+  for (const [from, to] of randomPairs(4, [-3, -1.5], [3, 1.5])) {
+    const [path, other] = [cut, whole].map((surface) => surface.shortestPath(from, to));
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    if (path.touchesBoundary) assert.ok(path.length >= other.length && path.length < other.length * (1 + 1e-5), `${from} to ${to}`);
+    else assert.ok(Math.abs(path.length / other.length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${other.length}`);
+  }
+});
+
+test('a cone with its tip cut off and a slit: as in the plane into which it unrolls', () => {
+  const tip = 0.001;
+  const surface = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: '0.1 v', u: [0, 6.28], v: [tip, 2] });
+  const slant = Math.sqrt(1.01);
+  for (const [from, to] of randomPairs(5, [0, 0.01], [6.28, 2])) {
+    const [a, b, radius] = [from[1] * slant, to[1] * slant, tip * slant];
+    const angle = Math.abs(to[0] - from[0]) / slant;
+    const rest = angle - Math.acos(radius / a) - Math.acos(radius / b);
+    const straight = Math.sqrt(a * a + b * b - 2 * a * b * Math.cos(angle));
+    const length = rest > 0 ? Math.sqrt(a * a - radius * radius) + Math.sqrt(b * b - radius * radius) + rest * radius : straight;
+    const path = surface.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+  }
+});
+
+test('a density around a hole: the plane measured as a sphere, seed 6', () => {
+  const tip = 0.001;
+  const surface = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: '0', u: [0, 6.28], v: [tip, 2], density: '2/(1 + x^2 + y^2)' });
+  const radius = 2 * Math.atan(tip);
+  for (const [from, to] of randomPairs(6, [0, 0.01], [6.28, 0.9])) {
+    const [a, b] = [from, to].map(([u, v]) => [2 * Math.atan(v), u]);
+    const path = surface.shortestPath(from, to);
+    const length = wayBetween(a, b, b[1] - a[1], [radius, radius]);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+  }
+});
