@@ -23,7 +23,7 @@ import {
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
 /** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with */
 /** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
-/** @typedef {Found & import('./domain.js').Tip} Way over a pole, or where a hole takes its place */
+/** @typedef {Found & import('./domain.js').Tip & { bound: number }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
 
 /**
  * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
@@ -61,12 +61,19 @@ const LEAP = 0.75;
 const MOST_UNFOLLOWED = 2;
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 const COMPARED_POINTS = 64;
+/** And no more steps: near a pole of its own chart a path takes 10 to 25, near another one hundreds, and for nothing. */
+const COMPARED_STEPS = 60;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
 
 /** @param {SolveOptions} options @returns {SolveOptions} */
-const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
+const compared = (options) => ({
+  ...options,
+  points: COMPARED_POINTS,
+  maxIterations: Math.min(options.maxIterations, COMPARED_STEPS),
+  record: false,
+});
 
 /** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
 const asAsked = ({ path, again }, options) => (again && (options.points !== COMPARED_POINTS || options.record) ? again(options) : path);
@@ -96,7 +103,7 @@ export function findPaths(problem, options, most) {
   const tried = [];
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
   const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
-  const ways = overPoles(problem, options, rough[0]?.path);
+  const ways = overPoles(problem, options, tried, rough);
   const found = choosePaths(problem, options, most, { tried, status, rough, ways });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length)
@@ -198,20 +205,22 @@ function straightEnds({ from, to, domain }) {
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
  * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
  * even as straight lines in space are longer than the best path are left out.
- * @param {Problem} problem @param {SolveOptions} options @param {RawPath | undefined} best
+ * @param {Problem} problem @param {SolveOptions} options @param {Found[]} tried @param {Found[]} rough those that hold
+ * @returns {Way[]}
  */
-function overPoles({ from, to, domain, isPlain, solve }, options, best) {
+function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
-  const isFar = (/** @type {ArrayLike<number>} */ at, /** @type {RawPath} */ path) =>
-    gap(path.points, at) + gap(path.points.subarray(-3), at) > (1 + MARGIN) * estimate(path);
+  const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
   return domain.tips
-    .filter(({ pole, at }) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole) && !(isPlain && best && at && isFar(at, best)))
+    .filter(({ pole }) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
+    .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) : 0 }))
+    .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
     .map((tip) => {
       const again = (/** @type {SolveOptions} */ asked) => solve(to, null, asked, tip.pole, tip.beyond);
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
       return { ...tip, to, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })
-    .sort((a, b) => (a.path.length || Number.MAX_VALUE) - (b.path.length || Number.MAX_VALUE));
+    .sort((a, b) => (a.path.length || a.bound) - (b.path.length || b.bound));
 }
 
 /** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
@@ -225,20 +234,22 @@ function shorterOverPole(ways, others) {
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
 function besidePoles({ from, to, domain, solve }, options, ways, others) {
-  const shortest = lengthOfShortest([...others, ...ways]);
-  return ways
-    .filter(({ path }) => !(path.length * (1 - MARGIN) > shortest))
-    .flatMap(({ pole, beyond, at }) => {
-      const range = /** @type {import('./domain.js').Domain} */ (domain);
-      const along = pole > 2 ? 0 : 1;
-      const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
-      const kinds = [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])];
-      return kinds.map((kind) => {
-        const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, pole + kind, beyond);
-        return { to: end, again, path: again(compared(options)) };
-      });
-    })
-    .filter(({ path }) => path.status >= CONVERGED);
+  let shortest = lengthOfShortest([...others, ...ways]);
+  /** @type {Found[]} */
+  const found = [];
+  for (const { pole, beyond, at, bound, path: over } of ways) {
+    if (Math.max(over.length || 0, bound) * (1 - MARGIN) > shortest) continue;
+    const range = /** @type {import('./domain.js').Domain} */ (domain);
+    const along = pole > 2 ? 0 : 1;
+    const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
+    for (const kind of [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
+      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, pole + kind, beyond);
+      const way = { to: end, again, path: again(compared(options)) };
+      if (way.path.status >= CONVERGED) found.push(way);
+      if (holds(way)) shortest = Math.min(shortest, way.path.length);
+    }
+  }
+  return found;
 }
 
 /**
