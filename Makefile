@@ -217,9 +217,10 @@ build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefil
 	@echo $(@D)
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
-	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --line-limit=1000 --format=esm --target=es2022 \
+	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --format=esm --target=es2022 \
 	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
-	@cp -r demo/index.html demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
+	@sed 's/^ *//' demo/index.html >$(@D)/index.html
+	@cp -r demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
 
 # Native builds of the same C: with sanitizers for the tests; optimised, one object, for benchmarks and the symbol check.
 

@@ -106,7 +106,7 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
     return 1;
 }
 
-/* Newton, a step at most half the arc. */
+/* Newton. */
 static int fit(struct sp_newton *newton, const struct sp_options *options, int wanted, struct sp_piece *piece, struct sp_arena *arena) {
     double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
     if (enough < LEAST_SINE) enough = LEAST_SINE;

@@ -6,6 +6,8 @@
 enum { DEGREE = 8, COUNT = 16 };
 /* Largest step of a contact, radians around the hole. */
 static const double STEP = 0.5;
+/* Part of the angles of both tangents from which on they are tried: where the surface is curved, or has a density, they are smaller. */
+static const double SURELY_BESIDE = 0.8;
 
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -18,7 +20,7 @@ struct tangent {
 };
 
 static struct tangent tangent_from(const double end[2], double far, double radius) {
-    double along = root(far * far - radius * radius), cosine = radius / far, sine = along / far;
+    double squared = far * far - radius * radius, along = squared > 0 ? root(squared) : 0, cosine = radius / far, sine = along / far;
     return (struct tangent){
         {end[0], end[1]}, far, cosine, {radius * cosine, radius * sine}, sp_atan2(sp_splat(along), sp_splat(radius))[0]};
 }
@@ -65,7 +67,7 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_fold fold = newton->system.line.fold;
-    struct sp_contact contact = {.made = 2, .arcs = {.count = 3}};
+    struct sp_contact contact = {.made = 0, .arcs = {.count = 0}};
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
     struct tangent tangents[2];
     int32_t across = edge / 2;
@@ -74,14 +76,18 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
         for (int32_t j = 0; j < 2; j++)
             ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);
         double far = absolute(ends[i][across] - middle);
-        if (!(far > beyond)) return refined;
+        if (!(far > beyond || ends[i][across] == wall)) return refined;
         tangents[i] = tangent_from(ends[i], far, beyond);
     }
     double from = ends[0][1 - across], to = ends[1][1 - across], angle = sp_pole_angle(surface, across, wall, from, to),
            rate = angle / (to - from);
-    if (!(angle > tangents[0].angle + tangents[1].angle)) return refined; /* it passes beside it */
+    /* It passes beside it; by how much only a plane tells beforehand. */
+    if (!(angle > SURELY_BESIDE * (tangents[0].angle + tangents[1].angle))) return refined;
     for (int i = 0; i < 2; i++) {
-        struct sp_piece *piece = contact.pieces + i;
+        if (i) contact.arcs.arc[contact.arcs.count++] = (struct sp_arc){.on_edge = 1, .across = across, .value = wall, .ends = {from, to}};
+        if (ends[i][across] == wall) continue; /* there it begins, or ends */
+        struct sp_piece *piece = contact.pieces + contact.made++;
+        contact.arcs.arc[contact.arcs.count++] = (struct sp_arc){.on_edge = 0};
         double turned = i ? -rate : rate;
         if (!start_piece(newton, tangents + i, across, middle, turned, i, piece, arena))
             return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
@@ -91,7 +97,6 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
         touching->slides = 1, touching->across = across, touching->reach = STEP / absolute(rate);
         touching->place[across] = wall, touching->place[1 - across] += tangents[i].angle / turned;
     }
-    contact.arcs.arc[1] = (struct sp_arc){.on_edge = 1, .across = across, .value = wall, .ends = {from, to}};
     if (sp_contact_solve(newton, options, &contact, arena, &refined)) refined.outcome.active = 1, *arcs = contact.arcs;
     return refined;
 }

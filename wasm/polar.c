@@ -7,8 +7,8 @@
 /* Of the first path: what is near a pole or an apex is small. */
 enum { POINTS = 129 };
 static const double TURN = 6.28318530717958647693, SMOOTH = 1e-5;
-/* Of the range: nearer than that derivatives lose more to rounding than they change. */
-static const double LEAST = 1e-8;
+/* Of the range: nearer than that derivatives lose more to rounding than they change; and what rounding leads outside. */
+static const double LEAST = 1e-8, INSIDE = 1e-12;
 
 static const struct sp_polar *polar_of(const struct sp_surface *surface) { return (const struct sp_polar *)surface; }
 
@@ -104,8 +104,10 @@ int sp_polar_holds(const struct sp_polyline *line) {
         for (int32_t j = 0; j < 2; j++)
             place[j] = (sp_pair){from[j], from[j] + t * step[j]};
         sp_polar_leave(polar_of(line->surface), 1, place, place);
-        for (int j = 0; j < 2; j++)
-            if (sp_any((place[j] < sp_splat(whole->lower[j])) | (place[j] > sp_splat(whole->upper[j])))) return 0;
+        for (int j = 0; j < 2; j++) {
+            double slack = INSIDE * (whole->upper[j] - whole->lower[j]);
+            if (sp_any((place[j] < sp_splat(whole->lower[j] - slack)) | (place[j] > sp_splat(whole->upper[j] + slack)))) return 0;
+        }
     }
     return 1;
 }

@@ -73,7 +73,7 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, struc
         sp_piece_keep(newton, piece);
         double next = extrapolated(&piece->system, 1 - across), change = next - *end, enough = (strict ? ENOUGH : LOOSE) * range;
         if (strict && change * change <= enough * enough) return 1;
-        strict |= change * change <= enough * enough;
+        strict |= change * change <= enough * enough || 2 * round >= ROUNDS;
         *end = next;
     }
     return 1;

@@ -1,8 +1,8 @@
 /** The parameter rectangle of a surface: its ranges, which directions are closed, and lifts of points across a seam. Knows only evaluations of S and its derivatives. */
 
 /** @typedef {{ lower: number[], upper: number[] }} Range */
-/** @typedef {{ pole: number, beyond: number, at: Float64Array | null, smooth: boolean }} Tip an edge, 1 + 2 · coordinate + side; how far beyond it, in the coordinate across, the surface collapses to a point; negative: before it; that point, where it is known; and whether the surface is smooth there and closed around it */
-/** @typedef {Range & { periodic: boolean[], poles: number[], tips: Tip[], around: number[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: those of all that the surface lies around by more than half a turn */
+/** @typedef {{ pole: number, beyond: number, at: Float64Array | null, radius: number, smooth: boolean }} Tip an edge, 1 + 2 · coordinate + side; how far beyond it, in the coordinate across, the surface collapses to a point; negative: inside the rectangle; that point, where it is known; how far the edge is from it, in space; and whether the surface is smooth there and closed around it */
+/** @typedef {Range & { periodic: boolean[], poles: number[], tips: Tip[], around: { along: number, most: number }[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
 /** @typedef {(points: number[]) => ArrayLike<number>[]} Sampler */
 /** @typedef {{ jets: Jets, metrics: Sampler, tensors: Sampler | null }} Sampled `metrics`: for each point what measures length there, and its first derivatives; none where space does. `tensors`: E F G, where they do */
@@ -17,6 +17,8 @@ const DERIVATIVE_GAP = 1e-7;
 const NEAR_POINT = 0.05;
 const SAME_POINT = 0.1;
 const FLAT = 1e-5;
+/** Radians: half a turn, and some. */
+const HALF_AROUND = 1.2 * Math.PI;
 /** Of the range. */
 const ROUNDING = 2e-15;
 
@@ -119,17 +121,38 @@ function findHoles(jets, range, periodic, edges) {
     /* Not behind the point, not even by rounding: there the normal has turned over. */
     const before = exact - ROUNDING * (2 * side - 1);
     if (isOnePlace(jets)(place(before), place(Math.abs(side - 1 / GRID)))) return [tipAt(jets, range, periodic, pole, before)];
-    return first * outwards > 0 ? [{ pole, beyond: first * outwards, at: null, smooth: false }] : [];
+    return first * outwards > 0 ? [{ pole, beyond: first * outwards, at: null, radius: 0, smooth: false }] : [];
   });
 }
 
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
 function tipAt(jets, range, periodic, pole, fraction) {
   const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
-  const places = linePlaces(range, direction, fraction, FRACTIONS);
-  const smooth = periodic[1 - direction] && Math.abs(turning(jets, places, direction) - 2 * Math.PI) <= FLAT;
+  const sampled = jets(linePlaces(range, direction, fraction, FRACTIONS));
+  const at = vector(sampled, 0, 0);
   const beyond = (fraction - side) * (side ? 1 : -1) * (range.upper[direction] - range.lower[direction]);
-  return { pole, beyond, at: vector(jets(places), 0, 0), smooth };
+  return {
+    pole,
+    beyond,
+    at,
+    radius: reach(jets(linePlaces(range, direction, side, FRACTIONS)), at),
+    smooth: periodic[1 - direction] && isFlat(sampled, direction),
+  };
+}
+
+/** Whether the derivatives across a point are those of a plane around it, a cos θ + b sin θ, equal steps of the coordinate along those of θ. @param {Float64Array} sampled @param {number} direction */
+function isFlat(sampled, direction) {
+  const across = (/** @type {number} */ i) => vector(sampled, i, direction ? 6 : 3);
+  const twice = 2 * Math.cos((2 * Math.PI) / GRID);
+  const size = Math.max(...FRACTIONS.map((_, i) => Math.sqrt(dot(across(i), across(i)))));
+  return FRACTIONS.slice(2).every(
+    (_, i) =>
+      gap(
+        across(i).map((x, k) => x + across(i + 2)[k]),
+        across(i + 1).map((x) => twice * x),
+      ) <=
+      FLAT * size,
+  );
 }
 
 /**
@@ -230,21 +253,33 @@ export function findDomain(asked, surface, { lower, upper }) {
   }
   const periodic = asked === 'auto' ? [0, 1].map((direction) => closes(surface, range, direction)) : [asked.u === true, asked.v === true];
   const poles = findPoles(surface, range);
-  const { jets } = surface;
-  const winding = surface.tensors
-    ? []
-    : [1, 2, 3, 4].filter((pole) => {
-        const direction = (pole - 1) >> 1;
-        return turning(jets, linePlaces(range, direction, (pole - 1) & 1, FRACTIONS), direction) > Math.PI;
-      });
+  const { jets, tensors } = surface;
+  /** Radians by which the direction across turns along an edge. @param {number} pole */
+  const turned = (pole) => {
+    const direction = (pole - 1) >> 1;
+    return turning(jets, linePlaces(range, direction, (pole - 1) & 1, FRACTIONS), direction);
+  };
+  const winding = tensors ? [] : [1, 2, 3, 4].filter((pole) => turned(pole) > Math.PI);
   const holes = findHoles(
     jets,
     range,
     periodic,
     winding.filter((pole) => !poles.includes(pole)),
   );
-  const tips = [...poles.map((pole) => tipAt(jets, range, periodic, pole, (pole - 1) & 1)), ...holes];
-  return { lower, upper, periodic, poles, tips, around: winding.filter((pole) => tips.some((tip) => tip.pole === pole)) };
+  /* Where E, F and G measure length, positions tell nothing. */
+  const tips = [
+    ...poles.map((pole) =>
+      tensors ? { pole, beyond: 0, at: null, radius: 0, smooth: false } : tipAt(jets, range, periodic, pole, (pole - 1) & 1),
+    ),
+    ...holes,
+  ];
+  const around = winding
+    .filter((pole) => tips.some((tip) => tip.pole === pole))
+    .map((pole) => {
+      const along = pole > 2 ? 0 : 1;
+      return { along, most: (HALF_AROUND / turned(pole)) * (upper[along] - lower[along]) };
+    });
+  return { lower, upper, periodic, poles, tips, around };
 }
 
 /**

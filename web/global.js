@@ -23,7 +23,7 @@ import {
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
 /** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with */
 /** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
-/** @typedef {Found & import('./domain.js').Tip & { bound: number }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
+/** @typedef {Found & import('./domain.js').Tip & { bound: number, again: (options: SolveOptions) => RawPath }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
 
 /**
  * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
@@ -55,34 +55,28 @@ const MOST_FINE = 4;
 const AGREEMENT = 1e-6;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
 const AT_REST = 1e-9;
-/** Nearer to a pole than its nodes are to each other, a path turns by half of the range in a chord; no path by this part of it. */
-const LEAP = 0.75;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved. */
 const MOST_UNFOLLOWED = 2;
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 const COMPARED_POINTS = 64;
-/** And no more steps: near a pole of its own chart a path takes 10 to 25, near another one hundreds, and for nothing. */
-const COMPARED_STEPS = 60;
+/** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
+const BESIDE_STEPS = 60;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
 
 /** @param {SolveOptions} options @returns {SolveOptions} */
-const compared = (options) => ({
-  ...options,
-  points: COMPARED_POINTS,
-  maxIterations: Math.min(options.maxIterations, COMPARED_STEPS),
-  record: false,
-});
+const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
 
 /** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
-const asAsked = ({ path, again }, options) => (again && (options.points !== COMPARED_POINTS || options.record) ? again(options) : path);
+const asAsked = ({ path, again }, options) =>
+  again && (options.points !== COMPARED_POINTS || options.record || !holds({ path })) ? again(options) : path;
 
 /** Whether a path is one of these. @param {Found[]} list @param {Found} found */
 const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
 
 /** Infinite where there is none. @param {Found[]} list */
-const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => path.length || Infinity));
+const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => estimate(path) || Infinity));
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
@@ -132,7 +126,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
     i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
   /** @type {Found[]} */
-  let usable = passing;
+  let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
   for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
@@ -212,8 +206,8 @@ function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) 
   if (!domain || options.algorithm !== ELEMENTS) return [];
   const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
   return domain.tips
-    .filter(({ pole }) => !isAtPole(domain, from, pole) && !isAtPole(domain, to, pole))
-    .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) : 0 }))
+    .filter(({ pole, beyond }) => beyond > 0 || (!isAtPole(domain, from, pole) && !isAtPole(domain, to, pole)))
+    .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
     .map((tip) => {
       const again = (/** @type {SolveOptions} */ asked) => solve(to, null, asked, tip.pole, tip.beyond);
@@ -234,35 +228,37 @@ function shorterOverPole(ways, others) {
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
 function besidePoles({ from, to, domain, solve }, options, ways, others) {
-  let shortest = lengthOfShortest([...others, ...ways]);
+  let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
+  const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
   /** @type {Found[]} */
   const found = [];
-  for (const { pole, beyond, at, bound, path: over } of ways) {
-    if (Math.max(over.length || 0, bound) * (1 - MARGIN) > shortest) continue;
+  for (const tip of ways) {
+    const { pole, beyond, at, radius, bound } = tip;
+    if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
     const range = /** @type {import('./domain.js').Domain} */ (domain);
     const along = pole > 2 ? 0 : 1;
     const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
     for (const kind of [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
-      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, pole + kind, beyond);
-      const way = { to: end, again, path: again(compared(options)) };
+      const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
+      const way = { to: end, again, path: again(asked) };
       if (way.path.status >= CONVERGED) found.push(way);
       if (holds(way)) shortest = Math.min(shortest, way.path.length);
+      /* Half a turn in longitude is not always one around the pole. */ else if (tip.smooth && bound > 0)
+        tip.path = tip.again(compared(options));
     }
   }
   return found;
 }
 
 /**
- * Whether a rough path goes around a pole or a hole within a chord, or through a slit between walls.
+ * Whether a polyline jumps over a pole, a hole or a slit. One that passes a pole nearer than its nodes are apart turns by about half a turn in a chord.
  * @param {Problem} problem @param {RawPath} path
  */
 function leaps({ domain }, { parameters }) {
   if (!domain || !parameters) return false;
-  return domain.around.some((pole) => {
-    const along = pole > 2 ? 0 : 1;
-    const most = LEAP * (domain.upper[along] - domain.lower[along]);
-    return parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most);
-  });
+  return domain.around.some(({ along, most }) =>
+    parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most),
+  );
 }
 
 /** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */

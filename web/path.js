@@ -23,7 +23,7 @@ import { STATUS } from './runtime/status.js';
  *   if traced, as gradientNorm
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E
  * @property {number} index Morse index; 0: locally shortest; −1: not computed
- * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle
+ * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle (where the surface is not smooth around a pole, that may be the pole)
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular; with `'singular-metric'`: that is why there is none
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
  * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.

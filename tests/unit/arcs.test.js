@@ -130,6 +130,39 @@ describe('poles', () => {
     assertLength(surface.shortestPath([5, 0], [0.3, 0.7]), 0.7, 1e-12);
   });
 
+  test('E, F and G over positions: these say nothing of how a path passes the pole', () => {
+    const ball = {
+      x: 'sin(u) cos(v)',
+      y: 'sin(u) sin(v)',
+      z: 'cos(u)',
+      u: /** @type {[number, string]} */ ([0, 'pi']),
+      v: /** @type {[number, string]} */ ([0, '2pi']),
+    };
+    const surface = surfpath.parametric({ ...ball, metric: { E: 1, F: 0, G: 'sin(u)^2' } });
+    assertLength(surface.shortestPath([0.5, 0], [0.5, Math.PI]), 1, 1e-9);
+  });
+
+  test('longitude that is not proportional to the angle: straight through the centre of a disc', () => {
+    const angle = '(v + 0.5 sin(v))';
+    const disc = surfpath.parametric({ x: `u cos${angle}`, y: `u sin${angle}`, z: 0, u: [0, 2], v: ['-pi', 'pi'] });
+    let opposite = -1.2;
+    for (let i = 0; i < 30; i++)
+      opposite -= (opposite + 0.5 * Math.sin(opposite) - (1 + 0.5 * Math.sin(1) - Math.PI)) / (1 + 0.5 * Math.cos(opposite));
+    assertLength(disc.shortestPath([1, 1], [1, opposite]), 2, 1e-9);
+    const turned = (/** @type {number} */ v) => v + 0.5 * Math.sin(v);
+    const beside = opposite + 0.02;
+    assertLength(disc.shortestPath([1, 1], [1, beside]), 2 * Math.sin((turned(1) - turned(beside)) / 2), 1e-9);
+  });
+
+  test('ends on a rim, opposite to each other: over the top', () => {
+    const dome = surfpath.parametric({ x: 'sin(u) cos(v)', y: 'sin(u) sin(v)', z: 'cos(u)', u: [0, 1.3], v: [0, '2pi'] });
+    for (const off of [0, 1e-4, 0.01]) {
+      const angle = Math.PI - off;
+      const length = Math.acos(Math.cos(1.3) ** 2 + Math.sin(1.3) ** 2 * Math.cos(angle));
+      assertLength(dome.shortestPath([1.3, 0.1], [1.3, 0.1 + angle]), length, 1e-9);
+    }
+  });
+
   test('an edge on which E, F and G are constant is no pole', () => {
     const half = surfpath.metric({ E: '1/v^2', F: 0, G: '1/v^2', u: [-5, 5], v: [1, 5] });
     const path = half.shortestPath([-1, 1], [1, 2]);

@@ -128,3 +128,22 @@ test('a density around a hole: the plane measured as a sphere, seed 6', () => {
     assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
   }
 });
+
+test('from a place on the edge of a hole: along it, and away at a tangent, seed 7', () => {
+  const [low, high] = [0.0016, Math.PI - 0.0016];
+  const surface = sphere(low, high, 6.28);
+  for (const [edge, to] of randomPairs(7, [0, 0], [Math.PI, 6.28])) {
+    const from = [edge[0] < 1.5 ? low : high, edge[1]];
+    const place = [Math.min(Math.max(to[0], 0.01), 3.13), to[1]];
+    const path = surface.shortestPath(from, place);
+    const length = wayBetween(from, place, place[1] - from[1], [low, Math.PI - high]);
+    assert.equal(path.status, 'converged', `${from} to ${place}`);
+    assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${place}: ${path.length}, not ${length}`);
+  }
+});
+
+test('of two holes the one around which the way is shorter, though the way over its middle is not', () => {
+  const path = sphere(0.1, Math.PI - 0.002, 6.28).shortestPath([1.5, 0.1], [1.5, 6.2]);
+  const length = wayBetween([1.5], [1.5], 6.1, [0.1, 0.002]);
+  assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${path.length}, not ${length}`);
+});
