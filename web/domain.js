@@ -16,6 +16,7 @@ const DERIVATIVE_GAP = 1e-7;
 /** An edge that is almost a point: the point is so near, in parts of the range, and equally near everywhere along the edge, up to this part of that. */
 const NEAR_POINT = 0.05;
 const SAME_POINT = 0.1;
+/** The surface is smooth at a point if derivatives around it differ from those of a plane by less, as SMOOTH of wasm/polar.c. */
 const FLAT = 1e-5;
 /** Radians: half a turn, and some. */
 const HALF_AROUND = 1.2 * Math.PI;
@@ -94,35 +95,33 @@ function findPoles({ jets, tensors }, range) {
 }
 
 /**
- * Edges that are almost a point, as where 3.14 stands for π: the speed along them vanishes at a point a little beyond, extrapolated, or before.
- * @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number[]} edges that may be
- * @returns {Tip[]}
+ * An edge that is almost a point, as where 3.14 stands for π: the speed along it vanishes at a point a little beyond, extrapolated, or before.
+ * @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole the edge
+ * @returns {Tip[]} none or one
  */
-function findHoles(jets, range, periodic, edges) {
-  return edges.flatMap((pole) => /** @type {Tip[]} */ {
-    const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
-    const span = range.upper[direction] - range.lower[direction];
-    const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
-    /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
-    const offsetsAt = (fraction) => {
-      const sampled = jets(place(fraction));
-      return FRACTIONS.map((_, i) => {
-        const [speed, change] = [vector(sampled, i, direction ? 3 : 6), vector(sampled, i, 12)];
-        const [product, squared] = [dot(speed, change), dot(change, change)];
-        return product ** 2 >= (1 - SAME_POINT) * dot(speed, speed) * squared ? -product / (squared * span) : Number.NaN;
-      });
-    };
-    const offsets = offsetsAt(side);
-    const [first] = offsets;
-    const isNear = Math.abs(first) <= NEAR_POINT && offsets.every((offset) => Math.abs(offset - first) <= SAME_POINT * Math.abs(first));
-    if (!isNear) return [];
-    const outwards = side ? span : -span;
-    const exact = side + first + offsetsAt(side + first)[0];
-    /* Not behind the point, not even by rounding: there the normal has turned over. */
-    const before = exact - ROUNDING * (2 * side - 1);
-    if (isOnePlace(jets)(place(before), place(Math.abs(side - 1 / GRID)))) return [tipAt(jets, range, periodic, pole, before)];
-    return first * outwards > 0 ? [{ pole, beyond: first * outwards, at: null, radius: 0, smooth: false }] : [];
-  });
+function findHole(jets, range, periodic, pole) {
+  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const span = range.upper[direction] - range.lower[direction];
+  const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
+  /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
+  const offsetsAt = (fraction) => {
+    const sampled = jets(place(fraction));
+    return FRACTIONS.map((_, i) => {
+      const [speed, change] = [vector(sampled, i, direction ? 3 : 6), vector(sampled, i, 12)];
+      const [product, squared] = [dot(speed, change), dot(change, change)];
+      return product ** 2 >= (1 - SAME_POINT) * dot(speed, speed) * squared ? -product / (squared * span) : Number.NaN;
+    });
+  };
+  const offsets = offsetsAt(side);
+  const [first] = offsets;
+  const isNear = Math.abs(first) <= NEAR_POINT && offsets.every((offset) => Math.abs(offset - first) <= SAME_POINT * Math.abs(first));
+  if (!isNear) return [];
+  const exact = side + first + offsetsAt(side + first)[0];
+  /* Not behind the point, not even by rounding: there the normal has turned over. */
+  const before = exact - ROUNDING * (2 * side - 1);
+  if (isOnePlace(jets)(place(before), place(Math.abs(side - 1 / GRID)))) return [tipAt(jets, range, periodic, pole, before)];
+  const beyond = (side ? span : -span) * first;
+  return beyond > 0 ? [{ pole, beyond, at: null, radius: 0, smooth: false }] : [];
 }
 
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
@@ -260,12 +259,7 @@ export function findDomain(asked, surface, { lower, upper }) {
     return turning(jets, linePlaces(range, direction, (pole - 1) & 1, FRACTIONS), direction);
   };
   const winding = tensors ? [] : [1, 2, 3, 4].filter((pole) => turned(pole) > Math.PI);
-  const holes = findHoles(
-    jets,
-    range,
-    periodic,
-    winding.filter((pole) => !poles.includes(pole)),
-  );
+  const holes = winding.filter((pole) => !poles.includes(pole)).flatMap((pole) => findHole(jets, range, periodic, pole));
   /* Where E, F and G measure length, positions tell nothing. */
   const tips = [
     ...poles.map((pole) =>

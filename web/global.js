@@ -238,13 +238,14 @@ function besidePoles({ from, to, domain, solve }, options, ways, others) {
     const range = /** @type {import('./domain.js').Domain} */ (domain);
     const along = pole > 2 ? 0 : 1;
     const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
+    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
+    const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
     for (const kind of [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
       const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
       const way = { to: end, again, path: again(asked) };
       if (way.path.status >= CONVERGED) found.push(way);
       if (holds(way)) shortest = Math.min(shortest, way.path.length);
-      /* Half a turn in longitude is not always one around the pole. */ else if (tip.smooth && bound > 0)
-        tip.path = tip.again(compared(options));
+      else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
     }
   }
   return found;

@@ -163,7 +163,8 @@ export class Heap {
   /**
    * Runs sp_solve_path.
    * @param {number} surface address of its record
-   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request
+   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request pole: then `from` has a third number, how far
+   *   beyond that edge the surface collapses
    * @param {SolveOptions} options
    * @returns {RawPath}
    */
