@@ -42,6 +42,7 @@ static void count_negative(struct sp_fold fold, const struct sp_row *rows, struc
 struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, const struct sp_sweep *sweep) {
     struct sp_row *row = rows + sp_fold_unknown(fold);
     struct sp_carry p = sp_row_left(row, shift), carry = sweep->carry;
+    sp_pair softness = sweep->softness, trace, met;
     if (fold.odd) {
         /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
          * singular drives them apart. */
@@ -49,13 +50,15 @@ struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, doubl
     } else {
         /* Lane 1 takes that of lane 0, which is the row before it. */
         p = sp_reduce(p, carry);
-        sp_pivot(row, p);
+        sp_pivot(row, p, &trace);
+        softness = sp_larger(softness, (sp_pair){trace[0], 0});
         p = sp_reduce(p, second_lane(swap(sp_carry_of(row))));
     }
-    sp_mask definite = sweep->definite & sp_pivot(row, p);
+    sp_mask definite = sweep->definite & sp_pivot(row, p, &met);
+    softness = sp_larger(softness, 2.0 / (fold.inner + 1) * sp_splat(met[1]));
     sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){fold.odd ? 0 : last[0], last[1]};
-    struct sp_inertia inertia = {0, 1, descent[0] + descent[1]};
-    if (!(definite[0] && definite[1])) count_negative(fold, rows, &inertia);
+    struct sp_inertia inertia = {0, 1, descent[0] + descent[1], sp_larger(softness, sp_swap(softness))[0]};
+    if (!(definite[0] && definite[1])) count_negative(fold, rows, &inertia), inertia.softness = __builtin_inf();
     return inertia;
 }
 
@@ -135,19 +138,4 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
             return 1;
         }
     return 0;
-}
-
-/* Whether P - bound M is positive definite, lane by lane; of what a singular pivot has spoilt nothing is said. */
-static sp_mask exceeds(const struct sp_row *row, sp_pair bound) {
-    sp_pair by = bound * row->weight, a = row->pa - by * row->e, b = row->pb - by * row->f, d = row->pd - by * row->g;
-    return ~((a <= sp_splat(0.0)) | (a * d - b * b <= sp_splat(0.0)));
-}
-
-int sp_blocks_exceed(struct sp_fold fold, const struct sp_row *rows, double bound) {
-    double met = 2 * bound / (fold.inner + 1);
-    sp_mask all = exceeds(rows + sp_fold_unknown(fold), sp_splat(met));
-    all = (sp_mask){all[1], all[1]};
-    for (int32_t k = 1; k <= fold.both; k++)
-        all &= exceeds(rows + k, (sp_pair){bound, is_meeting(fold, k, 1) ? met : bound});
-    return all[0] && all[1];
 }

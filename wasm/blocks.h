@@ -23,6 +23,8 @@ struct sp_inertia {
     int32_t negative; /* negative eigenvalues of H + shift M */
     int32_t usable;   /* 0: a pivot block is singular or not finite; nothing may be solved */
     double descent;   /* r'(H + shift M)^-1 r: minus the slope of the scaled energy along the solution */
+    double softness;  /* the largest trace of P^-1 M over the pivots P, of that where the halves meet times 2/(n + 1), which on a straight
+                       * line  in a plane makes it 2; infinite unless all are positive definite */
 };
 
 /* Factors H + shift M of the unknown rows 1 … sp_fold_unknown and eliminates the right-hand side. */
@@ -34,9 +36,5 @@ void sp_blocks_solve(struct sp_fold fold, const struct sp_row *rows, sp_pair *x)
 /* Writes a direction of negative curvature, d'Hd < 0, after a factorisation with a negative pivot: the eigenvector of the first such pivot
  * carried outwards by L^-T. Returns 0, writing nothing, if there is none. */
 int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x);
-
-/* Whether the smallest eigenvalue of the pivots relative to M is above `bound`, after a factorisation: the one where the halves meet times
- * (n + 1)/2, which on a straight line in a plane makes it 1. */
-int sp_blocks_exceed(struct sp_fold fold, const struct sp_row *rows, double bound);
 
 #endif

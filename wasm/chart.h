@@ -20,7 +20,7 @@ struct sp_kind {
     void (*charts)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics);
 
     /* Moves every place by scale * step (two numbers a pair, in its chart) along the surface, to second order unless its lane of `straight`
-     * (one mask a pair, may be NULL: none) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
+     * (one mask a pair; NULL: all are) is set. Returns 0 where that leaves the region in which the chart means anything: `moved` is
      * then not to be used; 2 where some lane of it lies on a wall of the rectangle, else 1. */
     int (*move)(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts, const sp_pair *steps,
                 const sp_mask *straight, double scale, sp_pair *moved);
@@ -44,6 +44,10 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
 /* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
+
+/* The same without the last term, whatever `straight` says. */
+int sp_straight_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                     const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved);
 
 /* Positions of places of a surface that has any: its `value`, over whatever its places are. */
 void sp_positions(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *positions);

@@ -176,18 +176,18 @@ static enum sp_status check_chord(const struct sp_polyline *line, int32_t i, dou
     return line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
 }
 
-/* 1/|n|; zero where there is no normal. */
-static inline __attribute__((always_inline)) sp_pair unit_of(struct sp_vector normal) {
+/* 1/|n|^2; zero where there is no normal. */
+static inline __attribute__((always_inline)) sp_pair weight_of(struct sp_vector normal) {
     sp_pair zero = sp_splat(0.0), squared = sp_dot(normal, normal);
-    return sp_select(squared > zero, 1.0 / sp_square_root(squared), zero);
+    return sp_select(squared > zero, 1.0 / squared, zero);
 }
 
-/* (2 a^2 - a b + 2 b^2)/30 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md. */
-static inline __attribute__((always_inline)) void measure(const struct chord_pair *pair, sp_pair unit_from, sp_pair unit_to,
+/* (a^2 + b^2)/12 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md. */
+static inline __attribute__((always_inline)) void measure(const struct chord_pair *pair, sp_pair weight_from, sp_pair weight_to,
                                                           sp_mask counted, sp_pair *lengths, sp_pair *errors) {
     sp_pair zero = sp_splat(0.0), length = sp_square_root(pair->squared);
-    sp_pair a = sp_dot(pair->chord, pair->from) * unit_from, b = sp_dot(pair->chord, pair->to) * unit_to;
-    sp_pair error = (2.0 * a * a - a * b + 2.0 * b * b) / (30.0 * length);
+    sp_pair a = sp_dot(pair->chord, pair->from), b = sp_dot(pair->chord, pair->to);
+    sp_pair error = (a * a * weight_from + b * b * weight_to) / length;
     *lengths += sp_select(counted, length, zero), *errors += sp_select(counted & (length > zero), error, zero);
 }
 
@@ -195,9 +195,9 @@ static inline __attribute__((always_inline)) void measure(const struct chord_pai
 enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, struct sp_chord_sums *sums) {
     enum sp_status worst = SP_CONVERGED;
     int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
-    sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, unit_from, unit_to = lengths;
+    sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, weight_from, weight_to = lengths;
     struct chord_pair pair = {.to = sp_chart_normal(line->nodes.charts)};
-    if (sums) unit_to = unit_of(pair.to);
+    if (sums) weight_to = weight_of(pair.to);
     for (int32_t k = 0; k < chords; k++) {
         const sp_pair *chart = line->nodes.charts + SP_CHART * k;
         struct sp_vector chord = chord_of(chart);
@@ -212,11 +212,11 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, str
             if (status > worst) worst = status;
         }
         if (!sums) continue;
-        unit_from = unit_to, unit_to = unit_of(pair.to);
+        weight_from = weight_to, weight_to = weight_of(pair.to);
         /* For n even the last chord is its own mirror image. */
-        measure(&pair, unit_from, unit_to, (sp_mask){-1, k < line->fold.both || line->fold.odd ? -1 : 0}, &lengths, &errors);
+        measure(&pair, weight_from, weight_to, (sp_mask){-1, k < line->fold.both || line->fold.odd ? -1 : 0}, &lengths, &errors);
     }
-    if (sums) *sums = (struct sp_chord_sums){lengths[0] + lengths[1], errors[0] + errors[1]};
+    if (sums) *sums = (struct sp_chord_sums){lengths[0] + lengths[1], (errors[0] + errors[1]) / 12};
     enum sp_status metric = sp_metric_check(line, scale);
     return metric < 0 ? metric : worst;
 }

@@ -255,7 +255,7 @@ static void invert(sp_pair *pivot, struct sp_inertia *inertia) {
 /* LDL' of the first `inner` rows, in place, by rows in twos: L, on its diagonal D^-1; below, what is left on the borders is the Schur
  * complement, and beside the right-hand side's stands D^-1 L^-1 r. */
 static struct sp_inertia eliminate(sp_pair *matrix, int32_t order, int32_t inner) {
-    struct sp_inertia inertia = {0, 1, 0};
+    struct sp_inertia inertia = {0, 1, 0, 0};
     for (int32_t j = 0; j < order; j += 2) {
         sp_pair *row = matrix + j * order, *next = row + order;
         reduce_rows(matrix, order, inner, j);
@@ -311,7 +311,7 @@ static sp_pair *matrix_of(const struct sp_elements *elements, int32_t e) {
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
                                      const sp_mask *held, double shift) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
-    struct sp_inertia inertia = {0, 1, 0};
+    struct sp_inertia inertia = {0, 1, 0, 0};
     start_skeleton(elements, rows, shift);
     for (int32_t e = 0; e < elements->count / 2; e++) {
         sp_pair *matrix = matrix_of(elements, e);
@@ -325,7 +325,8 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
         add_schur(elements, matrix, e);
     }
     struct sp_inertia skeleton = sp_blocks_factor(skeleton_fold(elements), elements->skeleton, 0);
-    return (struct sp_inertia){inertia.negative + skeleton.negative, inertia.usable && skeleton.usable, inertia.descent + skeleton.descent};
+    skeleton.negative += inertia.negative, skeleton.usable &= inertia.usable, skeleton.descent += inertia.descent;
+    return skeleton;
 }
 
 /* Inner unknowns of element pair e from its borders, which `x` holds: backwards through L'. */
@@ -395,8 +396,4 @@ int sp_elements_descent(const struct sp_elements *elements, sp_pair *x) {
     spread(elements, x);
     expand(elements, 0, x);
     return 1;
-}
-
-int sp_elements_exceed(const struct sp_elements *elements, double bound) {
-    return sp_blocks_exceed(skeleton_fold(elements), elements->skeleton, bound);
 }

@@ -50,9 +50,8 @@ struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const s
  * element. */
 struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const sp_pair *charts);
 
-/* As sp_blocks_solve, sp_blocks_descent and sp_blocks_exceed, after sp_elements_factor. */
+/* As sp_blocks_solve and sp_blocks_descent, after sp_elements_factor. */
 void sp_elements_solve(const struct sp_elements *elements, sp_pair *x);
 int sp_elements_descent(const struct sp_elements *elements, sp_pair *x);
-int sp_elements_exceed(const struct sp_elements *elements, double bound);
 
 #endif

@@ -16,10 +16,11 @@ struct sp_sweep {
     struct sp_carry carry;
     sp_mask definite; /* lanes of positive definite pivots alone */
     sp_pair descent;  /* s'P^-1 s, summed */
+    sp_pair softness; /* the largest trace of P^-1 M */
 };
 
 /* Before the first row. */
-static inline struct sp_sweep sp_sweep_start(void) { return (struct sp_sweep){{{0}, {0}, {0}, {0}, {0}}, {-1, -1}, {0}}; }
+static inline struct sp_sweep sp_sweep_start(void) { return (struct sp_sweep){{{0}, {0}, {0}, {0}, {0}}, {-1, -1}, {0}, {0}}; }
 
 static inline __attribute__((always_inline)) struct sp_carry sp_reduce(struct sp_carry left, struct sp_carry carry) {
     return (struct sp_carry){left.a - carry.a, left.b - carry.b, left.d - carry.d, left.s1 + carry.s1, left.s2 + carry.s2};
@@ -35,8 +36,9 @@ static inline __attribute__((always_inline)) struct sp_carry sp_row_left(const s
     return left;
 }
 
-/* Solves for the row by its pivot block: writes P, W = P^-1 Q, y = P^-1 s. Returns where P is positive definite. */
-static inline __attribute__((always_inline)) sp_mask sp_pivot(struct sp_row *row, struct sp_carry p) {
+/* Solves for the row by its pivot block: writes P, W = P^-1 Q, y = P^-1 s, and the trace of P^-1 M. Returns where P is positive definite.
+ */
+static inline __attribute__((always_inline)) sp_mask sp_pivot(struct sp_row *row, struct sp_carry p, sp_pair *trace) {
     sp_pair zero = sp_splat(0.0), determinant = p.a * p.d - p.b * p.b, reciprocal = 1.0 / determinant;
     row->pa = p.a, row->pb = p.b, row->pd = p.d;
     row->w11 = reciprocal * (p.d * row->q11 - p.b * row->q21);
@@ -45,6 +47,7 @@ static inline __attribute__((always_inline)) sp_mask sp_pivot(struct sp_row *row
     row->w22 = reciprocal * (p.a * row->q22 - p.b * row->q12);
     row->y1 = reciprocal * (p.d * p.s1 - p.b * p.s2);
     row->y2 = reciprocal * (p.a * p.s2 - p.b * p.s1);
+    *trace = reciprocal * row->weight * (row->g * p.a - 2.0 * row->f * p.b + row->e * p.d);
     return (p.a > zero) & (determinant > zero) & (determinant < sp_splat(__builtin_inf()));
 }
 
@@ -57,7 +60,9 @@ static inline __attribute__((always_inline)) struct sp_carry sp_carry_of(const s
 /* Eliminates a row, one of all but the last of the unknown ones. */
 static inline __attribute__((always_inline)) void sp_eliminate(struct sp_row *row, double shift, struct sp_sweep *sweep) {
     struct sp_carry p = sp_reduce(sp_row_left(row, shift), sweep->carry);
-    sweep->definite &= sp_pivot(row, p);
+    sp_pair trace;
+    sweep->definite &= sp_pivot(row, p, &trace);
+    sweep->softness = sp_larger(sweep->softness, trace);
     sweep->descent += p.s1 * row->y1 + p.s2 * row->y2;
     sweep->carry = sp_carry_of(row);
 }

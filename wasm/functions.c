@@ -39,8 +39,6 @@ double sp_apply_function(int32_t function, double x, double y) {
         return sp_sin(a)[0];
     case SP_COS:
         return sp_cos(a)[0];
-    case SP_TAN:
-        return sp_tan(a)[0];
     case SP_ASIN:
         return sp_asin(a)[0];
     case SP_ACOS:

@@ -16,11 +16,9 @@ sp_pair sp_sin(sp_pair x);
 /* cos x, 0.78 ulp for every finite x. Costs what sp_sin costs. */
 sp_pair sp_cos(sp_pair x);
 
-/* Returns sin x and writes cos x to `cosine` (not NULL): the bits of sp_sin and sp_cos at the price of one. */
+/* Returns sin x and writes cos x to `cosine` (not NULL): the bits of sp_sin and sp_cos at the price of one. Their quotient is tan x, 2.17
+ * ulp for every finite x; never infinite, since no double is an odd multiple of pi/2. */
 sp_pair sp_sincos(sp_pair x, sp_pair *cosine);
-
-/* tan x, 2.17 ulp for every finite x; never infinite, since no double is an odd multiple of pi/2. */
-sp_pair sp_tan(sp_pair x);
 
 /* asin x in [-pi/2, pi/2] for -1 <= x <= 1, 1.16 ulp. */
 sp_pair sp_asin(sp_pair x);
@@ -77,7 +75,6 @@ sp_pair sp_hypot(sp_pair x, sp_pair y);
 enum sp_function {
     SP_SIN,
     SP_COS,
-    SP_TAN,
     SP_ASIN,
     SP_ACOS,
     SP_ATAN,

@@ -76,9 +76,10 @@ struct scaled {
 static inline struct scaled split(sp_pair x) {
     const uint64_t one = 0x3ff0000000000000, root = 0x3fe6a09e667f3bcd, fraction = 0xfffffffffffff, integer = 0x4330000000000000;
     sp_mask subnormal = x < SMALLEST_NORMAL;
-    sp_word bits = sp_word_of(sp_select(subnormal, x * 0x1p54, x)) + (one - root);
-    sp_pair biased = sp_pair_of((bits >> 52) | integer) - 0x1p52;
-    return (struct scaled){biased - sp_select(subnormal, sp_splat(1023.0 + 54.0), sp_splat(1023.0)), sp_pair_of((bits & fraction) + root)};
+    sp_pair bias = sp_splat(0x1p52 + 1023);
+    if (sp_any(subnormal)) x = sp_select(subnormal, x * 0x1p54, x), bias = sp_select(subnormal, bias + 54.0, bias);
+    sp_word bits = sp_word_of(x) + (one - root);
+    return (struct scaled){sp_pair_of((bits >> 52) | integer) - bias, sp_pair_of((bits & fraction) + root)};
 }
 
 /* The logarithm of 2^exponent mantissa, plus a correction that is small beside it or beside ln2_high. */
@@ -97,7 +98,8 @@ static inline sp_pair logarithm_of(sp_pair x, sp_pair value) {
 
 sp_pair sp_log(sp_pair x) {
     struct scaled parts = split(x);
-    return logarithm_of(x, logarithm(parts, parts.exponent * sp_constants.ln2_low));
+    sp_pair value = logarithm(parts, parts.exponent * sp_constants.ln2_low);
+    return sp_any(~((x > 0.0) & (x < SP_INFINITY))) ? logarithm_of(x, value) : value;
 }
 
 /* log(x 2^doublings) for x.high >= 1; exact in x.low, however small the logarithm. Out of line, as three functions share it. */

@@ -1,4 +1,4 @@
-/* Sine, cosine and tangent.
+/* Sine and cosine.
  *
  * The argument is reduced by the nearest multiple of pi/2 to |r| <= pi/4, in three parts after Cody and Waite; the few that this does not
  * reduce well enough (large, or next to a multiple of pi/2) go through the integer product with 2/pi of Payne and Hanek. */
@@ -112,7 +112,7 @@ static inline sp_pair reduced_cosine(const struct reduced_angle *angle) {
 
 static inline sp_mask is_odd(sp_word quadrant) { return (sp_mask)(0 - (quadrant & 1)); }
 
-/* The one copy of the code for all four functions: who asks for one of them pays for both, two operations in three of which they share. */
+/* The one copy of the code for all three functions: who asks for one of them pays for both, two operations in three of which they share. */
 __attribute__((noinline)) sp_pair sp_sincos(sp_pair x, sp_pair *cosine) {
     struct reduced_angle angle = reduce(x);
     sp_pair s = reduced_sine(&angle), c = reduced_cosine(&angle);
@@ -131,9 +131,4 @@ sp_pair sp_cos(sp_pair x) {
     sp_pair cosine;
     sp_sincos(x, &cosine);
     return cosine;
-}
-
-sp_pair sp_tan(sp_pair x) {
-    sp_pair cosine, sine = sp_sincos(x, &cosine);
-    return sine / cosine;
 }

@@ -4,8 +4,8 @@
 #include "sample.h"
 
 /* Why these: MATH.md, "Constants". */
-static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SOFT = 1e-2,
-                    LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
+static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4,
+                    SOFT = 1e-2, LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
 enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -66,8 +66,9 @@ static int move(struct sp_newton *newton, double scale) {
     sp_pair *places = newton->trial.places;
     for (int32_t j = 0; j < dimension; j++)
         places[j] = line->nodes.places[j];
+    const sp_mask *straight = newton->short_step ? NULL : newton->system.straight + 1;
     int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
-                                 newton->system.straight + 1, scale, places + dimension);
+                                 straight, scale, places + dimension);
     newton->trial_touches = moved == 2;
     sp_fold_mirror(line->fold, places, dimension);
     return moved;
@@ -147,6 +148,9 @@ static double search_escape(struct sp_newton *newton, double squares) {
 
 static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
 
+/* Whether the path resists every bend: the smallest eigenvalue relative to M of the pivots of its Hessian is above `bound`. */
+static int is_stiff(const struct round *round, double bound) { return round->inertia.softness * bound < 1; }
+
 static double norm_of(const struct sp_newton *newton, double gradient_squared) {
     return 2.0 * sp_system_segments(&newton->system) * root(gradient_squared);
 }
@@ -158,6 +162,7 @@ static void assemble(struct sp_newton *newton, const struct sp_options *options,
     round->gradient_norm = norm_of(newton, round->energy.gradient_squared);
     round->decrement = not_a_number();
     if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
+    newton->short_step = sp_system_is_plain(&newton->system) && round->decrement <= SHORT;
 }
 
 /* The step of H + shift M, with a shift that makes it positive definite. Returns 0 if none does. */
@@ -225,7 +230,7 @@ static int is_certain(const struct sp_newton *newton, struct round *round) {
     int keeps = sp_system_is_plain(system) || system->elements.reference.degree > 1; /* rows of the others hold the factorisation, too */
     if (!keeps || !is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
     double least = round->decrement / CERTAIN;
-    return sp_system_exceeds(system, least > CONDITIONING ? least : CONDITIONING);
+    return is_stiff(round, least > CONDITIONING ? least : CONDITIONING);
 }
 
 /* Energy and gradient where the step in `trial` led, without a matrix. Returns 0 where that needs one: some coordinate is held. */
@@ -279,7 +284,7 @@ static int32_t certify(const struct sp_newton *newton, const struct round *round
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
-    return newton->looked || sp_system_exceeds(&newton->system, CONDITIONING) ? SP_CONVERGED : SP_ILL_CONDITIONED;
+    return newton->looked || is_stiff(round, CONDITIONING) ? SP_CONVERGED : SP_ILL_CONDITIONED;
 }
 
 /* Whether H + shift M is positive definite, and then what its solution promises. */
@@ -306,8 +311,7 @@ static double doubt_of(struct sp_newton *newton, const struct round *round) {
 
 /* Whether the ends are so nearly conjugate that the path can hardly be moved on, and what is left to gain below `enough`. */
 static int is_loose(struct sp_newton *newton, const struct round *round, double enough) {
-    if (sp_system_exceeds(&newton->system, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY))
-        return 0;
+    if (is_stiff(round, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY)) return 0;
     if (doubt_of(newton, round) <= enough) return 1;
     sp_system_factor(&newton->system, 0);
     return 0;

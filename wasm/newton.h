@@ -16,6 +16,7 @@ struct sp_newton {
     int32_t reversed;                     /* 1: the points are recorded from the end of the path on */
     int32_t steps_left;                   /* Newton steps that may still be taken, in all runs together */
     int32_t trial_touches;                /* as system.line.touches */
+    int32_t short_step;                   /* 1: what its bend adds to the next step is lost in what that step leaves */
     int32_t certain;                      /* 1: the factorisation at hand also speaks for where the step in `trial` leads */
     int32_t looked;                       /* 1: so it does for the path, which is assembled no more */
     double trial_squares, trial_gradient; /* energy of `trial`; its gradient, of a plain polyline if `certain` */

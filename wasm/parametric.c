@@ -33,24 +33,33 @@ static inline __attribute__((always_inline)) void bend(const sp_pair *chart, con
     sp_pair u = factor * (g * along_u - f * along_v), v = factor * (e * along_v - f * along_u);
     sp_pair step = e * uu + f * uv + g * vv;
     sp_pair length = -0.5 * (u * along_u + v * along_v); /* of (u, v), squared: the metric times it is -along/2 */
-    sp_mask too_long = 4.0 * length > step;
-    if (sp_any(too_long)) {
-        sp_pair limit = sp_select(too_long, 0.5 * sp_square_root(step / length), sp_splat(1.0));
+    sp_mask short_enough = 4.0 * length <= step;
+    if (sp_any(~short_enough)) {
+        sp_pair limit = sp_select(short_enough, sp_splat(1.0), 0.5 * sp_square_root(step / length));
         u *= limit, v *= limit;
+        sp_mask sane = u * u + v * v < sp_splat(__builtin_inf());
+        u = sp_select(sane, u, sp_splat(0.0)), v = sp_select(sane, v, sp_splat(0.0));
     }
-    sp_mask sane = u * u + v * v < sp_splat(__builtin_inf());
-    bent[0] = sp_select(sane, u, sp_splat(0.0)), bent[1] = sp_select(sane, v, sp_splat(0.0));
+    bent[0] = u, bent[1] = v;
+}
+
+int sp_straight_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
+                     const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
+    (void)charts, (void)straight;
+    for (int32_t j = 0; j < 2 * pair_count; j++)
+        moved[j] = places[j] + scale * steps[j];
+    return sp_parametric_clip(surface, pair_count, moved) ? 2 : 1;
 }
 
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                        const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     sp_mask touching = {0, 0};
+    if (!straight) return sp_straight_move(surface, pair_count, places, charts, steps, straight, scale, moved);
     for (int32_t k = 0; k < pair_count; k++, places += 2, moved += 2) {
         sp_pair step[2] = {scale * steps[2 * k], scale * steps[2 * k + 1]}, bent[2];
         bend(charts + SP_CHART * k, step, bent);
-        sp_mask keep = straight ? straight[k] : (sp_mask){0, 0};
-        moved[0] = clip(surface, 0, places[0] + sp_select(keep, step[0], step[0] + bent[0]), &touching);
-        moved[1] = clip(surface, 1, places[1] + sp_select(keep, step[1], step[1] + bent[1]), &touching);
+        moved[0] = clip(surface, 0, places[0] + sp_select(straight[k], step[0], step[0] + bent[0]), &touching);
+        moved[1] = clip(surface, 1, places[1] + sp_select(straight[k], step[1], step[1] + bent[1]), &touching);
     }
     return sp_any(touching) ? 2 : 1;
 }

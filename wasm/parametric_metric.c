@@ -29,15 +29,7 @@ static void tensor_charts(const struct sp_surface *surface, int32_t pair_count, 
     }
 }
 
+const struct sp_kind sp_parametric_density_kind = {SP_PARAMETRIC_INPUTS, 1, density_charts, sp_parametric_move};
 /* Straight in u and v: a field that turns quickly bends a step further than the expansion along its geodesics is worth (on one of 100:1
  * steps along them took a third more iterations). */
-static int straight_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
-                         const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
-    (void)charts, (void)straight;
-    for (int32_t j = 0; j < 2 * pair_count; j++)
-        moved[j] = places[j] + scale * steps[j];
-    return sp_parametric_clip(surface, pair_count, moved) ? 2 : 1;
-}
-
-const struct sp_kind sp_parametric_density_kind = {SP_PARAMETRIC_INPUTS, 1, density_charts, sp_parametric_move};
-const struct sp_kind sp_parametric_tensor_kind = {SP_PARAMETRIC_INPUTS, 3, tensor_charts, straight_move};
+const struct sp_kind sp_parametric_tensor_kind = {SP_PARAMETRIC_INPUTS, 3, tensor_charts, sp_straight_move};

@@ -59,9 +59,10 @@ static int go_down(const struct sp_surface *surface, struct sp_vector target, st
                    sp_pair *chart) {
     const struct sp_kind *kind = sp_kind_of(surface);
     sp_pair moved[3], next[SP_CHART];
+    sp_mask bent = {0, 0};
     double scale = 1;
     for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
-        if (!kind->move(surface, 1, place, chart, step, NULL, scale, moved)) continue;
+        if (!kind->move(surface, 1, place, chart, step, &bent, scale, moved)) continue;
         kind->charts(surface, 1, moved, next, NULL);
         if (!is_better(distance_at(next, target), before, root(sp_dot(target, target)[0]))) continue;
         for (int j = 0; j < kind->dimension; j++)

@@ -29,26 +29,25 @@ static void combine(const struct sp_system *system, int32_t first, int32_t count
     place[0] = sum[0], place[1] = sum[1], place[2] = sum[2];
 }
 
+/* Weights of four neighbours for the cubic through them, s = 0 … 1 from the second to the third. */
+static inline __attribute__((always_inline)) void cubic_weights(double s, double weights[4]) {
+    double ahead = 1 - s, both = s * ahead * (1.0 / 6), around = (1 + s) * (2 - s) * 0.5;
+    weights[0] = both * (s - 2), weights[1] = ahead * around, weights[2] = s * around, weights[3] = -both * (1 + s);
+}
+
 /* The places of a polyline at t and 1 - t: cubic through the four nodes around each; linear where there are fewer. */
-static inline __attribute__((always_inline)) void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
-    struct sp_fold fold = system->line.fold;
-    int32_t last = fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
-    int32_t first = before > most ? most : before, dimension = system->line.kind->dimension;
+static void polyline_place(const struct sp_system *system, double t, sp_pair place[3]) {
+    int32_t last = system->line.fold.inner + 1, before = (int32_t)(t * last), most = last < 3 ? last - 1 : last - 2;
+    int32_t first = before > most ? most : before;
     if (last < 3) {
-        double s = t * last - first, weights[2] = {1 - s, s};
-        combine(system, first, 2, weights, place);
+        double s = t * last - first, straight[2] = {1 - s, s};
+        combine(system, first, 2, straight, place);
         return;
     }
+    double weights[4];
     if (first < 1) first = 1;
-    double s = t * last - first, ahead = 1 - s, both = s * ahead * (1.0 / 6), around = (1 + s) * (2 - s) * 0.5;
-    double weights[4] = {both * (s - 2), ahead * around, s * around, -both * (1 + s)};
-    if (first > fold.both - 1) {
-        combine(system, first - 1, 4, weights, place);
-        return;
-    }
-    const sp_pair *at = system->line.nodes.places + dimension * (first - 1);
-    for (int32_t j = 0; j < dimension; j++, at++)
-        place[j] = weights[0] * at[0] + weights[1] * at[dimension] + weights[2] * at[2 * dimension] + weights[3] * at[3 * dimension];
+    cubic_weights(t * last - first, weights);
+    combine(system, first - 1, 4, weights, place);
 }
 
 static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }
@@ -113,15 +112,20 @@ double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
     return within > 0 ? border + within * (sp_elements_border(elements, e + 1) - border) : border;
 }
 
-/* Polyline from polyline: all that is different from node to node is the place on it. */
-static void resample(const struct sp_system *from, struct sp_fold fold, sp_pair *places) {
-    int32_t dimension = from->line.kind->dimension, last = fold.inner + 1;
-    for (int32_t k = 0; k <= fold.both; k++) {
-        sp_pair place[3];
-        polyline_place(from, (double)k / last, place);
-        for (int32_t j = 0; j < dimension; j++)
-            *places++ = k == 0 ? node_pair(from, 0, j) : place[j];
+/* Polyline from polyline as far as the four neighbours stand side by side, as polyline_place. Returns the pair that is next. */
+static int32_t resample(const struct sp_system *from, struct sp_fold fold, sp_pair *places) {
+    int32_t dimension = from->line.kind->dimension, k = 0;
+    const sp_pair *at = from->line.nodes.places, *last = at + dimension * (from->line.fold.both - 2);
+    double chords = (from->line.fold.inner + 1.0) / (fold.inner + 1), s = -1, weights[4];
+    for (; k <= fold.both && at <= last; k++) {
+        cubic_weights(s, weights);
+        for (int32_t j = 0; j < dimension; j++, places++)
+            *places = weights[0] * at[j] + weights[1] * at[dimension + j] + weights[2] * at[2 * dimension + j] +
+                      weights[3] * at[3 * dimension + j];
+        for (s += chords; s >= 1; s--)
+            at += dimension;
     }
+    return k;
 }
 
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
@@ -129,8 +133,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_elements *to
     struct sp_fold fold = sp_fold_of(to->reference.degree * to->count - 1);
     int alike = to->singular[0] == to->singular[1] && !to->spread;
     int plain = alike && from->elements.reference.degree + to->reference.degree == 2;
-    if (plain) resample(from, fold, places);
-    for (int32_t k = plain ? fold.both + 1 : 0; k <= sp_fold_unknown(fold); k++) {
+    for (int32_t k = plain ? resample(from, fold, places) : 0; k <= sp_fold_unknown(fold); k++) {
         sp_pair place[3];
         double t = sp_sample_parameter(to, k), other = alike ? 1 - t : sp_sample_parameter(to, fold.inner + 1 - k);
         place_pair(from, t, place);

@@ -54,11 +54,6 @@ int sp_system_negative(const struct sp_system *system, sp_pair *x) {
     return sp_elements_descent(&system->elements, x);
 }
 
-int sp_system_exceeds(const struct sp_system *system, double bound) {
-    if (is_polyline(system)) return sp_blocks_exceed(system->line.fold, system->rows, bound);
-    return sp_elements_exceed(&system->elements, bound);
-}
-
 void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     const sp_pair *chart = system->line.nodes.charts;
     if (has_metric(system)) {

@@ -35,7 +35,6 @@ struct sp_energy sp_system_rows(struct sp_system *system, enum sp_hessian hessia
 struct sp_inertia sp_system_factor(struct sp_system *system, double shift);
 void sp_system_solve(const struct sp_system *system, sp_pair *x);
 int sp_system_negative(const struct sp_system *system, sp_pair *x);
-int sp_system_exceeds(const struct sp_system *system, double bound);
 
 /* The derivative of the energy over 2m by the chart coordinates of the two ends, lane 0 the first: minus the velocity into the path, over
  * an element, its index lowered. */

@@ -114,12 +114,14 @@ class FunctionEmitter {
     return this.#code;
   }
 
-  /** What the loop needs and no variable changes. */
+  /** What the loop needs and no variable changes. A number that is read here and there is loaded there; one that is stored again and again is kept. */
   #emitInvariants() {
-    const { uses, varies, partners } = this.#plan;
+    const { roots, uses, varies, partners } = this.#plan;
     const needed = this.#neededByLoop();
+    const stored = new Set(roots);
     for (let id = 0; id < uses.length; id++) {
-      if (uses[id] === 0 || varies[id] || !this.#graph.isOperation(id)) continue;
+      const isOperation = this.#graph.isOperation(id);
+      if (uses[id] === 0 || varies[id] || !(isOperation || (uses[id] > 1 && stored.has(id)))) continue;
       if (uses[id] > 1 || needed.has(id) || partners.has(id)) this.#compute(id);
       this.#remaining[id] = KEPT_FOR_EVER;
     }

@@ -21,7 +21,6 @@
 export const solverFunctions = [
   'sin',
   'cos',
-  'tan',
   'asin',
   'acos',
   'atan',
@@ -122,11 +121,14 @@ export const rules = new Map([
     (g, x) => g.negate(g.call(SIN, x)),
     (g, _, value) => g.negate(value),
   ),
-  elementary(
+  [
     'tan',
-    (g, _, value) => g.add(g.one, square(g, value)),
-    (g, _x, value, slope) => twice(g, g.multiply(value, slope)),
-  ),
+    {
+      value: (g, x) => g.divide(g.call(SIN, x), g.call(COS, x)),
+      slope: (g, _, value) => g.add(g.one, square(g, value)),
+      curvature: (g, _x, value, slope) => twice(g, g.multiply(value, slope)),
+    },
+  ],
   elementary(
     'asin',
     (g, x) => g.divide(g.one, cosineOfArcsine(g, x)),
