@@ -88,21 +88,20 @@ static void implicit_charts(const struct sp_surface *surface, int32_t pair_count
     }
 }
 
-/* How far a pair of points has come: lanes that still move, and their last step. */
+/* How far a pair of points has come: lanes that still move, their last step, and the size of the coordinates. */
 struct settling {
     sp_mask moving;
-    sp_pair last;
+    sp_pair last, size;
 };
 
 /* One step of Eq. 37 for the lanes that still move; the others are left alone, so that no point depends on its neighbours. Settled: f = 0,
  * the step is below 4e-15 of the size of things, or it has stopped shrinking below 1e-12 of it. */
-static void settle_pair(const sp_pair *values, double scale, sp_pair *place, struct settling *state) {
+static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *state) {
     struct sp_vector gradient = sp_load(values + 1), at = sp_load(place);
-    sp_pair unit = magnitude(gradient);
-    gradient = sp_scale(gradient, 1.0 / unit);
-    struct sp_vector step = sp_scale(gradient, values[0] / unit / sp_dot(gradient, gradient)), next = sp_subtract(at, step);
-    sp_pair length = sp_square_root(sp_dot(step, step)), size = sp_square_root(sp_dot(at, at));
-    size = sp_select(size < sp_splat(scale), sp_splat(scale), size);
+    sp_pair unit = 1.0 / magnitude(gradient);
+    gradient = sp_scale(gradient, unit);
+    struct sp_vector step = sp_scale(gradient, values[0] * unit / sp_dot(gradient, gradient)), next = sp_subtract(at, step);
+    sp_pair length = sp_square_root(sp_dot(step, step)), size = state->size;
     sp_mask exact = values[0] == sp_splat(0.0), moves = state->moving & ~exact;
     place[0] = sp_select(moves, next.x, at.x);
     place[1] = sp_select(moves, next.y, at.y);
@@ -114,14 +113,16 @@ static void settle_pair(const sp_pair *values, double scale, sp_pair *place, str
 static int settle_block(const struct sp_surface *surface, int32_t count, sp_pair *places, double scale) {
     sp_pair values[SP_IMPLICIT_VALUES * BLOCK];
     struct settling states[BLOCK];
-    for (int32_t i = 0; i < count; i++)
-        states[i] = (struct settling){{-1, -1}, sp_splat(__builtin_inf())};
+    for (int32_t i = 0; i < count; i++) {
+        sp_pair size = sp_square_root(sp_dot(sp_load(places + 3 * i), sp_load(places + 3 * i)));
+        states[i] = (struct settling){{-1, -1}, sp_splat(__builtin_inf()), sp_larger(sp_splat(scale), size)};
+    }
     int open = 1;
     for (int round = 0; round < SETTLE_LIMIT && open; round++) {
         surface->value(count, places, values);
         open = 0;
         for (int32_t i = 0; i < count; i++) {
-            settle_pair(values + SP_IMPLICIT_VALUES * i, scale, places + 3 * i, states + i);
+            settle_pair(values + SP_IMPLICIT_VALUES * i, places + 3 * i, states + i);
             open |= sp_any(states[i].moving);
         }
     }

@@ -36,10 +36,10 @@ import {
  *   number of the end is what the coordinate along that edge changes by once around; 8 more: around the edge, as around a hole
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
- * @property {(graph: Graph, points: number) => { status: number, candidates: Float64Array[] }} search
+ * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
  */
 
-const ELEMENTS = 0;
+export const ELEMENTS = 0;
 /** Why a straight start comes to nothing that has to do with an end alone. */
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
@@ -92,7 +92,7 @@ export function findPaths(problem, options, most) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === CONVERGED) return [path];
   }
-  const { starts, status } = findStarts(problem);
+  const { starts, status } = findStarts(problem, most > 1);
   /** @type {Tried[]} */
   const tried = [];
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
@@ -155,14 +155,14 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
 /**
  * Starts: the straight lines to the nearest lifts of the end, then the ways through the first graph that joins the ends. The last status says why
  * there are none of these.
- * @param {Problem} problem
+ * @param {Problem} problem @param {boolean} isAll
  */
-function findStarts(problem) {
+function findStarts(problem, isAll) {
   /** @type {Start[]} */
   const starts = straightEnds(problem).map((to) => ({ to, start: null }));
   const search = (/** @type {Graph} */ graph) => {
     if (graph.status !== CONVERGED) return graph.status;
-    const { status, candidates } = problem.search(graph, CANDIDATE_POINTS);
+    const { status, candidates } = problem.search(graph, CANDIDATE_POINTS, isAll);
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
     return status;
   };
@@ -215,6 +215,21 @@ function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) 
       return { ...tip, to, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })
     .sort((a, b) => (a.path.length || a.bound) - (b.path.length || b.bound));
+}
+
+/**
+ * Where a path near a start came to nothing: the shortest of those that pass a pole, or lead over it, unless what was found is shorter, and a path.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} near @returns {RawPath[]} none or one
+ */
+export function passPoles(problem, options, near) {
+  const weak = { to: problem.to, path: near, start: null, coarse: near };
+  const others = leaps(problem, near) ? [] : [weak];
+  const ways = overPoles(problem, options, [weak], others);
+  return [...besidePoles(problem, options, ways, others), ...ways]
+    .filter((found) => holds(found) && !(found.path.length > (1 + MARGIN) * lengthOfShortest(others)))
+    .sort((a, b) => a.path.length - b.path.length)
+    .slice(0, 1)
+    .map((found) => asAsked(found, options));
 }
 
 /** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */

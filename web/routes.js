@@ -1,10 +1,10 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
 import { facePoles, liftEnds } from './domain.js';
-import { findPaths, reverse } from './global.js';
+import { ELEMENTS, findPaths, passPoles, reverse } from './global.js';
 import { makePath } from './path.js';
 import { emptyPath } from './runtime/heap.js';
-import { OUT_OF_MEMORY } from './runtime/status.js';
+import { CONVERGED, ILL_CONDITIONED, ITERATION_LIMIT, OUT_OF_MEMORY, SINGULAR_METRIC } from './runtime/status.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -21,6 +21,12 @@ import { joinPaths, shareOut } from './via.js';
  * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
+/** Steps after which a path near a start is looked for beside poles first, where there are any. */
+const PATIENCE = 40;
+
+/** Whether a path came to nothing on its way, as one does that would have to pass a pole. @param {import('./runtime/heap.js').RawPath} path */
+const isLost = ({ status }) => (status > CONVERGED ? status !== ILL_CONDITIONED : status === SINGULAR_METRIC);
+
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
 function shift(parameters, by) {
   if (by[0] === 0 && by[1] === 0) return;
@@ -28,25 +34,44 @@ function shift(parameters, by) {
 }
 
 /**
- * The locally shortest path near a start.
+ * The locally shortest path near a start. One that comes to nothing near a pole may want to pass that on the other side, whereto no step in the rectangle
+ * leads: then the shortest of those that pass it.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight
  * @returns {Path}
  */
-export function solveNear({ kind, domain, run }, ends, options, start) {
+export function solveNear(field, ends, options, start) {
+  const { kind, domain, run } = field;
   const faced = start ? ends : facePoles(domain, ends[0], ends[1]);
   const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
   const request = { kind, from: lifted[0], to: lifted[1], start };
-  const path = makePath(run((heap, record) => heap.solve(record, request, options)));
+  const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
+  const patience = domain?.tips.length && options.algorithm === ELEMENTS ? PATIENCE : Infinity;
+  const near = solve({ ...options, maxIterations: Math.min(options.maxIterations, patience) });
+  const rest = { ...options, maxIterations: options.maxIterations - near.iterations };
+  if (patience < Infinity && isLost(near) && rest.maxIterations > 0) {
+    const [passing] = pose(field, ends, (problem) => passPoles(problem, rest, near));
+    if (passing) return passing;
+  }
+  const path = makePath(near.status === ITERATION_LIMIT && patience < options.maxIterations ? solve(options) : near);
   if (path.parameters) shift(path.parameters, [faced[0][0] - lifted[0][0], faced[0][1] - lifted[0][1]]);
   return path;
 }
 
 /**
- * The shortest paths that a graph search finds, or one without a path that says why. Solved from the lexicographically smaller end.
+ * The shortest paths that a graph search finds, or one without a path that says why.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
  * @returns {Path[]}
  */
-export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, to], options, most) {
+export function findGlobal(field, ends, options, most) {
+  return pose(field, ends, (problem) => findPaths(problem, options, most));
+}
+
+/**
+ * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
+ * @param {Field} field @param {number[][]} ends @param {(problem: import('./global.js').Problem) => import('./runtime/heap.js').RawPath[]} find
+ * @returns {Path[]}
+ */
+function pose({ kind, domain, box, graphs, isPlain, run }, [from, to], find) {
   const different = from.findIndex((x, j) => x !== to[j]);
   const swap = different >= 0 && from[different] > to[different];
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
@@ -58,21 +83,17 @@ export function findGlobal({ kind, domain, box, graphs, isPlain, run }, [from, t
     return answer;
   };
   const found = run((heap, record) =>
-    findPaths(
-      {
-        from: a,
-        to: b,
-        isPlain,
-        domain,
-        solve: (end, start, asked, pole, beyond = 0) =>
-          watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
-        graph: (level) => watch(graphs.find(heap, record, place, level)),
-        flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
-        search: (graph, points) => watch(heap.searchGraph(record, graph, a, b, points, most > 1)),
-      },
-      options,
-      most,
-    ),
+    find({
+      from: a,
+      to: b,
+      isPlain,
+      domain,
+      solve: (end, start, asked, pole, beyond = 0) =>
+        watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
+      graph: (level) => watch(graphs.find(heap, record, place, level)),
+      flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
+      search: (graph, points, isAll) => watch(heap.searchGraph(record, graph, a, b, points, isAll)),
+    }),
   );
   const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
   return raw.map((one) => {

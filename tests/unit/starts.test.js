@@ -1,9 +1,10 @@
 // Starts that are given: however many points they have, they lead where a start of a few points does.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
+import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
 const PAIRS = 20;
@@ -43,3 +44,68 @@ for (const name of /** @type {const} */ (['moebius', 'vase']))
     assert.ok(touching > 0, 'no pair touches a wall');
     surface.dispose();
   });
+
+describe('an end that is dragged past poles, each path the start of the next', () => {
+  const FRAMES = 180;
+  /** 65 chords are shorter than the path between their ends by so much, at most. */
+  const CHORDS = 1e-2;
+  /** Where a point on a tilted great circle lies, by longitude and latitude. @param {number} angle @param {number} tilt */
+  const onCircle = (angle, tilt) => {
+    const [x, y, z] = [Math.cos(angle), Math.sin(angle) * Math.cos(tilt), Math.sin(angle) * Math.sin(tilt)];
+    return [Math.atan2(y, x), Math.asin(z)];
+  };
+  /** Where a point on a circle in the plane lies, by angle and distance. @param {number} angle */
+  const inPlane = (angle) => {
+    const [x, y] = [0.3 + Math.cos(angle), 0.7 * Math.sin(angle)];
+    return [(Math.atan2(y, x) + 2 * Math.PI) % (2 * Math.PI), Math.hypot(x, y)];
+  };
+  /** @param {import('../../web/index.js').Surface} surface @param {number[]} from @param {(angle: number) => number[]} placeAt */
+  function drag(surface, from, placeAt) {
+    let last = surface.shortestPath(from, placeAt(0.1));
+    return Array.from({ length: FRAMES }, (_, frame) => {
+      const to = placeAt(0.1 + (2 * Math.PI * frame) / FRAMES);
+      last = surface.shortestPath(from, to, { start: last });
+      assert.equal(last.status, 'converged', `${from} to ${to}`);
+      return { to, path: last };
+    });
+  }
+
+  test('on a globe: all as long as trigonometry says, whichever way the path was before', () => {
+    const surface = surfpath.surface(gallery.globe);
+    const unit = (/** @type {readonly number[]} */ [u, v]) => [Math.cos(v) * Math.cos(u), Math.cos(v) * Math.sin(u), Math.sin(v)];
+    for (const [tilt, from] of /** @type {const} */ ([
+      [1.2, [-0.817, -0.744]],
+      [0.3, [2.431, -1.35]],
+      [1.5, [0.5, 1.2]],
+    ]))
+      for (const { to, path } of drag(surface, [...from], (angle) => onCircle(angle, tilt))) {
+        const [p, q] = [unit(from), unit(to)];
+        const length = 2 * Math.asin(Math.min(1, Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / 2));
+        // Between nearly antipodal ends the arcsine loses half of the digits.
+        assert.ok(Math.abs(path.length - length) <= 1e-7, `${from} to ${to}: ${path.length}, not ${length}`);
+      }
+    surface.dispose();
+  });
+
+  test('on a cone and a paraboloid by angle and distance: geodesics that hit, on the cone as long as unrolled', () => {
+    const polar = /** @type {const} */ ({ x: 'v cos(u)', y: 'v sin(u)', u: [0, '2pi'], v: [0, 2] });
+    for (const z of ['v', 'v^2']) {
+      const definition = { ...polar, z };
+      const surface = surfpath.parametric(definition);
+      for (const { to, path } of drag(surface, [2.324, 0.513], inPlane)) {
+        const turned = Math.abs(to[0] - 2.324);
+        const ways = [turned, 2 * Math.PI - turned].map((angle) => {
+          const unrolled = angle / Math.SQRT2;
+          return Math.SQRT2 * Math.sqrt(0.513 ** 2 + to[1] ** 2 - 2 * 0.513 * to[1] * Math.cos(Math.min(unrolled, Math.PI)));
+        });
+        if (z === 'v')
+          assert.ok(
+            ways.some((length) => Math.abs(path.length / length - 1) <= TWO_TOLERANCES),
+            `${to}: ${path.length}`,
+          );
+        else assert.deepEqual(verifyPath({ kind: 'parametric', ...definition }, path, { to, lengthTolerance: CHORDS }), [], `${to}`);
+      }
+      surface.dispose();
+    }
+  });
+});
