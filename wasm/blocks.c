@@ -42,7 +42,7 @@ static void count_negative(struct sp_fold fold, const struct sp_row *rows, struc
 struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, const struct sp_sweep *sweep) {
     struct sp_row *row = rows + sp_fold_unknown(fold);
     struct sp_carry p = sp_row_left(row, shift), carry = sweep->carry;
-    sp_pair softness = sweep->softness, trace, met;
+    sp_pair trace;
     if (fold.odd) {
         /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
          * singular drives them apart. */
@@ -51,11 +51,11 @@ struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, doubl
         /* Lane 1 takes that of lane 0, which is the row before it. */
         p = sp_reduce(p, carry);
         sp_pivot(row, p, &trace);
-        softness = sp_larger(softness, (sp_pair){trace[0], 0});
         p = sp_reduce(p, second_lane(swap(sp_carry_of(row))));
     }
-    sp_mask definite = sweep->definite & sp_pivot(row, p, &met);
-    softness = sp_larger(softness, 2.0 / (fold.inner + 1) * sp_splat(met[1]));
+    sp_mask definite = sweep->definite & sp_pivot(row, p, &trace);
+    double met = 2.0 / (fold.inner + 1);
+    sp_pair softness = sp_larger(sweep->softness, (sp_pair){fold.odd ? met : 1, met} * trace);
     sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){fold.odd ? 0 : last[0], last[1]};
     struct sp_inertia inertia = {0, 1, descent[0] + descent[1], sp_larger(softness, sp_swap(softness))[0]};
     if (!(definite[0] && definite[1])) count_negative(fold, rows, &inertia), inertia.softness = __builtin_inf();
