@@ -145,7 +145,7 @@ $(NPM): package-lock.json | tools
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
 COLD := arcs arena bridge contact crossing cusp flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample hole memory mesh mesh_vertices \
-    metric newton normal piece polar pole project refine solve start trace
+    metric newton normal piece polar pole project refine solve start system trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 
 build/wasm/%.o: wasm/%.c Makefile | tools

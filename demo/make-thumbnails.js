@@ -9,8 +9,8 @@ import { FIRST } from './state/state.js';
 const FOLDER = fileURLToPath(new URL('thumbnails/', import.meta.url));
 const [WIDTH, HEIGHT] = [320, 240];
 const QUALITY = 0.8;
-/** Of the picture that stands in for the first scene, blurred, until that is drawn: it counts among what is loaded. */
-const QUALITY_OF_FIRST = 0.6;
+/** The picture that stands in for the first scene, blurred, until that is drawn: it counts among what is loaded. */
+const POSTER = { width: WIDTH / 2, height: HEIGHT / 2, quality: 0.6 };
 /** What is left of the page: the canvas, half as wide again as the picture, with the strip below that the player covers. */
 const BARE = `.panel, .result, .view > :not(canvas) { display: none !important }
 body { grid-template: 1fr / 1fr !important } .stage { display: block !important } .view { position: fixed !important; inset: 0 }
@@ -34,8 +34,8 @@ try {
     await page.waitForTimeout(name === 'hindered' || name === 'grained' ? 500 : 150);
     await nextFrame(page);
     const picture = await page.screenshot({ omitBackground: true, clip: { x: 0, y: 0, width: 1.5 * WIDTH, height: 1.5 * HEIGHT } });
-    const webp = await shrink(page, picture, { quality: name === FIRST ? QUALITY_OF_FIRST : QUALITY });
-    await writeFile(`${FOLDER}${name}.webp`, webp);
+    await writeFile(`${FOLDER}${name}.webp`, await shrink(page, picture));
+    if (name === FIRST) await writeFile(`${FOLDER}poster.webp`, await shrink(page, picture, POSTER));
   }
 } finally {
   await close();

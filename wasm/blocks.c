@@ -2,10 +2,12 @@
  */
 #include "elimination.h"
 
-/* Whether the pivot of a row has a negative eigenvalue in this lane. */
-static int is_negative(const struct sp_row *row, int lane) {
+/* How many eigenvalues of the pivot of a row are negative in this lane; -1: it is singular or not finite. */
+static int negative_eigenvalues(const struct sp_row *row, int lane) {
     double determinant = row->pa[lane] * row->pd[lane] - row->pb[lane] * row->pb[lane];
-    return determinant < 0 || (determinant > 0 && determinant < __builtin_inf() && row->pa[lane] < 0);
+    if (determinant < 0) return 1;
+    if (!(determinant > 0 && determinant < __builtin_inf())) return -1;
+    return row->pa[lane] < 0 ? 2 : 0;
 }
 
 static struct sp_carry add(struct sp_carry p, struct sp_carry q) {
@@ -29,31 +31,27 @@ static struct sp_carry second_lane(struct sp_carry carry) {
 static void count_negative(struct sp_fold fold, const struct sp_row *rows, struct sp_inertia *inertia) {
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
         for (int lane = k > fold.both; lane < 2; lane++) {
-            double determinant = rows[k].pa[lane] * rows[k].pd[lane] - rows[k].pb[lane] * rows[k].pb[lane];
-            if (determinant < 0)
-                inertia->negative++;
-            else if (!(determinant > 0 && determinant < __builtin_inf()))
+            int negative = negative_eigenvalues(rows + k, lane);
+            if (negative < 0)
                 inertia->usable = 0;
-            else if (rows[k].pa[lane] < 0)
-                inertia->negative += 2;
+            else
+                inertia->negative += negative;
         }
 }
 
 struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, double shift, const struct sp_sweep *sweep) {
     struct sp_row *row = rows + sp_fold_unknown(fold);
-    struct sp_carry p = sp_row_left(row, shift), carry = sweep->carry;
+    struct sp_carry carry = sweep->carry;
+    /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
+     * singular drives them apart. Without one lane 1 takes that of lane 0, too, which is the row before it. */
+    struct sp_carry p = sp_reduce(sp_row_left(row, shift), fold.odd ? add(carry, swap(carry)) : carry);
     sp_pair trace;
-    if (fold.odd) {
-        /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
-         * singular drives them apart. */
-        p = sp_reduce(p, add(carry, swap(carry)));
-    } else {
-        /* Lane 1 takes that of lane 0, which is the row before it. */
-        p = sp_reduce(p, carry);
-        sp_pivot(row, p, &trace);
+    sp_mask definite;
+    for (int again = !fold.odd;; again = 0) {
+        definite = sweep->definite & sp_pivot(row, p, &trace);
+        if (!again) break;
         p = sp_reduce(p, second_lane(swap(sp_carry_of(row))));
     }
-    sp_mask definite = sweep->definite & sp_pivot(row, p, &trace);
     double met = 2.0 / (fold.inner + 1);
     sp_pair softness = sp_larger(sweep->softness, (sp_pair){fold.odd ? met : 1, met} * trace);
     sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){fold.odd ? 0 : last[0], last[1]};
@@ -123,7 +121,7 @@ static int is_meeting(struct sp_fold fold, int32_t k, int lane) { return k == sp
 int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x) {
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
         for (int lane = 0; lane < 2; lane++) {
-            if (!is_negative(rows + k, lane)) continue;
+            if (negative_eigenvalues(rows + k, lane) <= 0) continue;
             double u, v;
             for (int32_t i = 0; i < 2 * sp_fold_pairs(fold); i++)
                 x[i] = sp_splat(0.0);

@@ -27,7 +27,7 @@ struct sp_kind {
 };
 
 extern const struct sp_kind sp_parametric_kind, sp_parametric_density_kind, sp_parametric_tensor_kind;
-extern const struct sp_kind sp_polar_kind, sp_polar_density_kind;
+extern const struct sp_kind sp_polar_kind, sp_polar_density_kind, sp_polar_tensor_kind;
 extern const struct sp_kind sp_implicit_kind, sp_implicit_density_kind, sp_implicit_tensor_kind;
 
 const struct sp_kind *sp_kind_of(const struct sp_surface *surface);

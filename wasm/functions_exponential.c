@@ -38,12 +38,12 @@ static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
     return value * power_of_two(half) * power_of_two(exponent - half);
 }
 
-sp_pair sp_exp(sp_pair x) { return exponential((struct sp_wide){x, sp_splat(0.0)}, sp_splat(0.0)); }
-
-/* exp(x + x_low) 2^shift. Out of line, as four functions share it. */
+/* exp(x + x_low) 2^shift. Out of line, as five functions share it. */
 __attribute__((noinline)) static sp_pair wide_exponential(sp_pair x, sp_pair x_low, sp_pair shift) {
     return exponential((struct sp_wide){x, x_low}, shift);
 }
+
+sp_pair sp_exp(sp_pair x) { return wide_exponential(x, sp_splat(0.0), sp_splat(0.0)); }
 
 static inline sp_pair half_exponential(sp_pair x) { return wide_exponential(x, sp_splat(0.0), sp_splat(-1.0)); }
 

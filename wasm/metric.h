@@ -13,6 +13,9 @@ enum { SP_METRIC_PARTS = 6, SP_METRIC_COMPONENTS = 6, SP_METRIC_LARGEST = SP_MET
 /* Parts of a metric. */
 enum { SP_METRIC_T = 0, SP_METRIC_T1, SP_METRIC_T2, SP_METRIC_T11, SP_METRIC_T12, SP_METRIC_T22 };
 
+/* The charts of places u v themselves: flat. */
+void sp_flat_charts(int32_t pair_count, const sp_pair *places, sp_pair *charts);
+
 /* a' T b for a tensor of `components` numbers, vectors of three; of none, T = 1. */
 sp_pair sp_metric_product(int32_t components, const sp_pair *t, const sp_pair *a, const sp_pair *b);
 

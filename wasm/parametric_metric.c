@@ -17,9 +17,7 @@ static void density_charts(const struct sp_surface *surface, int32_t pair_count,
     }
 }
 
-/* The chart of u and v themselves: flat. */
-static void tensor_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics) {
-    surface->jet(pair_count, places, metrics);
+void sp_flat_charts(int32_t pair_count, const sp_pair *places, sp_pair *charts) {
     for (int32_t k = 0; k < pair_count; k++) {
         sp_pair *chart = charts + SP_CHART * k;
         for (int j = 0; j < SP_CHART; j++)
@@ -27,6 +25,11 @@ static void tensor_charts(const struct sp_surface *surface, int32_t pair_count, 
         chart[SP_CHART_X] = places[2 * k], chart[SP_CHART_X + 1] = places[2 * k + 1];
         chart[SP_CHART_1] = chart[SP_CHART_2 + 1] = sp_splat(1.0);
     }
+}
+
+static void tensor_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts, sp_pair *metrics) {
+    surface->jet(pair_count, places, metrics);
+    sp_flat_charts(pair_count, places, charts);
 }
 
 const struct sp_kind sp_parametric_density_kind = {SP_PARAMETRIC_INPUTS, 1, density_charts, sp_parametric_move};

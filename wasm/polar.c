@@ -7,8 +7,9 @@
 /* Of the first path: what is near a pole or an apex is small. */
 enum { POINTS = 129 };
 static const double TURN = 6.28318530717958647693, SMOOTH = 1e-5;
-/* Of the range: nearer than that derivatives lose more to rounding than they change; and what rounding leads outside. */
-static const double LEAST = 1e-8, INSIDE = 1e-12;
+/* Of the ends' distances: nearer than that derivatives lose more to rounding than they change, those of a tensor, divided by squares,
+ * sooner. Of the range: what rounding leads outside. */
+static const double LEAST = 1e-8, LEAST_OF_TENSOR = 1e-5, INSIDE = 1e-12;
 
 static const struct sp_polar *polar_of(const struct sp_surface *surface) { return (const struct sp_polar *)surface; }
 
@@ -34,6 +35,35 @@ void sp_positions(const struct sp_surface *surface, int32_t pair_count, const sp
     if (surface->metric < SP_POLAR) surface->value(pair_count, places, positions);
 }
 
+/* A jet that stands in every third number, times factor/r, r the distance from the pole: over = 1/r, side its derivative. */
+static void divide(int32_t across, sp_pair over, double side, double factor, sp_pair *f) {
+    int32_t a = 3 + 3 * across, l = 6 - 3 * across, aa = 9 + 6 * across, al = 12;
+    for (int i = 0; i < 18; i += 3)
+        f[i] *= factor * over;
+    over *= side;
+    f[a] -= over * f[0], f[al] -= over * f[l], f[aa] -= 2.0 * over * f[a];
+}
+
+/* Makes E, F, G those over p and q, still as functions of u and v. With the tensor A, B, C over dr and r dθ, W = (A - C)/2 + iB turns into
+ * W e^(2iθ), (A + C)/2 stays. */
+static void turn_tensor(const struct sp_polar *polar, sp_pair over, sp_pair s, sp_pair c, sp_pair *jet) {
+    int32_t across = polar->across, a = 3 + 3 * across, l = 6 - 3 * across, ll = 15 - 6 * across, al = 12;
+    double side = polar->side, slower = 1 / polar->rate, k = 2 * polar->rate;
+    sp_pair *outwards = jet + 2 * across, *mixed = jet + 1, *around = jet + 2 - 2 * across, cosine = c * c - s * s, sine = 2.0 * s * c;
+    divide(across, over, side, side * slower, mixed);
+    divide(across, over, side, slower, around), divide(across, over, side, slower, around);
+    for (int i = 0; i < 18; i += 3)
+        around[i] = 0.5 * (outwards[i] + around[i]), outwards[i] -= around[i];
+    /* W_ll + 2ik W_l - k^2 W, W_al + ik W_a, W_l + ik W: along the edge e^(2iθ) changes by ik. */
+    outwards[ll] -= k * (2.0 * mixed[l] + k * outwards[0]), mixed[ll] += k * (2.0 * outwards[l] - k * mixed[0]);
+    outwards[al] -= k * mixed[a], mixed[al] += k * outwards[a];
+    outwards[l] -= k * mixed[0], mixed[l] += k * outwards[0];
+    for (int i = 0; i < 18; i += 3) {
+        sp_pair x = cosine * outwards[i] - sine * mixed[i], y = sine * outwards[i] + cosine * mixed[i], mean = around[i];
+        jet[i] = mean + x, jet[i + 1] = y, jet[i + 2] = mean - x;
+    }
+}
+
 /* Values and derivatives by p and q of `count` functions, 6 count numbers. Nearer to the pole than `least` it is continued linearly. */
 static void polar_jet(const struct sp_polar *polar, int32_t count, const sp_pair *place, sp_pair *jet) {
     sp_pair p = place[0], q = place[1], r = sp_square_root(p * p + q * q), angle = sp_atan2(q, p), at[2], c;
@@ -42,6 +72,7 @@ static void polar_jet(const struct sp_polar *polar, int32_t count, const sp_pair
     int32_t across = polar->across;
     place_at(polar, radius, angle, at);
     polar->whole->jet(1, at, jet);
+    if (polar->whole->metric == SP_TENSOR) turn_tensor(polar, over, s, c, jet);
     for (sp_pair *f = jet; f < jet + count; f++) {
         sp_pair *first = f + count, *second = f + 3 * count;
         sp_pair outwards = side * first[count * across], around = slower * over * first[count * (1 - across)];
@@ -67,17 +98,25 @@ static void polar_charts(const struct sp_surface *surface, int32_t pair_count, c
     }
 }
 
+static void polar_tensor_charts(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, sp_pair *charts,
+                                sp_pair *metrics) {
+    sp_flat_charts(pair_count, places, charts);
+    for (int32_t k = 0; k < pair_count; k++)
+        polar_jet(polar_of(surface), 3, places + 2 * k, metrics + SP_PARAMETRIC_TENSOR_JET * k);
+}
+
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved) {
     int32_t pole = request->pole - 5, across = pole >> 1;
     double open = __builtin_inf(), beyond = request->from[2],
            edge = pole & 1 ? surface->upper[across] + beyond : surface->lower[across] - beyond, turn = request->to[2];
     double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
-    if (surface->kind != SP_PARAMETRIC || surface->metric == SP_TENSOR) return 0;
+    if (surface->kind != SP_PARAMETRIC) return 0;
     double angle = sp_pole_angle(surface, across, edge, from, from + turn);
     if (angle > TURN - SMOOTH && angle < TURN + SMOOTH) angle = TURN;
     *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, angle / turn, turn, 0};
     polar->surface.metric += SP_POLAR;
-    *moved = *request, moved->pole = 0, moved->start = NULL, moved->start_count = POINTS;
+    *moved = *request, moved->pole = 0;
+    if (!request->start) moved->start_count = POINTS;
     for (int j = 0; j < 2; j++) {
         const double *end = j ? request->to : request->from;
         double r = polar->side * (end[across] - edge), theta = polar->rate * (end[1 - across] - middle),
@@ -85,7 +124,7 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
         sp_pair c, s = sp_sincos(sp_splat(theta), &c);
         if (!(2 * theta < TURN / 2 + SMOOTH && 2 * theta > -TURN / 2 - SMOOTH)) return 0;
         written[0] = r * c[0], written[1] = r * s[0];
-        polar->least += LEAST * r;
+        polar->least += (surface->metric == SP_TENSOR ? LEAST_OF_TENSOR : LEAST) * r;
         polar->surface.lower[j] = -open, polar->surface.upper[j] = open;
     }
     return 1;
@@ -130,3 +169,4 @@ void sp_polar_return(const struct sp_polar *polar, const struct sp_request *requ
 
 const struct sp_kind sp_polar_kind = {SP_PARAMETRIC_INPUTS, 0, polar_charts, sp_parametric_move};
 const struct sp_kind sp_polar_density_kind = {SP_PARAMETRIC_INPUTS, 1, polar_charts, sp_parametric_move};
+const struct sp_kind sp_polar_tensor_kind = {SP_PARAMETRIC_INPUTS, 3, polar_tensor_charts, sp_straight_move};

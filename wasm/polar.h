@@ -18,8 +18,8 @@ struct sp_polar {
     double turn, least;  /* once around, of u; the least r at which the surface is differentiated */
 };
 
-/* Makes the chart around the pole of a request (its `pole` less 4), and the request's like in it: from, to, no start. Returns 0 where the
- * ends are more than half a turn apart, or there is none: of a tensor. */
+/* Makes the chart around the pole of a request (its `pole` less 4), and the request's like in it; a start is over p and q already. Returns
+ * 0 where the ends are more than half a turn apart, or there is none. */
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved);
 
 /* Places over u and v from those over p and q. */

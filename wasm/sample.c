@@ -227,8 +227,8 @@ static void write_nodes(const struct sp_system *system, int32_t k, struct sheet 
     const struct sp_polyline *line = &system->line;
     const sp_pair *place = line->nodes.places + line->kind->dimension * k, *position = line->nodes.charts + SP_CHART * k;
     sp_pair flat[SP_PARAMETRIC_VALUES];
-    if (sheet->points && line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_TENSOR) {
-        line->surface->value(1, place, flat);
+    if (sheet->points && line->surface->kind == SP_PARAMETRIC && line->kind->components == 3) {
+        sp_positions(line->surface, 1, place, flat);
         position = flat;
     }
     write_pair(sheet, k, position, place);

@@ -18,6 +18,8 @@ const NEAR_POINT = 0.05;
 const SAME_POINT = 0.1;
 /** The surface is smooth at a point if derivatives around it differ from those of a plane by less, as SMOOTH of wasm/polar.c. */
 const FLAT = 1e-5;
+/** So near to a point, in parts of the range, a metric is as at it. */
+const BESIDE = 1e-4;
 /** Radians: half a turn, and some. */
 const HALF_AROUND = 1.2 * Math.PI;
 /** Of the range. */
@@ -186,6 +188,22 @@ function hasNoLength(tensors, range) {
 }
 
 /**
+ * Whether E, F and G around an edge that is a point are those of a plane around it, once around.
+ * @param {Sampler} tensors @param {Range} range @param {number} pole
+ */
+function isRound(tensors, range, pole) {
+  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const [away, turn] = [across, 1 - across].map((j) => range.upper[j] - range.lower[j]);
+  const circle = (2 * Math.PI * BESIDE * away) / turn;
+  const edge = tensors(linePlaces(range, across, side, FRACTIONS)).map((tensor) => tensor[2 * across]);
+  const beside = tensors(linePlaces(range, across, Math.abs(side - BESIDE), FRACTIONS));
+  const isFlat = (/** @type {number} */ x, /** @type {number} */ flat) => Math.abs(x / edge[0] - flat) <= FLAT;
+  return beside.every(
+    (tensor, i) => isFlat(edge[i], 1) && isFlat(tensor[1] / circle, 0) && isFlat(tensor[2 - 2 * across] / circle ** 2, 1),
+  );
+}
+
+/**
  * Whether a surface closes smoothly in a direction: S, what measures length on it, and the first derivatives agree on both edges, and the edges
  * are curves, not points.
  * A seam that turns the surface over (Möbius strip) is not closed in this sense: its edges stay walls. What is small is judged on each line across:
@@ -263,7 +281,9 @@ export function findDomain(asked, surface, { lower, upper }) {
   /* Where E, F and G measure length, positions tell nothing. */
   const tips = [
     ...poles.map((pole) =>
-      tensors ? { pole, beyond: 0, at: null, radius: 0, smooth: false } : tipAt(jets, range, periodic, pole, (pole - 1) & 1),
+      tensors
+        ? { pole, beyond: 0, at: null, radius: 0, smooth: periodic[pole > 2 ? 0 : 1] && isRound(tensors, range, pole) }
+        : tipAt(jets, range, periodic, pole, (pole - 1) & 1),
     ),
     ...holes,
   ];
@@ -274,6 +294,20 @@ export function findDomain(asked, surface, { lower, upper }) {
       return { along, most: (HALF_AROUND / turned(pole)) * (upper[along] - lower[along]) };
     });
   return { lower, upper, periodic, poles, tips, around };
+}
+
+/**
+ * Places in the plane around a point to which an edge collapses, of a metric that is round there: two numbers for u and v each.
+ * @param {Range} range @param {number} pole @param {number} middle of the coordinate along the edge, where the plane's angle is 0 @param {Float64Array} parameters
+ */
+export function aroundPole({ lower, upper }, pole, middle, parameters) {
+  const across = (pole - 1) >> 1;
+  const edge = (pole & 1 ? lower : upper)[across];
+  const rate = (2 * Math.PI) / (upper[1 - across] - lower[1 - across]);
+  return parameters.map((_, i) => {
+    const [away, angle] = [Math.abs(parameters[(i & -2) + across] - edge), rate * (parameters[(i & -2) + 1 - across] - middle)];
+    return away * (i & 1 ? Math.sin(angle) : Math.cos(angle));
+  });
 }
 
 /**

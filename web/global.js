@@ -4,7 +4,7 @@
  */
 
 import { distinct, estimate, isSame } from './distinct.js';
-import { gap, isAtPole, liftNear } from './domain.js';
+import { aroundPole, gap, isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -59,11 +59,13 @@ const AT_REST = 1e-9;
 const MOST_UNFOLLOWED = 2;
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 const COMPARED_POINTS = 64;
+/** A chord that turns around a pole by this part of a turn passes it nearby. */
+const SHARP = 0.05;
 /** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
 const BESIDE_STEPS = 60;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
-const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
+export const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
 
 /** @param {SolveOptions} options @returns {SolveOptions} */
 const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
@@ -226,7 +228,7 @@ export function passPoles(problem, options, near) {
   const others = leaps(problem, near) ? [] : [weak];
   const ways = overPoles(problem, options, [weak], others);
   return [...besidePoles(problem, options, ways, others), ...ways]
-    .filter((found) => holds(found) && !(found.path.length > (1 + MARGIN) * lengthOfShortest(others)))
+    .filter((found) => holds(found) && found.path.length <= (1 + MARGIN) * lengthOfShortest(others))
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1)
     .map((found) => asAsked(found, options));
@@ -255,7 +257,7 @@ function besidePoles({ from, to, domain, solve }, options, ways, others) {
     const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
     /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
     const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
-    for (const kind of [...(at ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
+    for (const kind of [...(at || !beyond ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
       const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
       const way = { to: end, again, path: again(asked) };
       if (way.path.status >= CONVERGED) found.push(way);
@@ -281,8 +283,37 @@ function leaps({ domain }, { parameters }) {
 const shortestWeak = (tried) =>
   tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
 
-/** Solves from a path found roughly. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
-const refine = ({ solve }, { to, path }, options) => solve(to, path.parameters ?? path.points, options);
+/** Solves from a path found roughly; past a pole of a metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+function refine({ from, domain, solve }, { to, path }, options) {
+  const { parameters } = path;
+  const pole = domain && parameters && passedPole(domain, parameters);
+  if (pole) {
+    const along = pole > 2 ? 0 : 1;
+    const end = [...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]];
+    const start = aroundPole(domain, pole, (from[along] + end[along]) / 2, parameters);
+    const beside = solve(end, start, options, pole + 4);
+    if (holds({ path: beside })) return beside;
+  }
+  return solve(to, parameters ?? path.points, options);
+}
+
+/**
+ * The pole around which a metric is round, and a rough path turns so sharply that its own coordinates are no good; 0: none.
+ * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters
+ */
+function passedPole({ lower, upper, tips }, parameters) {
+  let [passed, nearest] = [0, Infinity];
+  for (const { pole, at, smooth } of tips) {
+    const across = (pole - 1) >> 1;
+    const along = 1 - across;
+    for (let i = 2; smooth && !at && i < parameters.length; i += 2) {
+      const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
+      const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
+      if (turned > SHARP * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
+    }
+  }
+  return passed;
+}
 
 /**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.

@@ -1,10 +1,10 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
 import { facePoles, liftEnds } from './domain.js';
-import { ELEMENTS, findPaths, passPoles, reverse } from './global.js';
+import { ELEMENTS, findPaths, holds, passPoles, reverse } from './global.js';
 import { makePath } from './path.js';
 import { emptyPath } from './runtime/heap.js';
-import { CONVERGED, ILL_CONDITIONED, ITERATION_LIMIT, OUT_OF_MEMORY, SINGULAR_METRIC } from './runtime/status.js';
+import { ITERATION_LIMIT, OUT_OF_MEMORY } from './runtime/status.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -23,9 +23,6 @@ import { joinPaths, shareOut } from './via.js';
 
 /** Steps after which a path near a start is looked for beside poles first, where there are any. */
 const PATIENCE = 40;
-
-/** Whether a path came to nothing on its way, as one does that would have to pass a pole. @param {import('./runtime/heap.js').RawPath} path */
-const isLost = ({ status }) => (status > CONVERGED ? status !== ILL_CONDITIONED : status === SINGULAR_METRIC);
 
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
 function shift(parameters, by) {
@@ -47,9 +44,9 @@ export function solveNear(field, ends, options, start) {
   const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
   const patience = domain?.tips.length && options.algorithm === ELEMENTS ? PATIENCE : Infinity;
   const near = solve({ ...options, maxIterations: Math.min(options.maxIterations, patience) });
-  const rest = { ...options, maxIterations: options.maxIterations - near.iterations };
-  if (patience < Infinity && isLost(near) && rest.maxIterations > 0) {
-    const [passing] = pose(field, ends, (problem) => passPoles(problem, rest, near));
+  const maxIterations = options.maxIterations - near.iterations;
+  if (patience < Infinity && maxIterations > 0 && !holds({ path: near })) {
+    const [passing] = pose(field, ends, (problem) => passPoles(problem, { ...options, maxIterations }, near));
     if (passing) return passing;
   }
   const path = makePath(near.status === ITERATION_LIMIT && patience < options.maxIterations ? solve(options) : near);

@@ -4,7 +4,7 @@ import { choose } from '../state/change.js';
 import { create, find, say } from './dom.js';
 import { ENTRIES, GROUPS } from '../state/entries.js';
 import { isGiven } from './formula.js';
-import { onRender } from '../state/state.js';
+import { FIRST, onRender } from '../state/state.js';
 
 const picture = (/** @type {string} */ name) => `thumbnails/${name}.webp`;
 
@@ -41,6 +41,7 @@ function renderOpener({ sketch: { entry, kind } }) {
   find('entry-title').textContent = given || entry.startsWith('own-') ? title : `${title}, changed`;
   say(find('source'), given ? source : null);
   const image = /** @type {HTMLImageElement} */ (find('entry-picture'));
-  const src = picture(entry.startsWith('own-') ? `own-${kind}` : entry);
+  // That of the first scene is there already, small.
+  const src = picture(entry === FIRST ? 'poster' : entry.startsWith('own-') ? `own-${kind}` : entry);
   if (image.getAttribute('src') !== src) image.setAttribute('src', src);
 }

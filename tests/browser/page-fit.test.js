@@ -127,7 +127,7 @@ test('all that is loaded is 300 KB gzipped at most', async () => {
     if (!/\.(?:js|css|html|wasm|svg)$/.test(name) || name.startsWith('gltf')) continue;
     sum += gzipSync(await readFile(SITE + name), { level: 9 }).length;
   }
-  sum += (await readFile(`${SITE}thumbnails/parametricTorus.webp`)).length;
+  sum += (await readFile(`${SITE}thumbnails/poster.webp`)).length;
   assert.ok(sum < 300_000, `${sum} bytes`);
 });
 
@@ -140,7 +140,7 @@ test('nothing but the page itself is asked for, and no picture of the gallery be
   await settled(page);
   assert.ok(asked.every((url) => url.startsWith(browser.address)));
   assert.deepEqual(
-    asked.filter((url) => url.endsWith('.webp') && !url.endsWith('parametricTorus.webp')),
+    asked.filter((url) => url.endsWith('.webp') && !url.endsWith('poster.webp')),
     [],
   );
 });

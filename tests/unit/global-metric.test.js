@@ -1,6 +1,6 @@
 // The globally shortest path where length has a density or a metric: what is shortest in space is not, and the graph knows it.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
 
@@ -79,4 +79,53 @@ test('the hyperbolic plane: one geodesic, and pieces through a point', () => {
   const path = half.shortestPath([-1, 1], [1, 1], { via: [[0, 3]] });
   assert.ok(path.converged && Math.abs(path.length - 2 * distance([-1, 1], [0, 3])) < 1e-9, `${path.status} ${path.length}`);
   assert.equal(path.points.length, 0);
+});
+
+describe('metrics around a pole, by distance and angle', () => {
+  const around = { kind: 'metric', F: 0, u: [0, 2], v: [0, '2pi'], periodic: { v: true } };
+  /** @type {[string, object, (a: number[], b: number[]) => number][]} */
+  const planes = [
+    ['a plane', { ...around, E: 1, G: 'u^2' }, (a, b) => Math.sqrt(a[0] ** 2 + b[0] ** 2 - 2 * a[0] * b[0] * Math.cos(a[1] - b[1]))],
+    [
+      'the hyperbolic plane',
+      { ...around, E: 1, G: 'sinh(u)^2' },
+      (a, b) => Math.acosh(Math.cosh(a[0]) * Math.cosh(b[0]) - Math.sinh(a[0]) * Math.sinh(b[0]) * Math.cos(a[1] - b[1])),
+    ],
+    [
+      'a sphere, whose other pole is its upper edge',
+      { ...around, E: 1, G: 'sin(u)^2', u: [0, 'pi'] },
+      (a, b) => Math.acos(Math.cos(a[0]) * Math.cos(b[0]) + Math.sin(a[0]) * Math.sin(b[0]) * Math.cos(a[1] - b[1])),
+    ],
+  ];
+  for (const [name, definition, distance] of planes) {
+    const surface = make(definition);
+    const { u } = /** @type {{ u: number[] }} */ (surface.domain);
+    const random = createRandom(17);
+    const place = () => [u[0] + (u[1] - u[0]) * random.between(0.02, 0.98), random.between(0, 6.28)];
+    const check = (/** @type {number[]} */ from, /** @type {number[]} */ to, /** @type {object} */ options) => {
+      const path = surface.shortestPath(from, to, options);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      // 1e-7: near 0 and π the inverse cosines lose half of the digits.
+      assert.ok(Math.abs(path.length - distance(from, to)) <= 1e-7, `${from} to ${to}: ${path.length}, not ${distance(from, to)}`);
+      return path;
+    };
+
+    test(`${name}: the shortest path, past the pole as near as can be`, () => {
+      for (let i = 0; i < 60; i++) {
+        const [from, to] = [place(), place()];
+        if (i % 2) to[1] = (from[1] + Math.PI + 10 ** -random.between(0, 9)) % 6.28;
+        const path = check(from, to, {});
+        assert.equal(check(to, from, {}).length, path.length);
+      }
+    });
+
+    test(`${name}: an end dragged around the pole, each path the start of the next`, () => {
+      const from = place();
+      let start;
+      for (let frame = 0; frame < 120; frame++) {
+        const [x, y] = [0.1 + 0.8 * Math.cos(frame / 19), 0.5 * Math.sin(frame / 19)];
+        start = check(from, [Math.hypot(x, y), (Math.atan2(y, x) + 2 * Math.PI) % (2 * Math.PI)], { start });
+      }
+    });
+  }
 });
