@@ -23,7 +23,7 @@ CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-co
 # -O2, without what makes code longer but not faster here: unrolled and vectorised loops, inlining, expressions computed ahead on every way.
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -enable-pre=0 -mllvm -enable-gvn-hoist -msimd128 \
     -mbulk-memory -DNDEBUG
-HOT := -mllvm -inline-threshold=20
+HOT := -mllvm -inline-threshold=5
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.

@@ -24,7 +24,7 @@ struct sp_inertia {
     int32_t usable;   /* 0: a pivot block is singular or not finite; nothing may be solved */
     double descent;   /* r'(H + shift M)^-1 r: minus the slope of the scaled energy along the solution */
     double softness;  /* the largest trace of P^-1 M over the pivots P, of that where the halves meet times 2/(n + 1), which on a straight
-                       * line  in a plane makes it 2; infinite unless all are positive definite */
+                       * line in a plane makes it 2; infinite unless all of them are positive definite */
 };
 
 /* Factors H + shift M of the unknown rows 1 … sp_fold_unknown and eliminates the right-hand side. */

@@ -148,7 +148,7 @@ static double search_escape(struct sp_newton *newton, double squares) {
 
 static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
 
-/* Whether the path resists every bend: the smallest eigenvalue relative to M of the pivots of its Hessian is above `bound`. */
+/* Whether the path resists every bend: 1/softness is above `bound`, and so are all eigenvalues of its Hessian's pivots relative to M. */
 static int is_stiff(const struct round *round, double bound) { return round->inertia.softness * bound < 1; }
 
 static double norm_of(const struct sp_newton *newton, double gradient_squared) {

@@ -105,7 +105,15 @@ static void polar_tensor_charts(const struct sp_surface *surface, int32_t pair_c
         polar_jet(polar_of(surface), 3, places + 2 * k, metrics + SP_PARAMETRIC_TENSOR_JET * k);
 }
 
-int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved) {
+/* Over p and q, from u and v. */
+static void enter(const struct sp_polar *polar, const double *place, double *entered) {
+    double r = polar->side * (place[polar->across] - polar->edge);
+    sp_pair c, s = sp_sincos(sp_splat(polar->rate * (place[1 - polar->across] - polar->middle)), &c);
+    entered[0] = r * c[0], entered[1] = r * s[0];
+}
+
+int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_arena *arena,
+                  struct sp_request *moved) {
     int32_t pole = request->pole - 5, across = pole >> 1;
     double open = __builtin_inf(), beyond = request->from[2],
            edge = pole & 1 ? surface->upper[across] + beyond : surface->lower[across] - beyond, turn = request->to[2];
@@ -116,15 +124,19 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
     *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, angle / turn, turn, 0};
     polar->surface.metric += SP_POLAR;
     *moved = *request, moved->pole = 0;
-    if (!request->start) moved->start_count = POINTS;
+    if (request->start) {
+        double *start = sp_arena_take(arena, 2 * (size_t)request->start_count, sizeof(double));
+        for (int32_t i = 0; start && i < request->start_count; i++)
+            enter(polar, request->start + 2 * i, start + 2 * i);
+        moved->start = start;
+    }
+    if (!moved->start) moved->start_count = POINTS;
     for (int j = 0; j < 2; j++) {
         const double *end = j ? request->to : request->from;
-        double r = polar->side * (end[across] - edge), theta = polar->rate * (end[1 - across] - middle),
-               *written = j ? moved->to : moved->from;
-        sp_pair c, s = sp_sincos(sp_splat(theta), &c);
+        double theta = polar->rate * (end[1 - across] - middle);
         if (!(2 * theta < TURN / 2 + SMOOTH && 2 * theta > -TURN / 2 - SMOOTH)) return 0;
-        written[0] = r * c[0], written[1] = r * s[0];
-        polar->least += (surface->metric == SP_TENSOR ? LEAST_OF_TENSOR : LEAST) * r;
+        enter(polar, end, j ? moved->to : moved->from);
+        polar->least += (surface->metric == SP_TENSOR ? LEAST_OF_TENSOR : LEAST) * polar->side * (end[across] - edge);
         polar->surface.lower[j] = -open, polar->surface.upper[j] = open;
     }
     return 1;

@@ -18,9 +18,10 @@ struct sp_polar {
     double turn, least;  /* once around, of u; the least r at which the surface is differentiated */
 };
 
-/* Makes the chart around the pole of a request (its `pole` less 4), and the request's like in it; a start is over p and q already. Returns
- * 0 where the ends are more than half a turn apart, or there is none. */
-int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_request *moved);
+/* Makes the chart around the pole of a request (its `pole` less 4), and the request's like in it, a start in the arena, if there is room
+ * for it. Returns 0 where the ends are more than half a turn apart, or there is none. */
+int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_arena *arena,
+                  struct sp_request *moved);
 
 /* Places over u and v from those over p and q. */
 void sp_polar_leave(const struct sp_polar *polar, int32_t pair_count, const sp_pair *places, sp_pair *left);

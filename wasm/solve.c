@@ -34,7 +34,7 @@ double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options 
     double refine = clean.algorithm == SP_ELEMENTS ? sp_refine_bytes() + sp_arcs_bytes() + kept
                                                    : sp_refine_polyline_bytes(sp_kind_of(surface)->dimension, clean.point_count + 1);
     return sp_newton_bytes(surface, &clean, inner_nodes(&clean)) + refine + 5 * (clean.point_count + 2.0) * sizeof(double) +
-           8.0 * start_count + 4 * 16;
+           24.0 * start_count + 5 * 16;
 }
 
 /* A start of more points is thinned: on 512 chords and more projected Newton frees about one node a step from a wall that the path leaves.
@@ -239,7 +239,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     struct sp_polar polar;
     struct sp_request around;
     int is_polar = request->pole > 4 && request->pole <= 8 && request->to[2] > 0,
-        is_sound = !is_polar || sp_polar_make(&polar, surface, request, &around);
+        is_sound = !is_polar || sp_polar_make(&polar, surface, request, arena, &around);
     enum sp_status status = SP_SINGULAR_METRIC;
     if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);
     if (is_polar && status >= 0) sp_polar_return(&polar, request, clean.point_count + 2, result->parameters);

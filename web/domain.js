@@ -297,20 +297,6 @@ export function findDomain(asked, surface, { lower, upper }) {
 }
 
 /**
- * Places in the plane around a point to which an edge collapses, of a metric that is round there: two numbers for u and v each.
- * @param {Range} range @param {number} pole @param {number} middle of the coordinate along the edge, where the plane's angle is 0 @param {Float64Array} parameters
- */
-export function aroundPole({ lower, upper }, pole, middle, parameters) {
-  const across = (pole - 1) >> 1;
-  const edge = (pole & 1 ? lower : upper)[across];
-  const rate = (2 * Math.PI) / (upper[1 - across] - lower[1 - across]);
-  return parameters.map((_, i) => {
-    const [away, angle] = [Math.abs(parameters[(i & -2) + across] - edge), rate * (parameters[(i & -2) + 1 - across] - middle)];
-    return away * (i & 1 ? Math.sin(angle) : Math.cos(angle));
-  });
-}
-
-/**
  * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction.
  * @param {Domain} domain @param {number[]} point @param {string} name for messages
  */

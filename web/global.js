@@ -4,7 +4,7 @@
  */
 
 import { distinct, estimate, isSame } from './distinct.js';
-import { aroundPole, gap, isAtPole, liftNear } from './domain.js';
+import { gap, isAtPole, liftNear } from './domain.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -33,12 +33,13 @@ import {
  * @property {boolean} isPlain length is that of space
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
  *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
- *   number of the end is what the coordinate along that edge changes by once around; 8 more: around the edge, as around a hole
+ *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: around the edge, as around a hole
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
  * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
  */
 
+/** As sp_algorithm in wasm/surfpath.h. */
 export const ELEMENTS = 0;
 /** Why a straight start comes to nothing that has to do with an end alone. */
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
@@ -227,8 +228,9 @@ export function passPoles(problem, options, near) {
   const weak = { to: problem.to, path: near, start: null, coarse: near };
   const others = leaps(problem, near) ? [] : [weak];
   const ways = overPoles(problem, options, [weak], others);
+  const most = others.length > 0 && near.length > 0 ? (1 + MARGIN) * near.length : Infinity;
   return [...besidePoles(problem, options, ways, others), ...ways]
-    .filter((found) => holds(found) && found.path.length <= (1 + MARGIN) * lengthOfShortest(others))
+    .filter((found) => holds(found) && found.path.length <= most)
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1)
     .map((found) => asAsked(found, options));
@@ -283,33 +285,32 @@ function leaps({ domain }, { parameters }) {
 const shortestWeak = (tried) =>
   tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
 
-/** Solves from a path found roughly; past a pole of a metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+/** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
 function refine({ from, domain, solve }, { to, path }, options) {
   const { parameters } = path;
-  const pole = domain && parameters && passedPole(domain, parameters);
+  const round = options.algorithm === ELEMENTS ? domain?.tips.filter(({ at, smooth }) => smooth && !at) : [];
+  const pole = domain && parameters && passedPole({ ...domain, tips: round ?? [] }, parameters, SHARP);
   if (pole) {
     const along = pole > 2 ? 0 : 1;
-    const end = [...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]];
-    const start = aroundPole(domain, pole, (from[along] + end[along]) / 2, parameters);
-    const beside = solve(end, start, options, pole + 4);
+    const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
     if (holds({ path: beside })) return beside;
   }
   return solve(to, parameters ?? path.points, options);
 }
 
 /**
- * The pole around which a metric is round, and a rough path turns so sharply that its own coordinates are no good; 0: none.
- * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters
+ * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; 0: none.
+ * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters @param {number} part
  */
-function passedPole({ lower, upper, tips }, parameters) {
+export function passedPole({ lower, upper, tips }, parameters, part) {
   let [passed, nearest] = [0, Infinity];
-  for (const { pole, at, smooth } of tips) {
+  for (const { pole } of tips) {
     const across = (pole - 1) >> 1;
     const along = 1 - across;
-    for (let i = 2; smooth && !at && i < parameters.length; i += 2) {
+    for (let i = 2; i < parameters.length; i += 2) {
       const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
       const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
-      if (turned > SHARP * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
+      if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
     }
   }
   return passed;

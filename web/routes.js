@@ -1,10 +1,10 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
 import { facePoles, liftEnds } from './domain.js';
-import { ELEMENTS, findPaths, holds, passPoles, reverse } from './global.js';
+import { ELEMENTS, findPaths, holds, passedPole, passPoles, reverse } from './global.js';
 import { makePath } from './path.js';
 import { emptyPath } from './runtime/heap.js';
-import { ITERATION_LIMIT, OUT_OF_MEMORY } from './runtime/status.js';
+import { OUT_OF_MEMORY } from './runtime/status.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -21,8 +21,8 @@ import { joinPaths, shareOut } from './via.js';
  * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
-/** Steps after which a path near a start is looked for beside poles first, where there are any. */
-const PATIENCE = 40;
+/** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
+const [PATIENCE, SLIPPING] = [40, 0.25];
 
 /** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
 function shift(parameters, by) {
@@ -38,18 +38,26 @@ function shift(parameters, by) {
  */
 export function solveNear(field, ends, options, start) {
   const { kind, domain, run } = field;
-  const faced = start ? ends : facePoles(domain, ends[0], ends[1]);
+  const faced = facePoles(domain, ends[0], ends[1]);
   const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
   const request = { kind, from: lifted[0], to: lifted[1], start };
   const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
-  const patience = domain?.tips.length && options.algorithm === ELEMENTS ? PATIENCE : Infinity;
-  const near = solve({ ...options, maxIterations: Math.min(options.maxIterations, patience) });
-  const maxIterations = options.maxIterations - near.iterations;
-  if (patience < Infinity && maxIterations > 0 && !holds({ path: near })) {
-    const [passing] = pose(field, ends, (problem) => passPoles(problem, { ...options, maxIterations }, near));
-    if (passing) return passing;
+  const mayPass = domain && domain.tips.length > 0 && options.algorithm === ELEMENTS;
+  let near = solve(mayPass ? { ...options, maxIterations: Math.min(options.maxIterations, PATIENCE) } : options);
+  const pass = () => {
+    const rest = { ...options, maxIterations: options.maxIterations - near.iterations };
+    return mayPass && !holds({ path: near }) && rest.maxIterations > 0
+      ? pose(field, ends, (problem) => passPoles(problem, rest, near))[0]
+      : undefined;
+  };
+  const isOpen = mayPass && near.iterations >= PATIENCE && !holds({ path: near });
+  let passing = isOpen && !(near.parameters && passedPole(domain, near.parameters, SLIPPING)) ? undefined : pass();
+  if (isOpen && !passing) {
+    near = solve(options);
+    passing = pass();
   }
-  const path = makePath(near.status === ITERATION_LIMIT && patience < options.maxIterations ? solve(options) : near);
+  if (passing) return passing;
+  const path = makePath(near);
   if (path.parameters) shift(path.parameters, [faced[0][0] - lifted[0][0], faced[0][1] - lifted[0][1]]);
   return path;
 }
@@ -99,7 +107,7 @@ function pose({ kind, domain, box, graphs, isPlain, run }, [from, to], find) {
     if (parameters)
       shift(
         parameters,
-        [0, 1].map((j) => (domain?.periodic[j] ? from[j] - parameters[j] : 0)),
+        [0, 1].map((j) => (domain?.periodic[j] ? (swap ? b : a)[j] - parameters[j] : 0)),
       );
     return path;
   });

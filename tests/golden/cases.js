@@ -52,7 +52,8 @@ function pointSource(surface, definition, random) {
 }
 
 /**
- * Problems with straight starts in which the library hands both ends to the solver as they are: less than half a period apart.
+ * Problems with straight starts in which the library hands both ends to the solver as they are, and what comes of it back: less than half a period apart, by so much
+ * that no path has to pass a pole.
  * @param {Surface} surface @param {any} definition @param {number} count
  * @returns {StraightProblem[]}
  */
@@ -63,7 +64,7 @@ export function straightProblems(surface, definition, count) {
     const [from, far] = [point(), point()];
     const ranges = surface.domain ? [surface.domain.u, surface.domain.v] : [];
     const periodic = surface.domain ? [surface.domain.periodic.u, surface.domain.periodic.v] : [];
-    const to = far.map((x, j) => (periodic[j] && Math.abs(x - from[j]) >= 0.49 * (ranges[j][1] - ranges[j][0]) ? from[j] : x));
+    const to = far.map((x, j) => (periodic[j] && Math.abs(x - from[j]) >= 0.4 * (ranges[j][1] - ranges[j][0]) ? from[j] : x));
     return { from, to, options: { algorithm: ALGORITHMS[i % 4], points: 1 + random.integer(48), maxIterations: i % 7 ? 100 : 2 } };
   });
 }

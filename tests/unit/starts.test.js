@@ -87,6 +87,37 @@ describe('an end that is dragged past poles, each path the start of the next', (
     surface.dispose();
   });
 
+  test('from a pole of a globe: along the meridians, and where the path is says so', () => {
+    const surface = surfpath.surface(gallery.globe);
+    for (const pole of [Math.PI / 2, -Math.PI / 2])
+      for (const { to, path } of drag(surface, [0.3, pole], (angle) => onCircle(angle, 0.7))) {
+        assert.ok(Math.abs(path.length - Math.abs(pole - to[1])) <= TWO_TOLERANCES, `${to}: ${path.length}`);
+        for (const { parameters } of [path, surface.shortestPath([0.3, pole], to)]) {
+          const [u, v] = parameters?.slice(-2) ?? [];
+          // Whole periods apart, up to their rounding.
+          assert.ok(Math.abs(Math.sin((u - to[0]) / 2)) <= 1e-15 && v === to[1], `${to}: the end is ${u}, ${v}`);
+        }
+      }
+    surface.dispose();
+  });
+
+  test('a start that takes long but arrives is not given up for a shorter path', () => {
+    const waves = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: '0.5*sin(5v)', u: [0, '2pi'], v: [0, 4] });
+    const slow = waves.shortestPath([5.385963839218369, 3.453447437286377], [3.231859333605052, 0.29984254837036134], {
+      start: 'straight',
+    });
+    assert.ok(slow.converged && slow.iterations > 40, `${slow.status}, ${slow.iterations} steps`);
+    const radius = '(1+0.3*sin(5v)*sin(v))';
+    const ball = { x: `${radius}*sin(v)*cos(u)`, y: `${radius}*sin(v)*sin(u)`, z: `${radius}*cos(v)` };
+    const bumpy = surfpath.parametric({ ...ball, u: [0, '2pi'], v: [0, 'pi'] });
+    const [from, to] = [
+      [1.9752371400981579, 0.9507714414719871],
+      [2.601100365287929, 2.140658467424427],
+    ];
+    const wound = bumpy.shortestPath(from, to, { start: [...from, -3.995, 2.175, to[0] - 4 * Math.PI, to[1]] });
+    assert.ok(wound.converged && wound.length > 8, `${wound.status}, ${wound.length}`);
+  });
+
   test('on a cone and a paraboloid by angle and distance: geodesics that hit, on the cone as long as unrolled', () => {
     const polar = /** @type {const} */ ({ x: 'v cos(u)', y: 'v sin(u)', u: [0, '2pi'], v: [0, 2] });
     for (const z of ['v', 'v^2']) {
