@@ -10,7 +10,20 @@ const ROUNDS = quick ? 1 : 9;
 
 const surfpath = await load();
 
-/** @param {'saddle' | 'parametricTorus' | 'globe' | 'dini' | 'torus' | 'printed47'} name */
+const names = /** @type {const} */ ([
+  'saddle',
+  'parametricTorus',
+  'globe',
+  'dini',
+  'torus',
+  'threeTori',
+  'genus2',
+  'bumpy',
+  'trefoil',
+  'printed47',
+]);
+
+/** @param {typeof names[number]} name */
 function measure(name) {
   const surface = surfpath.surface(gallery[name]);
   const pairs = randomPairs(surface, createRandom(SEED), 4 * PAIRS)
@@ -35,18 +48,25 @@ function measure(name) {
   };
   for (const task of Object.values(tasks)) warmUp(task);
   const { straight, usual, warm } = compete(tasks, ROUNDS);
+  const single = pairs.map(([from, to], i) => {
+    const moved = to.map((x, j) => x + 0.01 * (from[j] - x));
+    const times = Array.from({ length: ROUNDS }, () => {
+      const start = performance.now();
+      sum += surface.shortestPath(from, moved, { start: earlier[i] }).length;
+      return 1e3 * (performance.now() - start);
+    });
+    return times.sort((a, b) => a - b)[ROUNDS >> 1];
+  });
   return {
     surface: name,
     'straight µs median': straight.median,
     'default µs median': usual.median,
     'warm µs median': warm.median,
+    'of half of the pairs at most': single.sort((a, b) => a - b)[pairs.length >> 1],
     'length, summed': sum,
   };
 }
 
-report(
-  'tolerance',
-  `Microseconds a path to 1e-9, ${PAIRS} random pairs`,
-  /** @type {const} */ (['saddle', 'parametricTorus', 'globe', 'dini', 'torus', 'printed47']).map(measure),
-  ['wanted: warm in at most 300 µs'],
-);
+report('tolerance', `Microseconds a path to 1e-9, mean of ${PAIRS} random pairs`, names.map(measure), [
+  'wanted: warm in at most 300 µs; of the pairs on one surface some are harder than most',
+]);
