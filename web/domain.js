@@ -144,7 +144,8 @@ function tipAt(jets, range, periodic, pole, fraction) {
 /** Whether the derivatives across a point are those of a plane around it, a cos θ + b sin θ, equal steps of the coordinate along those of θ. @param {Float64Array} sampled @param {number} direction */
 function isFlat(sampled, direction) {
   const across = (/** @type {number} */ i) => vector(sampled, i, direction ? 6 : 3);
-  const twice = 2 * Math.cos((2 * Math.PI) / GRID);
+  /* 2 cos(2π/16), as GRID is 16. */
+  const twice = Math.sqrt(2 + Math.SQRT2);
   const size = Math.max(...FRACTIONS.map((_, i) => Math.sqrt(dot(across(i), across(i)))));
   return FRACTIONS.slice(2).every(
     (_, i) =>
@@ -163,7 +164,11 @@ function isFlat(sampled, direction) {
 function turning(jets, places, direction) {
   const sampled = jets(places);
   const across = FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)).map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
-  return across.slice(1).reduce((sum, x, i) => sum + 2 * Math.asin(Math.min(1, gap(x, across[i]) / 2)), 0);
+  return across.slice(1).reduce((sum, x, i) => {
+    /* Twice the arcsine of half the chord, as in wasm/pole.c. */
+    const [chord, square] = [gap(x, across[i]), gap(x, across[i]) ** 2];
+    return sum + chord * (1 + (square / 24) * (1 + ((9 * square) / 80) * (1 + (25 * square) / 168)));
+  }, 0);
 }
 
 /** @param {Jets} jets */
