@@ -72,8 +72,11 @@ int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, 
         bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
+        struct sp_options own = *options;
+        /* An arc that is a small part of the bridge may be wrong by so much more of its own length. */
+        if (bridge->length > piece->solved.length && piece->solved.length > 0) own.tolerance *= bridge->length / piece->solved.length;
         place_joints(bridge, i);
-        if (!solve_arc(newton, options, checked, piece, arena)) return 0;
+        if (!solve_arc(newton, &own, checked, piece, arena)) return 0;
         length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
