@@ -67,14 +67,15 @@ static int solve_arc(struct sp_newton *newton, const struct sp_options *options,
 
 int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
                     struct sp_arena *arena) {
+    struct sp_options own = *options;
     double length = 0;
     for (int32_t i = 0; i < bridge->count; i++)
         bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
-        struct sp_options own = *options;
         /* An arc that is a small part of the bridge may be wrong by so much more of its own length. */
-        if (bridge->length > piece->solved.length && piece->solved.length > 0) own.tolerance *= bridge->length / piece->solved.length;
+        double parts = bridge->length / piece->solved.length;
+        own.tolerance = options->tolerance * (parts > 1 ? parts : 1);
         place_joints(bridge, i);
         if (!solve_arc(newton, &own, checked, piece, arena)) return 0;
         length += piece->solved.length;

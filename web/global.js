@@ -288,9 +288,8 @@ const shortestWeak = (tried) =>
 /** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
 function refine({ from, domain, solve }, { to, path }, options) {
   const { parameters } = path;
-  const round = options.algorithm === ELEMENTS ? domain?.tips.filter(({ at, smooth }) => smooth && !at) : [];
-  const pole = domain && parameters && passedPole({ ...domain, tips: round ?? [] }, parameters, SHARP);
-  if (pole) {
+  const pole = domain && parameters && options.algorithm === ELEMENTS && passedPole(domain, parameters, SHARP);
+  if (pole && domain.tips.some((tip) => tip.pole === pole && tip.smooth && !tip.at)) {
     const along = pole > 2 ? 0 : 1;
     const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
     if (holds({ path: beside })) return beside;
