@@ -26,7 +26,8 @@ struct sp_bridge {
 /* The part of a path beyond a wall that the first, last, arc of a bridge is. */
 struct sp_piece *sp_bridge_beyond(const struct sp_bridge *bridge, int side);
 
-/* Solves all arcs to the crossings. Returns 0 where one fails: then the length stays that of the last time all were solved. */
+/* Solves all arcs to the crossings, to a tolerance of the whole length where that is known. Returns 0 where one fails: then the length
+ * stays that of the last time all were solved. */
 int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
                     struct sp_arena *arena);
 

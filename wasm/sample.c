@@ -114,16 +114,16 @@ double sp_sample_parameter(const struct sp_elements *elements, int32_t i) {
 
 /* Polyline from polyline as far as the four neighbours stand side by side, as polyline_place. Returns the pair that is next. */
 static int32_t resample(const struct sp_system *from, struct sp_fold fold, sp_pair *places) {
-    int32_t dimension = from->line.kind->dimension, k = 0;
-    const sp_pair *at = from->line.nodes.places, *last = at + dimension * (from->line.fold.both - 2);
+    int32_t dimension = from->line.kind->dimension, k = 0, first = 0;
+    const sp_pair *at = from->line.nodes.places;
     double chords = (from->line.fold.inner + 1.0) / (fold.inner + 1), s = -1, weights[4];
-    for (; k <= fold.both && at <= last; k++) {
+    for (; k <= fold.both && first <= from->line.fold.both - 2; k++) {
         cubic_weights(s, weights);
         for (int32_t j = 0; j < dimension; j++, places++)
             *places = weights[0] * at[j] + weights[1] * at[dimension + j] + weights[2] * at[2 * dimension + j] +
                       weights[3] * at[3 * dimension + j];
         for (s += chords; s >= 1; s--)
-            at += dimension;
+            first++, at += dimension;
     }
     return k;
 }

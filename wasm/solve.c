@@ -28,6 +28,7 @@ static int32_t inner_nodes(const struct sp_options *options) {
     return options->algorithm == SP_ELEMENTS ? SP_REFINE_INNER : options->point_count;
 }
 
+/* Of a start: its lengths, and its like in a chart around a pole. */
 double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t start_count) {
     struct sp_options clean = clamped(options);
     double kept = (SP_REFINE_INNER / 2 + 3) * 3.0 * sizeof(sp_pair); /* the start, for arcs to begin from */

@@ -202,10 +202,8 @@ function isRound(tensors, range, pole) {
   const circle = (2 * Math.PI * BESIDE * away) / turn;
   const edge = tensors(linePlaces(range, across, side, FRACTIONS)).map((tensor) => tensor[2 * across]);
   const beside = tensors(linePlaces(range, across, Math.abs(side - BESIDE), FRACTIONS));
-  const isFlat = (/** @type {number} */ x, /** @type {number} */ flat) => Math.abs(x / edge[0] - flat) <= FLAT;
-  return beside.every(
-    (tensor, i) => isFlat(edge[i], 1) && isFlat(tensor[1] / circle, 0) && isFlat(tensor[2 - 2 * across] / circle ** 2, 1),
-  );
+  const is = (/** @type {number} */ x, /** @type {number} */ expected) => Math.abs(x / edge[0] - expected) <= FLAT;
+  return beside.every((tensor, i) => is(edge[i], 1) && is(tensor[1] / circle, 0) && is(tensor[2 - 2 * across] / circle ** 2, 1));
 }
 
 /**

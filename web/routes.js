@@ -43,15 +43,18 @@ export function solveNear(field, ends, options, start) {
   const request = { kind, from: lifted[0], to: lifted[1], start };
   const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
   const mayPass = domain && domain.tips.length > 0 && options.algorithm === ELEMENTS;
-  let near = solve(mayPass ? { ...options, maxIterations: Math.min(options.maxIterations, PATIENCE) } : options);
+  const isCut = mayPass && options.maxIterations > PATIENCE;
+  let near = solve(isCut ? { ...options, maxIterations: PATIENCE } : options);
   const pass = () => {
     const rest = { ...options, maxIterations: options.maxIterations - near.iterations };
     return mayPass && !holds({ path: near }) && rest.maxIterations > 0
       ? pose(field, ends, (problem) => passPoles(problem, rest, near))[0]
       : undefined;
   };
-  const isOpen = mayPass && near.iterations >= PATIENCE && !holds({ path: near });
-  let passing = isOpen && !(near.parameters && passedPole(domain, near.parameters, SLIPPING)) ? undefined : pass();
+  /* Cut short, it may only take long. */
+  const isOpen = isCut && near.iterations >= PATIENCE && !holds({ path: near });
+  const slips = near.parameters && mayPass && passedPole(domain, near.parameters, SLIPPING) > 0;
+  let passing = !isOpen || slips ? pass() : undefined;
   if (isOpen && !passing) {
     near = solve(options);
     passing = pass();

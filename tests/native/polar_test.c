@@ -99,6 +99,7 @@ int main(void) {
         struct sp_polar polar = polar_at(&plane, 0, 0, 1, 1);
         double r = i ? pow(10, -7 * random_unit(&seed)) : 0, angle = 6 * random_unit(&seed), metric[18];
         metric_at(&polar, r * cos(angle), r * sin(angle), metric);
+        /* Rounding, once and twice over the least r, 1e-5. */
         for (int k = 0; k < 18; k++)
             CHECK(fabs(metric[k] - (k == 0 || k == 2)) <= 1e-15 * (k < 3   ? 1
                                                                    : k < 9 ? 1e5

@@ -4,6 +4,7 @@ import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { loadCases } from '../helpers/cases.js';
+import { createRandom } from '../helpers/random.js';
 
 /** @typedef {import('../../web/path.js').Path} Path */
 
@@ -300,4 +301,18 @@ describe('contacts that chords see and the path has not, and the other way round
       assert.equal(chords.status, 'converged');
       assert.ok(Math.abs(chords.length / path.length - 1) < 1e-6, `${path.length}, of chords ${chords.length}`);
     });
+});
+
+test('across a cusp from an end beside it: its arc is a millionth of the path, and asked for no more than that', () => {
+  const dini = surfpath.parametric({ ...gallery.dini, u: [0, '4pi'], v: [0.3, 2.6] });
+  const random = createRandom(31);
+  for (let i = 0; i < 24; i++) {
+    const [u, side] = [random.between(1, 11), i % 2 ? 1 : -1];
+    const from = [u, Math.PI / 2 + side * 10 ** -random.between(2.7, 3.5)];
+    const to = [u + random.between(-1, 1), Math.PI / 2 - side * random.between(0.1, 0.7)];
+    const [path, fine] = [1e-9, 1e-12].map((tolerance) => dini.shortestPath(from, to, { tolerance, maxIterations: 1000 }));
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(path.crossesSingularity);
+    assert.ok(Math.abs(path.length / fine.length - 1) <= 1e-9, `${from} to ${to}: ${path.length}, ${fine.length}`);
+  }
 });

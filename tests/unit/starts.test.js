@@ -1,4 +1,4 @@
-// Starts that are given: however many points they have, they lead where a start of a few points does.
+// Starts that are given: however many points they have, they lead where a start of a few points does; and past poles, where no step in the rectangle does.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';

@@ -1,7 +1,6 @@
 /** How a computation ended: enum sp_status of wasm/status.h, which tells what each means. */
 
 export const CONVERGED = 0;
-export const ITERATION_LIMIT = 1;
 export const STALLED = 2;
 export const ILL_CONDITIONED = 4;
 export const DISCONNECTED = -1;
@@ -14,7 +13,7 @@ export const OUT_OF_MEMORY = -6;
 /** The words of `path.status`. @type {Map<number, import('../path.js').Status>} */
 export const STATUS = new Map([
   [CONVERGED, 'converged'],
-  [ITERATION_LIMIT, 'iteration-limit'],
+  [1, 'iteration-limit'],
   [STALLED, 'stalled'],
   [3, 'tolerance-not-met'],
   [ILL_CONDITIONED, 'ill-conditioned'],
