@@ -20,6 +20,9 @@ sp_pair sp_cos(sp_pair x);
  * ulp for every finite x; never infinite, since no double is an odd multiple of pi/2. */
 sp_pair sp_sincos(sp_pair x, sp_pair *cosine);
 
+/* Returns sin x and writes cos x, sin y and cos y to `others`: the bits of sp_sincos for each, in three quarters of the time. */
+sp_pair sp_sincos_two(sp_pair x, sp_pair y, sp_pair *others);
+
 /* asin x in [-pi/2, pi/2] for -1 <= x <= 1, 1.16 ulp. */
 sp_pair sp_asin(sp_pair x);
 

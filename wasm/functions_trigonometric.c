@@ -75,7 +75,7 @@ __attribute__((noinline, cold)) static double reduce_fully(double x, enum part p
     return x < 0 ? -value : value;
 }
 
-static inline struct reduced_angle reduce(sp_pair x) {
+static inline __attribute__((always_inline)) struct reduced_angle reduce(sp_pair x) {
     const sp_pair *parts = sp_constants.half_pi_parts;
     sp_pair shifted = x * sp_constants.two_over_pi + SP_ROUNDER;
     sp_pair multiple = shifted - SP_ROUNDER;
@@ -98,28 +98,37 @@ static inline struct reduced_angle reduce(sp_pair x) {
 }
 
 /* sin and cos of high + low. The order of the sums keeps what rounding loses below a tenth of an ulp, and the sign of zero. */
-static inline sp_pair reduced_sine(const struct reduced_angle *angle) {
+static inline __attribute__((always_inline)) sp_pair reduced_sine(const struct reduced_angle *angle) {
     sp_pair x = angle->high, square = x * x, cube = square * x;
     sp_pair tail = square * (0.5 * angle->low - cube * sp_polynomial(square, sp_constants.sine + 1, 5)) - angle->low;
     return x - (tail - cube * sp_constants.sine[0]);
 }
 
-static inline sp_pair reduced_cosine(const struct reduced_angle *angle) {
+static inline __attribute__((always_inline)) sp_pair reduced_cosine(const struct reduced_angle *angle) {
     sp_pair square = angle->high * angle->high, half = 0.5 * square, head = 1.0 - half;
     sp_pair tail = square * (square * sp_polynomial(square, sp_constants.cosine, 6)) - angle->high * angle->low;
     return head + (((1.0 - head) - half) + tail);
 }
 
-static inline sp_mask is_odd(sp_word quadrant) { return (sp_mask)(0 - (quadrant & 1)); }
-
-/* The one copy of the code for all three functions: who asks for one of them pays for both, two operations in three of which they share. */
-__attribute__((noinline)) sp_pair sp_sincos(sp_pair x, sp_pair *cosine) {
-    struct reduced_angle angle = reduce(x);
-    sp_pair s = reduced_sine(&angle), c = reduced_cosine(&angle);
-    sp_mask odd = is_odd(angle.quadrant);
-    sp_word sine_sign = (angle.quadrant & 2) << 62, cosine_sign = ((angle.quadrant + 1) & 2) << 62;
+/* The one formula for all: who asks for the sine alone pays for both, two operations in three of which they share. */
+static inline __attribute__((always_inline)) sp_pair sincos_of(const struct reduced_angle *angle, sp_pair *cosine) {
+    sp_pair s = reduced_sine(angle), c = reduced_cosine(angle);
+    sp_mask odd = (sp_mask)(0 - (angle->quadrant & 1));
+    sp_word sine_sign = (angle->quadrant & 2) << 62, cosine_sign = ((angle->quadrant + 1) & 2) << 62;
     *cosine = sp_pair_of(sp_word_of(sp_select(odd, s, c)) ^ cosine_sign);
     return sp_pair_of(sp_word_of(sp_select(odd, c, s)) ^ sine_sign);
+}
+
+__attribute__((noinline)) sp_pair sp_sincos(sp_pair x, sp_pair *cosine) {
+    struct reduced_angle angle = reduce(x);
+    return sincos_of(&angle, cosine);
+}
+
+/* A processor waits for most of one angle's results; here it has the other's to work on. */
+__attribute__((noinline)) sp_pair sp_sincos_two(sp_pair x, sp_pair y, sp_pair *others) {
+    struct reduced_angle first = reduce(x), second = reduce(y);
+    others[1] = sincos_of(&second, others + 2);
+    return sincos_of(&first, others);
 }
 
 sp_pair sp_sin(sp_pair x) {

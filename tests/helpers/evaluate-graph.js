@@ -1,6 +1,6 @@
 /* The graph of a compiled surface evaluated in plain JavaScript, node by node: what the emitted module must reproduce to the bit. */
 
-import { Operation } from '../../web/expression/operation.js';
+import * as Operation from '../../web/expression/operation.js';
 
 const numbers = new Float64Array(2);
 const bits = new BigUint64Array(numbers.buffer);

@@ -2,7 +2,7 @@
  * WebAssembly module. Needs pair.h, functions.h and tests/native/expression.h. */
 
 import { solverFunctions } from '../../web/expression/functions.js';
-import { Operation } from '../../web/expression/operation.js';
+import * as Operation from '../../web/expression/operation.js';
 import { constantsOf, plan } from '../../web/expression/plan.js';
 
 /** @typedef {import('../../web/expression/compile.js').Compiled} Compiled */
@@ -65,14 +65,14 @@ function literal(value) {
  * @param {import('../../web/expression/plan.js').Plan} plan
  * @param {{ name: string, data: string, slots: Map<number, number>, variableCount: number }} layout
  */
-function writeFunction(graph, { roots, varies, partners, order }, { name, data, slots, variableCount }) {
+function writeFunction(graph, { roots, varies, angles, order }, { name, data, slots, variableCount }) {
   /** @type {string[][]} */
   const [before, inside] = [[], []];
   const declared = new Set();
   for (const id of order) {
-    const partner = partners.get(id);
-    if (!declared.has(partner)) (varies[id] ? inside : before).push(...declare(graph, id, partner, data, slots));
-    declared.add(id);
+    const together = angles.get(id) ?? [id];
+    if (!declared.has(id)) (varies[id] ? inside : before).push(...declare(graph, together, data, slots));
+    for (const node of together) declared.add(node);
   }
   inside.push(...roots.map((id, place) => `out[${place}] = n${id};`));
   return `void ${name}(int32_t pair_count, const sp_pair *in, sp_pair *out) {
@@ -83,15 +83,15 @@ ${inside.map((line) => `        ${line}\n`).join('')}    }
 }
 
 /**
- * The declaration of a node; a sine and cosine of the same angle are declared by the one that comes first.
+ * The declaration of a node, or of the sines and cosines that one call computes.
  * @param {import('../../web/expression/graph.js').Graph} graph
- * @param {number} id
- * @param {number | undefined} partner
+ * @param {number[]} together
  * @param {string} data
  * @param {Map<number, number>} slots
  * @returns {string[]}
  */
-function declare(graph, id, partner, data, slots) {
+function declare(graph, together, data, slots) {
+  const [id] = together;
   const operation = graph.operations[id];
   const [a, b] = [`n${graph.left[id]}`, `n${graph.right[id]}`];
   const assign = (/** @type {string} */ formula) => [`const sp_pair n${id} = ${formula};`];
@@ -100,7 +100,11 @@ function declare(graph, id, partner, data, slots) {
   if (operation === Operation.constant) return assign(`sp_splat(${data}[${slots.get(id)}])`);
   if (operation < Operation.call) return assign(FORMULAS[operation](a, b));
   const called = solverFunctions[operation - Operation.call];
-  if (partner === undefined) return assign(`sp_${called.name}(${called.arity === 1 ? a : `${a}, ${b}`})`);
-  const [sine, cosine] = called.name === 'sin' ? [id, partner] : [partner, id];
-  return [`sp_pair n${cosine};`, `const sp_pair n${sine} = sp_sincos(${a}, &n${cosine});`];
+  if (together.length === 1) return assign(`sp_${called.name}(${called.arity === 1 ? a : `${a}, ${b}`})`);
+  if (together.length === 2) return [`sp_pair n${together[1]};`, ...assign(`sp_sincos(${a}, &n${together[1]})`)];
+  return [
+    `sp_pair of${id}[3];`,
+    ...assign(`sp_sincos_two(${a}, n${graph.left[together[2]]}, of${id})`),
+    ...together.slice(1).map((node, k) => `const sp_pair n${node} = of${id}[${k}];`),
+  ];
 }

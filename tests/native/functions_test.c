@@ -7,18 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In formulas a quotient. */
-enum { TAN = SP_FUNCTION_COUNT, FUNCTIONS };
+/* In formulas quotients; the second of half an angle, from the sine and cosine of the whole. */
+enum { TAN = SP_FUNCTION_COUNT, TAN_OF_HALF, FUNCTIONS };
 
 static const struct {
     const char *name;
     double bound; /* ulp */
 } functions[FUNCTIONS] = {
-    [SP_SIN] = {"sin", 1},       [SP_COS] = {"cos", 1},       [TAN] = {"tan", 2.5},        [SP_ASIN] = {"asin", 2.5},
-    [SP_ACOS] = {"acos", 2.5},   [SP_ATAN] = {"atan", 2.5},   [SP_ATAN2] = {"atan2", 2.5}, [SP_SINH] = {"sinh", 2.5},
-    [SP_COSH] = {"cosh", 2.5},   [SP_TANH] = {"tanh", 2.5},   [SP_EXP] = {"exp", 1},       [SP_LOG] = {"log", 1},
-    [SP_CBRT] = {"cbrt", 2.5},   [SP_POW] = {"pow", 2.5},     [SP_LOG2] = {"log2", 1},     [SP_LOG10] = {"log10", 1},
-    [SP_ASINH] = {"asinh", 2.5}, [SP_ACOSH] = {"acosh", 2.5}, [SP_ATANH] = {"atanh", 2.5}, [SP_HYPOT] = {"hypot", 2.5},
+    [SP_SIN] = {"sin", 1},       [SP_COS] = {"cos", 1},       [TAN] = {"tan", 2.5},
+    [SP_ASIN] = {"asin", 2.5},   [SP_ACOS] = {"acos", 2.5},   [SP_ATAN] = {"atan", 2.5},
+    [SP_ATAN2] = {"atan2", 2.5}, [SP_SINH] = {"sinh", 2.5},   [SP_COSH] = {"cosh", 2.5},
+    [SP_TANH] = {"tanh", 2.5},   [SP_EXP] = {"exp", 1},       [SP_LOG] = {"log", 1},
+    [SP_CBRT] = {"cbrt", 2.5},   [SP_POW] = {"pow", 2.5},     [SP_LOG2] = {"log2", 1},
+    [SP_LOG10] = {"log10", 1},   [SP_ASINH] = {"asinh", 2.5}, [SP_ACOSH] = {"acosh", 2.5},
+    [SP_ATANH] = {"atanh", 2.5}, [SP_HYPOT] = {"hypot", 2.5}, [TAN_OF_HALF] = {"tan of half", 2.5},
 };
 
 /* A line of the table: the result is value + rest ulp(value). */
@@ -42,6 +44,11 @@ static double from_bits(uint64_t bits) {
 /* The same number: all NaN count as one, zeros differ by sign. */
 static int same(double a, double b) { return bits_of(a) == bits_of(b) || (isnan(a) && isnan(b)); }
 
+static sp_pair tangent_of_half(sp_pair angle) {
+    sp_pair cosine, sine = sp_sincos(angle, &cosine), sum = 1.0 + sp_absolute(cosine);
+    return sp_select(cosine < 0.0, sum, sine) / sp_select(cosine < 0.0, sine, sum);
+}
+
 static sp_pair apply(int function, sp_pair x, sp_pair y) {
     switch (function) {
     case SP_SIN:
@@ -50,6 +57,8 @@ static sp_pair apply(int function, sp_pair x, sp_pair y) {
         return sp_cos(x);
     case TAN:
         return sp_sin(x) / sp_cos(x);
+    case TAN_OF_HALF:
+        return tangent_of_half(x);
     case SP_ASIN:
         return sp_asin(x);
     case SP_ACOS:
@@ -88,6 +97,7 @@ static sp_pair apply(int function, sp_pair x, sp_pair y) {
 }
 
 static double apply_alone(int function, double x, double y) {
+    if (function == TAN_OF_HALF) return tangent_of_half(sp_splat(x))[0];
     if (function == TAN) return sp_apply_function(SP_SIN, x, y) / sp_apply_function(SP_COS, x, y);
     return sp_apply_function(function, x, y);
 }
@@ -148,6 +158,11 @@ static void check_sincos(double x) {
     sp_pair cosine, sine = sp_sincos((sp_pair){x, -x}, &cosine);
     CHECK(same(sine[0], sp_sin(sp_splat(x))[0]) && same(sine[1], sp_sin(sp_splat(-x))[0]), "sine of sincos(%a)", x);
     CHECK(same(cosine[0], sp_cos(sp_splat(x))[0]) && same(cosine[1], sp_cos(sp_splat(-x))[0]), "cosine of sincos(%a)", x);
+    sp_pair other = {0.5, 1e9 * x}, others[3], first = sp_sincos_two((sp_pair){x, -x}, other, others), c, s = sp_sincos(other, &c);
+    for (int lane = 0; lane < 2; lane++)
+        CHECK(same(first[lane], sine[lane]) && same(others[0][lane], cosine[lane]) && same(others[1][lane], s[lane]) &&
+                  same(others[2][lane], c[lane]),
+              "two angles, of which one is %a, lane %d", x, lane);
 }
 
 /* Reads `name,x,y,value,rest`; an empty y is read as 0. Returns false on anything else. */
@@ -166,10 +181,23 @@ static int read_entry(char *line, struct entry *entry) {
     return entry->function < FUNCTIONS && *at == '\n';
 }
 
+/* By function. */
+struct tally {
+    int count;
+    double worst;
+};
+
+static void check_in_full(const struct entry *entry, struct tally *tallies) {
+    struct tally *tally = tallies + entry->function;
+    double error = check_entry(entry);
+    tally->count++;
+    if (error > tally->worst) tally->worst = error;
+    check_beside_others(entry);
+}
+
 static void check_table(FILE *table) {
     static char line[256];
-    int counts[FUNCTIONS] = {0};
-    double worst[FUNCTIONS] = {0};
+    struct tally tallies[FUNCTIONS] = {{0}};
     CHECK(fgets(line, sizeof line, table) && !strcmp(line, "function,x,y,value,rest\n"), "heading");
     while (fgets(line, sizeof line, table)) {
         struct entry entry;
@@ -177,15 +205,14 @@ static void check_table(FILE *table) {
             CHECK(0, "unreadable line of the table: %s", line);
             return;
         }
-        double error = check_entry(&entry);
-        counts[entry.function]++;
-        if (error > worst[entry.function]) worst[entry.function] = error;
-        check_beside_others(&entry);
+        check_in_full(&entry, tallies);
         if (entry.function == SP_SIN) check_sincos(entry.x);
+        struct entry twice = {TAN_OF_HALF, 2 * entry.x, entry.y, entry.value, entry.rest};
+        if (entry.function == TAN && isfinite(entry.value) && isfinite(twice.x)) check_in_full(&twice, tallies);
     }
     for (int i = 0; i < FUNCTIONS; i++) {
-        CHECK(counts[i] >= 1000, "%s: %d entries", functions[i].name, counts[i]);
-        printf("%-5s %4d entries, at most %.2f ulp\n", functions[i].name, counts[i], worst[i]);
+        CHECK(tallies[i].count >= 1000, "%s: %d entries", functions[i].name, tallies[i].count);
+        printf("%-5s %4d entries, at most %.2f ulp\n", functions[i].name, tallies[i].count, tallies[i].worst);
     }
 }
 

@@ -1,11 +1,11 @@
 /* Graph -> bytes of a WebAssembly module with the functions `jet` and `value`: one pass over the pairs of points, no branches.
  *
  * A node used once is computed where it is used, on the stack; one used more often gets a local, which is free again after its last use. What
- * depends on parameters alone is computed once, before the loop. Sine and cosine of the same angle are one call. */
+ * depends on parameters alone is computed once, before the loop. Sines and cosines of an angle, or of two, are one call. */
 
 import * as wasm from './encode.js';
-import { SIN, solverFunctions } from './functions.js';
-import { Operation } from './operation.js';
+import { solverFunctions } from './functions.js';
+import * as Operation from './operation.js';
 import { constantsOf, plan } from './plan.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
@@ -13,15 +13,22 @@ import { constantsOf, plan } from './plan.js';
 
 const PAIR_BYTES = 16;
 const NUMBER_BYTES = 8;
-/** Imported functions come in this order: those of functions.js, then sincos. */
-const SINCOS = solverFunctions.length;
-
-const [UNARY, SINE_AND_COSINE, BINARY, EVALUATE] = [0, 1, 2, 3];
+/** For the sines and cosines of two angles, but the first. */
+const SCRATCH_BYTES = 3 * PAIR_BYTES;
 const TYPES = [
   wasm.functionType([wasm.V128], [wasm.V128]),
-  wasm.functionType([wasm.V128, wasm.I32], [wasm.V128]),
   wasm.functionType([wasm.V128, wasm.V128], [wasm.V128]),
+  wasm.functionType([wasm.V128, wasm.I32], [wasm.V128]),
+  wasm.functionType([wasm.V128, wasm.V128, wasm.I32], [wasm.V128]),
   wasm.functionType([wasm.I32, wasm.I32, wasm.I32], []),
+];
+const EVALUATE = 4;
+
+/** Functions that may be imported, in this order: those of functions.js, then those for the sine and cosine of an angle, and of two. */
+const IMPORTS = [
+  ...solverFunctions.map(({ name, arity }) => ({ name, type: arity - 1 })),
+  { name: 'sincos', type: 2 },
+  { name: 'sincos_two', type: 3 },
 ];
 
 /** Locals of the generated functions; those of vectors follow. */
@@ -29,10 +36,6 @@ const [COUNT, IN, OUT, DATA, FIRST_VECTOR] = [0, 1, 2, 3, 4];
 
 /** Uses left of a local that the next round of the loop needs again. */
 const KEPT_FOR_EVER = 0xffffffff;
-
-/** Instructions by operation. @type {number[][]} */
-const INSTRUCTIONS = [];
-for (const [name, bytes] of Object.entries(wasm.arithmetic)) INSTRUCTIONS[Operation[/** @type {keyof typeof Operation} */ (name)]] = bytes;
 
 /**
  * Writes the module.
@@ -50,27 +53,28 @@ export function emit(graph, outputs, { variableCount, parameterCount }) {
   const bodies = plans.map((each) => new FunctionEmitter(graph, each, { slots, scratch, imports, variableCount }).emit());
   const module = wasm.module({
     types: TYPES,
-    imports: [wasm.importMemory('memory'), wasm.importConstant('data', wasm.I32), ...imports.map(importOf)],
+    imports: [
+      wasm.importMemory('memory'),
+      wasm.importConstant('data', wasm.I32),
+      ...imports.map((k) => wasm.importFunction(`sp_${IMPORTS[k].name}`, IMPORTS[k].type)),
+    ],
     functionTypes: [EVALUATE, EVALUATE],
     exports: ['jet', 'value'].map((name, k) => wasm.exportFunction(name, imports.length + k)),
     bodies,
   });
-  return { module, constants: constants.map((id) => graph.numberOf(id)), dataBytes: scratch + PAIR_BYTES };
+  return { module, constants: constants.map((id) => graph.numberOf(id)), dataBytes: scratch + SCRATCH_BYTES };
 }
 
-/** Numbers of the solver functions that are called. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
+/** The function that computes a node. @param {Graph} graph @param {Plan} plan @param {number} id */
+function functionOf(graph, { angles }, id) {
+  const together = angles.get(id);
+  return together ? solverFunctions.length + together.length / 2 - 1 : graph.operations[id] - Operation.call;
+}
+
+/** The functions that are called. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
 function importsOf(graph, plans) {
-  const called = plans.flatMap(({ calls, partners }) =>
-    calls.map((id) => (partners.has(id) ? SINCOS : graph.operations[id] - Operation.call)),
-  );
+  const called = plans.flatMap((each) => each.calls.map((id) => functionOf(graph, each, id)));
   return [...new Set(called)].sort((a, b) => a - b);
-}
-
-/** @param {number} number */
-function importOf(number) {
-  if (number === SINCOS) return wasm.importFunction('sp_sincos', SINE_AND_COSINE);
-  const { name, arity } = solverFunctions[number];
-  return wasm.importFunction(`sp_${name}`, arity === 1 ? UNARY : BINARY);
 }
 
 /** Writes one function. */
@@ -116,13 +120,13 @@ class FunctionEmitter {
 
   /** What the loop needs and no variable changes. A number that is read here and there is loaded there; one that is stored again and again is kept. */
   #emitInvariants() {
-    const { roots, uses, varies, partners } = this.#plan;
+    const { roots, uses, varies, angles } = this.#plan;
     const needed = this.#neededByLoop();
     const stored = new Set(roots);
     for (let id = 0; id < uses.length; id++) {
       const isOperation = this.#graph.isOperation(id);
       if (uses[id] === 0 || varies[id] || !(isOperation || (uses[id] > 1 && stored.has(id)))) continue;
-      if (uses[id] > 1 || needed.has(id) || partners.has(id)) this.#compute(id);
+      if (uses[id] > 1 || needed.has(id) || angles.has(id)) this.#compute(id);
       this.#remaining[id] = KEPT_FOR_EVER;
     }
   }
@@ -155,24 +159,25 @@ class FunctionEmitter {
     this.#code.push(...wasm.store(PAIR_BYTES * place));
   }
 
-  /** Computes a node into a local of its own, a sine or cosine together with its partner. @param {number} id */
+  /** Computes a node into a local of its own, a sine or cosine together with those of the same call. @param {number} id */
   #compute(id) {
     if (this.#locals.has(id)) return;
-    const partner = this.#plan.partners.get(id);
-    if (partner === undefined) {
+    const together = this.#plan.angles.get(id);
+    if (together === undefined) {
       this.#push(id);
       this.#keep(id);
-    } else this.#computeBoth(id, partner);
+    } else this.#computeAngles(together);
   }
 
-  /** @param {number} one @param {number} other */
-  #computeBoth(one, other) {
-    const [sine, cosine] = this.#graph.operations[one] === Operation.call + SIN ? [one, other] : [other, one];
-    this.#push(this.#graph.left[sine]);
-    this.#code.push(...wasm.localGet(DATA), ...wasm.addConstant(this.#layout.scratch), ...wasm.call(this.#layout.imports.indexOf(SINCOS)));
-    this.#keep(sine);
-    this.#code.push(...wasm.localGet(DATA), ...wasm.load(this.#layout.scratch));
-    this.#keep(cosine);
+  /** @param {number[]} together a sine and a cosine, and another two */
+  #computeAngles(together) {
+    const { scratch } = this.#layout;
+    for (let k = 0; k < together.length; k += 2) this.#push(this.#graph.left[together[k]]);
+    this.#code.push(...wasm.localGet(DATA), ...wasm.addConstant(scratch), ...this.#call(together[0]));
+    for (const [k, id] of together.entries()) {
+      if (k > 0) this.#code.push(...wasm.localGet(DATA), ...wasm.load(scratch + (k - 1) * PAIR_BYTES));
+      this.#keep(id);
+    }
   }
 
   /** @param {number} id */
@@ -195,17 +200,18 @@ class FunctionEmitter {
 
   /** @param {number} id @param {number[]} tasks */
   #schedule(id, tasks) {
-    tasks.push(~id);
-    if (this.#graph.operandCount(id) > 1) tasks.push(this.#graph.right[id]);
-    tasks.push(this.#graph.left[id]);
+    tasks.push(~id, ...this.#graph.operands(id).reverse());
   }
 
   /** @param {number} id */
   #operate(id) {
     const operation = this.#graph.operations[id];
-    this.#code.push(
-      ...(operation < Operation.call ? INSTRUCTIONS[operation] : wasm.call(this.#layout.imports.indexOf(operation - Operation.call))),
-    );
+    this.#code.push(...(operation < Operation.call ? wasm.arithmetic[operation - Operation.add] : this.#call(id)));
+  }
+
+  /** @param {number} id */
+  #call(id) {
+    return wasm.call(this.#layout.imports.indexOf(functionOf(this.#graph, this.#plan, id)));
   }
 
   /** @param {number} id */

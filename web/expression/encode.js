@@ -107,19 +107,5 @@ export const loadSplat = (offset) => [...simd(0x0a), 3, ...unsigned(offset)];
 /** Stores two doubles; address and value are on the stack. @param {number} offset */
 export const store = (offset) => [...simd(0x0b), 4, ...unsigned(offset)];
 
-export const arithmetic = {
-  less: simd(0x49),
-  and: simd(0x4e),
-  andNot: simd(0x4f),
-  or: simd(0x50),
-  floor: simd(0x75),
-  absolute: simd(0xec),
-  negate: simd(0xed),
-  squareRoot: simd(0xef),
-  add: simd(0xf0),
-  subtract: simd(0xf1),
-  multiply: simd(0xf2),
-  divide: simd(0xf3),
-  minimum: simd(0xf4),
-  maximum: simd(0xf5),
-};
+/** The instructions of the operations from `add` to `or`, in their order (operation.js). */
+export const arithmetic = [0xf0, 0xf1, 0xf2, 0xf3, 0xed, 0xec, 0xef, 0x75, 0xf4, 0xf5, 0x49, 0x4e, 0x4f, 0x50].map(simd);

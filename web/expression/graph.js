@@ -5,7 +5,7 @@
  * zero: x*0 is 0 even where x would turn out infinite at run time, and x+0 is x. Nothing is reassociated or distributed. Knows no derivatives. */
 
 import { POW, solverFunctions } from './functions.js';
-import { Operation } from './operation.js';
+import * as Operation from './operation.js';
 
 /** @typedef {(functionNumber: number, x: number, y: number) => number} Apply one elementary function of numbers, `sp_apply_function` of the solver */
 
@@ -187,6 +187,14 @@ export class Graph {
     return this.#node(Operation.call + functionNumber, a, b);
   }
 
+  /** What a node is half of, if that is how it is written. @param {number} a @returns {number | undefined} */
+  doubled(a) {
+    if (!this.#is(a, Operation.multiply)) return undefined;
+    const [left, right] = [this.left[a], this.right[a]];
+    if (this.numberOf(left) === 0.5) return right;
+    return this.numberOf(right) === 0.5 ? left : undefined;
+  }
+
   /** a^b: products where b is a small integer, a root where it is 1/2, else the function pow. @param {number} a @param {number} b */
   power(a, b) {
     if (this.integerExponent(b) !== undefined) return this.integerPower(a, this.numberOf(b));
@@ -217,12 +225,13 @@ export class Graph {
     return this.operations[id] > Operation.parameter;
   }
 
-  /** How many operands a node has. @param {number} id @returns {0 | 1 | 2} */
-  operandCount(id) {
+  /** The nodes that a node is computed from: none, one or two. @param {number} id */
+  operands(id) {
     const operation = this.operations[id];
-    if (operation <= Operation.parameter) return 0;
-    if (operation >= Operation.call) return solverFunctions[operation - Operation.call].arity;
-    return operation >= Operation.negate && operation <= Operation.floor ? 1 : 2;
+    let count = operation >= Operation.negate && operation <= Operation.floor ? 1 : 2;
+    if (operation <= Operation.parameter) count = 0;
+    if (operation >= Operation.call) count = solverFunctions[operation - Operation.call].arity;
+    return [this.left[id], this.right[id]].slice(0, count);
   }
 
   /** The number of a constant; NaN for any other node. @param {number} id */

@@ -2,7 +2,7 @@
 
 import { Calculus } from './differentiate.js';
 import { solverFunctions } from './functions.js';
-import { Operation } from './operation.js';
+import * as Operation from './operation.js';
 import { plan } from './plan.js';
 
 /** @typedef {import('./graph.js').Graph} Graph */
@@ -37,13 +37,8 @@ export function differentiateNodes(graph, nodes, variableCount, order) {
   const jets = [];
   for (let id = 0; id < uses.length; id++) {
     if (uses[id] === 0) continue;
-    const operands = [graph.left[id], graph.right[id]].slice(0, graph.operandCount(id));
-    jets[id] = jetOf(
-      graph,
-      calculus,
-      id,
-      operands.map((operand) => jets[operand]),
-    );
+    const operands = graph.operands(id).map((operand) => jets[operand]);
+    jets[id] = jetOf(graph, calculus, id, operands);
   }
   return nodes.map((node) => jets[node]);
 }

@@ -1,23 +1,20 @@
-/* The operations of the graph, one instruction of WebAssembly or one function of the solver each. */
+/* The operations of the graph, one instruction of WebAssembly or one function of the solver each: constants, which the bundler writes as numbers. */
 
-/** What a node does. From `call` on: the elementary function of number `operation - Operation.call`. Comparison masks are all-ones bit patterns. */
-export const Operation = Object.freeze({
-  constant: 0, // left: index into `values`
-  variable: 1, // left: index of the variable
-  parameter: 2, // left: index of the parameter
-  add: 3,
-  subtract: 4,
-  multiply: 5,
-  divide: 6,
-  negate: 7,
-  absolute: 8,
-  squareRoot: 9,
-  floor: 10,
-  minimum: 11, // NaN if either is, and -0 < +0, as f64x2.min and Math.min
-  maximum: 12,
-  less: 13, // mask: left < right
-  and: 14, // bitwise
-  andNot: 15, // left & ~right
-  or: 16,
-  call: 17,
-});
+export const constant = 0; // left: index into `values`
+export const variable = 1; // left: index of the variable
+export const parameter = 2; // left: index of the parameter
+export const add = 3;
+export const subtract = 4;
+export const multiply = 5;
+export const divide = 6;
+export const negate = 7;
+export const absolute = 8;
+export const squareRoot = 9;
+export const floor = 10;
+export const minimum = 11; // NaN if either is, and -0 < +0, as f64x2.min and Math.min
+export const maximum = 12;
+export const less = 13; // mask, all ones or all zeros: left < right
+export const and = 14; // bitwise
+export const andNot = 15; // left & ~right
+export const or = 16;
+export const call = 17; // from here on: the elementary function of number `operation - call`

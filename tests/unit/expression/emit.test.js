@@ -125,7 +125,7 @@ test('300 random formulas', () => {
   }
 });
 
-test('imports are what is used, sine and cosine of one angle are one call', () => {
+test('imports are what is used, sines and cosines of one angle or of two are one call', () => {
   const imported = (/** @type {string[]} */ outputs) => {
     const { module } = compile({ outputs, names: outputs, variables: ['u', 'v'], apply });
     return WebAssembly.Module.imports(new WebAssembly.Module(module)).map(({ name }) => name);
@@ -133,10 +133,14 @@ test('imports are what is used, sine and cosine of one angle are one call', () =
   assert.deepEqual(imported(['u', 'v', 'u v']), ['memory', 'data']);
   assert.deepEqual(imported(['sin(u)']), ['memory', 'data', 'sp_sincos']);
   assert.deepEqual(imported(['tan(u)*exp(v)']), ['memory', 'data', 'sp_exp', 'sp_sincos']);
+  assert.deepEqual(imported(['sin(u)*cos(v)*exp(u)']), ['memory', 'data', 'sp_exp', 'sp_sincos_two']);
+  assert.deepEqual(imported(['tan(u/2)*tan(3*v)*sin(u+v)']), ['memory', 'data', 'sp_sincos', 'sp_sincos_two']);
+  // One angle needs the sine of the other.
+  assert.deepEqual(imported(['sin(u+cos(v))']), ['memory', 'data', 'sp_sincos']);
   const { module } = compile({ outputs: ['sin(u)', 'cos(v)', '0'], names: ['x', 'y', 'z'], variables: ['u', 'v'], apply });
   assert.deepEqual(
     WebAssembly.Module.imports(new WebAssembly.Module(module)).map(({ name }) => name),
-    ['memory', 'data', 'sp_sin', 'sp_cos', 'sp_sincos'],
+    ['memory', 'data', 'sp_sin', 'sp_cos', 'sp_sincos_two'],
   );
 });
 

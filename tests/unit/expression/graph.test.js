@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { compile, evaluateConstant } from '../../../web/expression/compile.js';
 import { solverFunctions } from '../../../web/expression/functions.js';
 import { Graph } from '../../../web/expression/graph.js';
-import { Operation } from '../../../web/expression/operation.js';
+import * as Operation from '../../../web/expression/operation.js';
 import { plan } from '../../../web/expression/plan.js';
 import { SURFACES } from '../../helpers/expressions.js';
 import { instantiate } from '../../helpers/wasm.js';
@@ -15,25 +15,29 @@ const { apply } = instantiate();
 /** @param {(string | number)[]} outputs @param {string[]} variables @param {Record<string, number>} [parameters] */
 const build = (outputs, variables, parameters) => compile({ outputs, names: outputs.map(String), variables, parameters, apply });
 
+/** An elementary function is some twenty times an addition. */
+const CALL = 20;
+
 /** Operations that are carried out per pair of points. @param {import('../../../web/expression/compile.js').Compiled} compiled */
 function liveOperations({ graph, jet }) {
   const { uses } = plan(graph, jet);
-  return graph.operations.filter((_, id) => uses[id] > 0 && graph.isOperation(id)).length;
+  const live = graph.operations.filter((_, id) => uses[id] > 0 && graph.isOperation(id));
+  return live.reduce((sum, operation) => sum + (operation < Operation.call ? 1 : CALL), 0);
 }
 
 test('the surfaces of the paper need no more operations than they did', () => {
-  /** Live operations for values and first and second derivatives; they may only fall. A tangent counts as three. @type {Record<string, number>} */
+  /** Live operations for values and first and second derivatives; they may only fall.  @type {Record<string, number>} */
   const most = {
     saddle: 6,
     paraboloid: 5,
-    helicoid: 7,
-    cylinder: 4,
-    dini: 43,
+    helicoid: 45,
+    cylinder: 42,
+    dini: 144,
     threeTori: 151,
     metamorphosis: 259,
     genusTwo: 67,
     torus: 43,
-    everything: 346,
+    everything: 878,
   };
   const counted = Object.fromEntries(
     Object.entries(SURFACES).map(([name, { outputs, variables, parameters }]) => [
