@@ -75,3 +75,24 @@ test('where curvature alone jumps there is no crease: the path is right', () => 
   assert.ok(Math.abs(path.length / Math.hypot(profile, 1.1) - 1) <= 1e-6);
   joined.dispose();
 });
+
+for (const f of [
+  'hypot(max(|x|-0.7,0), max(|y|-0.5,0), max(|z|-0.3,0)) - 0.2',
+  'hypot(max(|x|-0.7,0), max(|y|-0.5,0), max(|z|-0.3,0)) + min(max(|x|-0.7, |y|-0.5, |z|-0.3), 0) - 0.2',
+])
+  test(`around the edge of a rounded box, where curvature jumps twice: ${f}, seed 5`, () => {
+    const side = /** @type {const} */ ([-1.4, 1.4]);
+    const box = surfpath.implicit({ f, bounds: [side, side, side] });
+    const random = createRandom(5);
+    let converged = 0;
+    for (let i = 0; i < PAIRS; i++) {
+      const from = [random.between(0, 0.7), random.between(-0.4, 0.4), 0.5];
+      const to = [0.9, random.between(-0.4, 0.4), random.between(-0.1, 0.3)];
+      const exact = Math.hypot(to[1] - from[1], 0.7 - from[0] + 0.1 * Math.PI + 0.3 - to[2]);
+      const path = box.shortestPath(from, to);
+      assert.ok(path.converged || path.status === 'tolerance-not-met', `${from} to ${to}: ${path.status}`);
+      assert.ok(Math.abs(path.length / exact - 1) <= RIGHT, `${from} to ${to}: ${path.length}, exact ${exact}`);
+      converged += Number(path.converged);
+    }
+    assert.ok(converged >= 40);
+  });

@@ -35,9 +35,13 @@ export function differentiate(graph, program, variableCount, order, known = []) 
   return stack[0];
 }
 
+/** A length of more is that of a length and the rest: it has a pair of every two. */
+const MOST_PARTS = 4;
+
 /** The rules of differentiation, on jets. */
 export class Calculus {
   /** The pairs of variables of the second derivatives. @type {[number, number][]} */ #pairs = [];
+  /** What the lengths are made of, by value. @type {Map<number, Jet[]>} */ #lengths = new Map();
   #g;
   #variables;
 
@@ -227,19 +231,36 @@ export class Calculus {
     });
   }
 
-  /** With p = a/h and q = b/h: p and q, then q²/h, -pq/h and p²/h. @param {Jet} a @param {Jet} b */
+  /**
+   * The length h of (a, b, …): with the units p = a/h, q = b/h, … h' = pa' + qb' + … and, by Lagrange's identity, which does not cancel,
+   * h'' = w'w'/h + … + pa'' + qb'' + …, w' = pb' - qa' for each two. An operand that is a length itself counts as its own operands: where it is 0 it has no
+   * derivatives, but h has.
+   * @param {Jet} a @param {Jet} b
+   */
   #hypot(a, b) {
     const g = this.#g;
     const value = g.call(HYPOT, a.value, b.value);
-    const p = g.divide(a.value, value);
-    const q = g.divide(b.value, value);
-    return this.#chainTwo(a, b, value, {
-      a: p,
-      b: q,
-      aa: g.divide(g.integerPower(q, 2), value),
-      ab: g.negate(g.divide(g.multiply(p, q), value)),
-      bb: g.divide(g.integerPower(p, 2), value),
-    });
+    const all = [a, b].flatMap((operand) => this.#lengths.get(operand.value) ?? [operand]);
+    const parts = all.length > MOST_PARTS ? [a, b] : all;
+    this.#lengths.set(value, parts);
+    const units = parts.map((part) => g.divide(part.value, value));
+    const inverse = g.divide(g.one, value);
+    const along = (/** @type {(part: Jet) => number} */ of) =>
+      units.map((unit, k) => g.multiply(unit, of(parts[k]))).reduce((x, y) => g.add(x, y));
+    const across = (/** @type {number} */ k, /** @type {number} */ l, /** @type {number} */ i) =>
+      g.subtract(g.multiply(units[k], parts[l].first[i]), g.multiply(units[l], parts[k].first[i]));
+    return this.#jet(
+      value,
+      (i) => along((part) => part.first[i]),
+      (i, j, at) => {
+        let sum = g.zero;
+        for (let l = 1; l < parts.length; l++) for (let k = 0; k < l; k++) sum = g.add(sum, g.multiply(across(k, l, i), across(k, l, j)));
+        return g.add(
+          g.multiply(sum, inverse),
+          along((part) => part.second[at]),
+        );
+      },
+    );
   }
 
   /** Equal arguments: the derivatives of the second. @param {Jet} a @param {Jet} b */

@@ -74,7 +74,7 @@ function functionOf(graph, { angles }, id) {
 /** The functions that are called. @param {Graph} graph @param {Plan[]} plans @returns {number[]} */
 function importsOf(graph, plans) {
   const called = plans.flatMap((each) => each.calls.map((id) => functionOf(graph, each, id)));
-  return [...new Set(called)].sort((a, b) => a - b);
+  return [...new Set(called)];
 }
 
 /** Writes one function. */

@@ -1,54 +1,10 @@
 /**
  * Traffic with the solver's linear memory: the only file that touches it. Views are asked for right before use, because memory may grow in any
- * call, and results are copies. Mirrors the structs of wasm/surfpath.h; a test compares the two.
+ * call, and results are copies.
  */
 
+import * as layout from './layout.js';
 import { CONVERGED, OUT_OF_MEMORY } from './status.js';
-
-/** Byte offsets in WebAssembly of the structs of wasm/surfpath.h and wasm/surface.h. */
-export const LAYOUT = {
-  sp_surface: { bytes: 56, jet: 0, value: 4, kind: 8, metric: 12, lower: 16, upper: 32, extent: 48 },
-  sp_options: { bytes: 32, tolerance: 0, gradient_tolerance: 8, algorithm: 16, point_count: 20, max_iterations: 24, record: 28 },
-  sp_request: { bytes: 64, from: 0, to: 24, start: 48, start_count: 52, pole: 56 },
-  sp_iterate: { bytes: 32, energy: 0, gradient_norm: 8, decrement: 16, step: 24 },
-  sp_result: {
-    bytes: 72,
-    length: 0,
-    length_error: 8,
-    energy: 16,
-    gradient_norm: 24,
-    points: 32,
-    parameters: 36,
-    history: 40,
-    record: 44,
-    status: 48,
-    iterations: 52,
-    index: 56,
-    touches_boundary: 60,
-    history_count: 64,
-    crosses_singularity: 68,
-  },
-  sp_trace_request: { bytes: 56, from: 0, direction: 24, length: 48 },
-  sp_trace_options: { bytes: 16, tolerance: 0, point_count: 8, max_steps: 12 },
-  sp_trace_result: {
-    bytes: 48,
-    length: 0,
-    length_error: 8,
-    conjugate: 16,
-    points: 24,
-    parameters: 28,
-    status: 32,
-    steps: 36,
-    touches_boundary: 40,
-    normal: 44,
-  },
-  sp_arena: { bytes: 12, base: 0, size: 4, used: 8 },
-  sp_mesh: { bytes: 20, positions: 0, normals: 4, indices: 8, vertex_count: 12, triangle_count: 16 },
-  sp_graph_options: { bytes: 64, box: 0, cell: 48, resolution: 56, loose: 60 },
-  sp_graph: { bytes: 96, spacing: 0, vertex_count: 36, unique: 44, singular: 48, resolved: 88 },
-  sp_graph_answer: { bytes: 24, distance: 0, places: 8, lengths: 12, candidate_count: 16, point_count: 20 },
-  sp_field_request: { bytes: 40, places: 24, lengths: 28, count: 32 },
-};
 
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
@@ -89,8 +45,18 @@ const MOST_TRACE_STEPS = 200_000;
 
 export class Heap {
   /** @type {any} */ #exports;
-  /** Addresses of one of each struct, kept for the life of the instance. */
-  #structs;
+  // Addresses of structs, kept for the life of the instance.
+  #options;
+  #request;
+  #result;
+  #traceRequest;
+  #traceOptions;
+  #traceResult;
+  #arena;
+  #mesh;
+  #graphOptions;
+  #graphAnswer;
+  #fieldRequest;
   /** Address of eight numbers. */
   #numbers;
   #arenaBase = 0;
@@ -101,8 +67,17 @@ export class Heap {
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
     this.#exports = exports;
-    const blocks = Object.entries(LAYOUT).map(([name, { bytes }]) => [name, this.allocate(bytes)]);
-    this.#structs = /** @type {Record<keyof typeof LAYOUT, number>} */ (Object.fromEntries(blocks));
+    this.#options = this.allocate(layout.sp_options_bytes);
+    this.#request = this.allocate(layout.sp_request_bytes);
+    this.#result = this.allocate(layout.sp_result_bytes);
+    this.#traceRequest = this.allocate(layout.sp_trace_request_bytes);
+    this.#traceOptions = this.allocate(layout.sp_trace_options_bytes);
+    this.#traceResult = this.allocate(layout.sp_trace_result_bytes);
+    this.#arena = this.allocate(layout.sp_arena_bytes);
+    this.#mesh = this.allocate(layout.sp_mesh_bytes);
+    this.#graphOptions = this.allocate(layout.sp_graph_options_bytes);
+    this.#graphAnswer = this.allocate(layout.sp_graph_answer_bytes);
+    this.#fieldRequest = this.allocate(layout.sp_field_request_bytes);
     this.#numbers = this.allocate(64);
   }
 
@@ -127,11 +102,10 @@ export class Heap {
 
   /** @param {number} at @param {SurfaceRecord} surface */
   writeSurface(at, surface) {
-    const layout = LAYOUT.sp_surface;
     this.#words(at, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
-    this.writeDoubles(at + layout.lower, surface.lower);
-    this.writeDoubles(at + layout.upper, surface.upper);
-    this.writeDoubles(at + layout.extent, [surface.extent]);
+    this.writeDoubles(at + layout.sp_surface_lower, surface.lower);
+    this.writeDoubles(at + layout.sp_surface_upper, surface.upper);
+    this.writeDoubles(at + layout.sp_surface_extent, [surface.extent]);
   }
 
   /**
@@ -169,19 +143,18 @@ export class Heap {
    * @returns {RawPath}
    */
   solve(surface, request, options) {
-    const { sp_options: optionsAt, sp_request: requestAt, sp_result: resultAt } = this.#structs;
     this.#writeOptions(options);
     const dimension = request.kind === 1 ? 3 : 2;
     const start = request.start;
     const startCount = start ? start.length / dimension : 0;
     const startBytes = (8 * (start ? start.length : 0) + 15) & ~15;
-    const bytes = this.#exports.sp_solve_bytes(surface, optionsAt, startCount);
+    const bytes = this.#exports.sp_solve_bytes(surface, this.#options, startCount);
     if (!this.#reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
     if (start) this.writeDoubles(this.#arenaBase, start);
-    this.#writePoint(requestAt, request.from);
-    this.#writePoint(requestAt + LAYOUT.sp_request.to, request.to);
-    this.#writeWords(requestAt + LAYOUT.sp_request.start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
-    this.#exports.sp_solve_path(surface, requestAt, optionsAt, this.#openArena(startBytes), resultAt);
+    this.#writePoint(this.#request, request.from);
+    this.#writePoint(this.#request + layout.sp_request_to, request.to);
+    this.#writeWords(this.#request + layout.sp_request_start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
+    this.#exports.sp_solve_path(surface, this.#request, this.#options, this.#openArena(startBytes), this.#result);
     return this.#readResult(options.points + 2);
   }
 
@@ -193,22 +166,21 @@ export class Heap {
    * @returns {RawPath | null} null: the direction is normal to the surface
    */
   trace(surface, request, options) {
-    const { sp_trace_request: traceRequest, sp_trace_options: traceOptions, sp_trace_result: traceResult } = this.#structs;
-    this.writeDoubles(traceOptions, [options.tolerance]);
-    this.#words(traceOptions + LAYOUT.sp_trace_options.point_count, 2).set([options.points, MOST_TRACE_STEPS]);
-    if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, traceOptions))) return emptyPath(OUT_OF_MEMORY);
-    this.#writePoint(traceRequest, request.from);
-    this.#writePoint(traceRequest + LAYOUT.sp_trace_request.direction, request.direction);
-    this.writeDoubles(traceRequest + LAYOUT.sp_trace_request.length, [request.length]);
-    this.#exports.sp_trace_path(surface, traceRequest, traceOptions, this.#openArena(), traceResult);
+    this.writeDoubles(this.#traceOptions, [options.tolerance]);
+    this.#words(this.#traceOptions + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
+    if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, this.#traceOptions))) return emptyPath(OUT_OF_MEMORY);
+    this.#writePoint(this.#traceRequest, request.from);
+    this.#writePoint(this.#traceRequest + layout.sp_trace_request_direction, request.direction);
+    this.writeDoubles(this.#traceRequest + layout.sp_trace_request_length, [request.length]);
+    this.#exports.sp_trace_path(surface, this.#traceRequest, this.#traceOptions, this.#openArena(), this.#traceResult);
     return this.#readTrace(options.points + 2);
   }
 
   /** Copies the result struct of a trace and its arrays. @param {number} count points of the path @returns {RawPath | null} */
   #readTrace(count) {
-    const at = this.#structs.sp_trace_result;
+    const at = this.#traceResult;
     const [length, lengthError, conjugate] = this.#doubles(at, 3);
-    const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + LAYOUT.sp_trace_result.points, 6);
+    const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + layout.sp_trace_result_points, 6);
     if (normal) return null;
     if (!pointsAt && !parametersAt) return emptyPath(status);
     return {
@@ -244,15 +216,14 @@ export class Heap {
    */
   meshImplicit(value, box, resolution) {
     const numbers = this.#numbers;
-    const mesh = this.#structs.sp_mesh;
     this.writeDoubles(numbers, box);
     let vertices = 0;
     let triangles = 0;
     for (let attempt = 0; ; attempt++) {
       const bytes = this.#exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.#reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
-      const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, this.#openArena(), mesh);
-      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.#words(mesh, 5);
+      const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, this.#openArena(), this.#mesh);
+      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.#words(this.#mesh, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
         [vertices, triangles] = [vertexCount, triangleCount];
         continue;
@@ -273,15 +244,13 @@ export class Heap {
    * @returns {Graph} of status CONVERGED; any other: nothing is kept
    */
   buildGraph(surface, kind, { box, cell, resolution, loose }) {
-    const graphOptions = this.#structs.sp_graph_options;
-    const layout = LAYOUT.sp_graph;
-    const at = this.allocate(layout.bytes);
-    this.writeDoubles(graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
-    this.#words(graphOptions + LAYOUT.sp_graph_options.resolution, 2).set([resolution, Number(loose)]);
+    const at = this.allocate(layout.sp_graph_bytes);
+    this.writeDoubles(this.#graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
+    this.#words(this.#graphOptions + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
     let status = OUT_OF_MEMORY;
-    for (let bytes = this.#exports.sp_graph_build_bytes(kind, graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
+    for (let bytes = this.#exports.sp_graph_build_bytes(kind, this.#graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
-      status = this.#exports.sp_graph_build(surface, graphOptions, this.#openArena(), at);
+      status = this.#exports.sp_graph_build(surface, this.#graphOptions, this.#openArena(), at);
     }
     const bytes = status === CONVERGED ? this.#exports.sp_graph_bytes(at) : 0;
     const block = status === CONVERGED ? this.allocate(bytes) : 0;
@@ -293,11 +262,11 @@ export class Heap {
       at: block && at,
       block,
       bytes,
-      vertices: word(layout.vertex_count),
+      vertices: word(layout.sp_graph_vertex_count),
       spacing: block && this.#doubles(at, 1)[0],
-      unique: word(layout.unique) !== 0,
-      singular: word(layout.singular) !== 0,
-      resolved: word(layout.resolved) !== 0,
+      unique: word(layout.sp_graph_unique) !== 0,
+      singular: word(layout.sp_graph_singular) !== 0,
+      resolved: word(layout.sp_graph_resolved) !== 0,
     };
   }
 
@@ -315,13 +284,12 @@ export class Heap {
    */
   searchGraph(surface, graph, from, to, points, all) {
     const numbers = this.#numbers;
-    const answer = this.#structs.sp_graph_answer;
     const dimension = from.length;
     if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points))) return { status: OUT_OF_MEMORY, candidates: [] };
     this.#writePoint(numbers, from);
     this.#writePoint(numbers + 24, to);
-    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.#openArena(), answer);
-    const [places, , count, written] = this.#words(answer + LAYOUT.sp_graph_answer.places, 4);
+    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.#openArena(), this.#graphAnswer);
+    const [places, , count, written] = this.#words(this.#graphAnswer + layout.sp_graph_answer_places, 4);
     const candidates = Array.from({ length: count }, (_, i) =>
       this.#copyDoubles(places + 8 * dimension * written * i, dimension * written),
     );
@@ -334,27 +302,26 @@ export class Heap {
    * @returns {{ status: number, lengths: Float64Array }} of the shortest way to each; infinite where there is none
    */
   measureField(surface, graph, from, places) {
-    const fieldRequest = this.#structs.sp_field_request;
     const count = places.length / from.length;
     const own = (8 * (places.length + count) + 15) & ~15;
     if (!this.#reserve(own + this.#exports.sp_graph_field_bytes(graph.at))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
     const base = this.#arenaBase;
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
-    this.#writePoint(fieldRequest, from);
-    this.#words(fieldRequest + LAYOUT.sp_field_request.places, 3).set([base, lengths, count]);
-    const status = this.#exports.sp_graph_field(surface, graph.at, fieldRequest, this.#openArena(own));
+    this.#writePoint(this.#fieldRequest, from);
+    this.#words(this.#fieldRequest + layout.sp_field_request_places, 3).set([base, lengths, count]);
+    const status = this.#exports.sp_graph_field(surface, graph.at, this.#fieldRequest, this.#openArena(own));
     return { status, lengths: this.#copyDoubles(lengths, count) };
   }
 
   /** @param {SolveOptions} options */
   #writeOptions(options) {
-    const at = this.#structs.sp_options;
+    const at = this.#options;
     const doubles = this.#allDoubles();
     doubles[at >> 3] = options.tolerance;
     doubles[(at >> 3) + 1] = options.gradientTolerance;
     this.#writeWords(at + 16, options.algorithm, options.points, options.maxIterations);
-    this.#allWords()[(at + LAYOUT.sp_options.record) >> 2] = options.record ? 1 : 0;
+    this.#allWords()[(at + layout.sp_options_record) >> 2] = options.record ? 1 : 0;
   }
 
   /** Two or three numbers, as three. @param {number} at @param {number[]} point */
@@ -379,26 +346,30 @@ export class Heap {
 
   /** Copies the result struct and its arrays. @param {number} count points of a polyline @returns {RawPath} */
   #readResult(count) {
-    const { sp_result: layout } = LAYOUT;
-    const at = this.#structs.sp_result;
+    const at = this.#result;
     const words = this.#allWords();
     const word = (/** @type {number} */ offset) => words[(at + offset) >> 2];
     const doubles = this.#allDoubles();
-    const parametersAt = word(layout.parameters);
+    const parametersAt = word(layout.sp_result_parameters);
     return {
-      status: word(layout.status),
+      status: word(layout.sp_result_status),
       length: doubles[at >> 3],
-      lengthError: doubles[(at + layout.length_error) >> 3],
-      energy: doubles[(at + layout.energy) >> 3],
-      gradientNorm: doubles[(at + layout.gradient_norm) >> 3],
-      iterations: word(layout.iterations),
-      index: word(layout.index),
-      touchesBoundary: word(layout.touches_boundary) !== 0,
-      crossesSingularity: word(layout.crosses_singularity) !== 0,
+      lengthError: doubles[(at + layout.sp_result_length_error) >> 3],
+      energy: doubles[(at + layout.sp_result_energy) >> 3],
+      gradientNorm: doubles[(at + layout.sp_result_gradient_norm) >> 3],
+      iterations: word(layout.sp_result_iterations),
+      index: word(layout.sp_result_index),
+      touchesBoundary: word(layout.sp_result_touches_boundary) !== 0,
+      crossesSingularity: word(layout.sp_result_crosses_singularity) !== 0,
       conjugate: null,
-      points: word(layout.points) ? this.#copyDoubles(word(layout.points), 3 * count) : new Float64Array(0),
+      points: word(layout.sp_result_points) ? this.#copyDoubles(word(layout.sp_result_points), 3 * count) : new Float64Array(0),
       parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
-      history: this.#readHistory(word(layout.history), word(layout.record), word(layout.history_count), count),
+      history: this.#readHistory(
+        word(layout.sp_result_history),
+        word(layout.sp_result_record),
+        word(layout.sp_result_history_count),
+        count,
+      ),
     };
   }
 
@@ -431,8 +402,8 @@ export class Heap {
 
   /** An arena for the next call, all but its first bytes; the address of its struct. */
   #openArena(taken = 0) {
-    this.#writeWords(this.#structs.sp_arena, this.#arenaBase + taken, this.#arenaSize - taken, 0);
-    return this.#structs.sp_arena;
+    this.#writeWords(this.#arena, this.#arenaBase + taken, this.#arenaSize - taken, 0);
+    return this.#arena;
   }
 
   /** All memory; made anew where it grew, which detaches the last view. */

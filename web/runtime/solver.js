@@ -4,7 +4,8 @@
  * themselves again (see `generation`).
  */
 
-import { Heap, LAYOUT } from './heap.js';
+import { Heap } from './heap.js';
+import { sp_surface_bytes } from './layout.js';
 
 /** A module of a few bytes that is valid only where f64x2 arithmetic is. */
 const SIMD_PROBE = new Uint8Array([
@@ -108,7 +109,7 @@ export class Solver {
    */
   install(bytes, data, dataBytes) {
     const { heap, exports } = this.#present;
-    const blocks = { data: heap.allocate(dataBytes), record: heap.allocate(LAYOUT.sp_surface.bytes) };
+    const blocks = { data: heap.allocate(dataBytes), record: heap.allocate(sp_surface_bytes) };
     try {
       if (!blocks.data || !blocks.record) throw new RangeError(`surfpath: ${EXHAUSTED}`);
       heap.writeDoubles(blocks.data, data);

@@ -85,6 +85,8 @@ const MISTAKES = [
   ['1+sec(u)', 2, /unknown function sec; write 1\/cos\(…\)$/],
   ['Math.sin(u)', 0, /unknown name Math; write the name alone, as in sin\(…\)$/],
   ['arctan(u)', 0, /unknown function arctan; did you mean atan\?/],
+  ['clamp(u,0,1)', 0, /unknown function clamp; write min\(max\(…, low\), high\)/],
+  ['u+length(u,v)', 2, /unknown function length; write hypot\(…\)/],
   ['Sin(u)', 0, /unknown function Sin; did you mean sin\?/],
   ['foo(u)', 0, /unknown function foo/],
   ['constructor', 0, /unknown name constructor/],
