@@ -51,7 +51,7 @@ int32_t sp_cusp_turns(const struct sp_polyline *line, int32_t first);
 int sp_cusp_divides(const struct sp_newton *newton);
 
 /* Solves a path across a curve where S_u x S_v vanishes and turns over, or several: arcs that meet in points of them. `given`: a path from
- * end to end that crosses as often, at most three times, not in newton's own arrays; of one crossing several seeds are tried.
+ * end to end that crosses as often, at most six times, not in newton's own arrays; of one crossing several seeds are tried.
  * SP_SINGULAR_METRIC where that fails. */
 struct sp_refined sp_cusp_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                               struct sp_arena *arena, struct sp_arcs *arcs);

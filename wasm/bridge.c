@@ -65,19 +65,21 @@ static int solve_arc(struct sp_newton *newton, const struct sp_options *options,
     return slides ? sp_contact_fit(newton, options, checked, piece, arena) : sp_piece_solve(newton, options, checked, piece, arena);
 }
 
-int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
-                    struct sp_arena *arena) {
+/* As sp_bridge_solve; where it fails what was measured at the crossings is gone. */
+static int solve_arcs(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
+                      struct sp_arena *arena) {
     struct sp_options own = *options;
     double length = 0;
     for (int32_t i = 0; i < bridge->count; i++)
         bridge->slope[i] = 0, bridge->reach[i] = __builtin_inf();
     for (int32_t i = 0; i <= bridge->count; i++) {
         struct sp_piece *piece = bridge->piece + i;
+        struct sp_refined before = piece->solved;
         /* An arc that is a small part of the bridge may be wrong by so much more of its own length. */
         double parts = bridge->length / piece->solved.length;
         own.tolerance = options->tolerance * (parts > 1 ? parts : 1);
         place_joints(bridge, i);
-        if (!solve_arc(newton, &own, checked, piece, arena)) return 0;
+        if (!solve_arc(newton, &own, checked, piece, arena)) return piece->solved = before, 0;
         length += piece->solved.length;
         for (int32_t end = 0; end < 2; end++)
             if (piece->joint[end].singular) measure_end(newton, piece, end, i - 1 + end, bridge);
@@ -88,6 +90,17 @@ int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, 
     if (length - length != 0) return 0;
     bridge->length = length;
     return 1;
+}
+
+int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
+                    struct sp_arena *arena) {
+    double slope[SP_CROSSINGS], reach[SP_CROSSINGS];
+    for (int32_t i = 0; i < bridge->count; i++)
+        slope[i] = bridge->slope[i], reach[i] = bridge->reach[i];
+    if (solve_arcs(newton, options, checked, bridge, arena)) return 1;
+    for (int32_t i = 0; i < bridge->count; i++)
+        bridge->slope[i] = slope[i], bridge->reach[i] = reach[i];
+    return 0;
 }
 
 void sp_bridge_start(struct sp_bridge *bridge) {

@@ -6,7 +6,7 @@
 #include "crossing.h"
 
 /* Most crossings of a path. */
-enum { SP_CROSSINGS = 3 };
+enum { SP_CROSSINGS = 6 };
 /* Most that a crossing moves in one step, of its reach. */
 static const double SP_BRIDGE_STEP = 0.5;
 
@@ -26,8 +26,8 @@ struct sp_bridge {
 /* The part of a path beyond a wall that the first, last, arc of a bridge is. */
 struct sp_piece *sp_bridge_beyond(const struct sp_bridge *bridge, int side);
 
-/* Solves all arcs to the crossings, to a tolerance of the whole length where that is known. Returns 0 where one fails: then the length
- * stays that of the last time all were solved. */
+/* Solves all arcs to the crossings, to a tolerance of the whole length where that is known. Returns 0 where one fails: then that,
+ * the length and its derivatives stay as they were. */
 int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
                     struct sp_arena *arena);
 

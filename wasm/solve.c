@@ -139,7 +139,12 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
+        /* Chords across two cusps may lead to a path across none, but not in many steps: as many are left for arcs. */
+        int32_t kept = may && sp_cusp_turns(line, 0) > 0 ? newton->steps_left / 2 : 0;
+        newton->steps_left -= kept;
         refined = sp_refine_run(newton, options, arena);
+        newton->steps_left += kept;
+        if (kept && refined.outcome.status == SP_ITERATION_LIMIT) refined.outcome.status = SP_SINGULAR_METRIC;
         int solved = refined.outcome.status == SP_CONVERGED || refined.outcome.status == SP_TOLERANCE_NOT_MET;
         if (solved && refined.outcome.active) {
             start = sp_storage_keep(&storage, &newton->system), arena->used = used;

@@ -31,6 +31,7 @@ import {
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface where length is that of space
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
  *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
  *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: around the edge, as around a hole
@@ -56,8 +57,10 @@ const MOST_FINE = 4;
 const AGREEMENT = 1e-6;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
 const AT_REST = 1e-9;
-/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved. */
-const MOST_UNFOLLOWED = 2;
+/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if none of them holds, up to so many. */
+const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
+/** Of the ways that were not, the shortest first, so many are measured, each chord of them in parts. */
+const [MOST_MEASURED, PARTS] = [8, 8];
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 const COMPARED_POINTS = 64;
 /** A chord that turns around a pole by this part of a turn passes it nearby. */
@@ -102,10 +105,48 @@ export function findPaths(problem, options, most) {
   const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
   const ways = overPoles(problem, options, tried, rough);
   const found = choosePaths(problem, options, most, { tried, status, rough, ways });
+  if (most === 1 && holds({ path: found[0] })) return [challenge(problem, options, found[0], tried)];
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length)
     ? [asAsked(corner, options)]
     : found;
+}
+
+/**
+ * The path, or one that is shorter, of a way that could not be followed roughly. Where such a way is shorter than all that were found there is a shorter path,
+ * and what is known of it is only that: `stalled`.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ * @returns {RawPath}
+ */
+function challenge(problem, options, best, tried) {
+  const { positions, solve } = problem;
+  let [path, least] = [best, Infinity];
+  const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
+  const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
+  for (const { to, start } of positions ? open.slice(0, MOST_MEASURED) : []) {
+    const lengthIn = (/** @type {number} */ parts) => lengthOf(problem, /** @type {Float64Array} */ (start), parts);
+    const length = isShorter(lengthIn(1)) ? lengthIn(PARTS) : Infinity; // fewer chords are shorter
+    if (!isShorter(length)) continue;
+    const shorter = solve(to, start, options);
+    if (holds({ path: shorter }) && shorter.length < path.length) path = shorter;
+    else least = Math.min(least, length);
+  }
+  return isShorter(least) ? { ...path, status: STALLED } : path;
+}
+
+/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */
+function lengthOf({ positions }, polyline, parts) {
+  const places = new Float64Array((polyline.length - 2) * parts + 2);
+  for (let k = 0; k < places.length; k++) {
+    const at = (k >> 1) / parts;
+    const i = 2 * Math.floor(at) + (k & 1);
+    places[k] = polyline[i] + (at % 1) * ((polyline[i + 2] ?? 0) - polyline[i]);
+  }
+  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(places);
+  let length = 0;
+  for (let i = 3; i < points.length; i += 3)
+    length += gap([points[i], points[i + 1], points[i + 2]], [points[i - 3], points[i - 2], points[i - 1]]);
+  return length;
 }
 
 /**
@@ -340,8 +381,12 @@ const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =
  * @param {Problem} problem @param {SolveOptions} options @param {Start[]} unfollowed
  */
 function asTheyAre({ solve }, options, unfollowed) {
-  if (options.algorithm !== ELEMENTS) return [];
-  return unfollowed.slice(0, MOST_UNFOLLOWED).map(({ to, start }) => ({ to, path: solve(to, start, options) }));
+  /** @type {Found[]} */
+  const found = [];
+  if (options.algorithm !== ELEMENTS) return found;
+  for (const { to, start } of unfollowed.slice(0, MOST_UNFOLLOWED))
+    if (found.length < LEAST_UNFOLLOWED || !found.some(holds)) found.push({ to, path: solve(to, start, options) });
+  return found;
 }
 
 /**

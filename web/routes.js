@@ -18,6 +18,7 @@ import { joinPaths, shareOut } from './via.js';
  * @property {number[] | null} box of an implicit surface
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface where it is
  * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
@@ -79,7 +80,7 @@ export function findGlobal(field, ends, options, most) {
  * @param {Field} field @param {number[][]} ends @param {(problem: import('./global.js').Problem) => import('./runtime/heap.js').RawPath[]} find
  * @returns {Path[]}
  */
-function pose({ kind, domain, box, graphs, isPlain, run }, [from, to], find) {
+function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {
   const different = from.findIndex((x, j) => x !== to[j]);
   const swap = different >= 0 && from[different] > to[different];
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
@@ -95,6 +96,7 @@ function pose({ kind, domain, box, graphs, isPlain, run }, [from, to], find) {
       from: a,
       to: b,
       isPlain,
+      positions,
       domain,
       solve: (end, start, asked, pole, beyond = 0) =>
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),

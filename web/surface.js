@@ -492,12 +492,14 @@ export class Surface {
 
   /** What finding a path needs of this surface. @returns {import('./routes.js').Field} */
   #field() {
+    const isPlain = this.#kind !== 'metric' && !this.#metric;
     return {
       kind: KIND[this.#kind],
       domain: this.#domain,
       box: this.#box,
       graphs: this.#graphs,
-      isPlain: this.#kind !== 'metric' && !this.#metric,
+      isPlain,
+      positions: isPlain && this.#domain ? (places) => this.#evaluate('value', places) : null,
       run: (call) => this.#run((heap) => call(heap, this.#record)),
     };
   }

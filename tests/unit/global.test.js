@@ -457,3 +457,56 @@ describe('a surface with more detail than its graph has', () => {
       eq47.dispose();
     });
 });
+
+test('breather, kin of Dini’s surface: across up to six cusps, seed 8', () => {
+  const radicand = '(0.4*((1-0.16)*cosh(0.4*u)^2+0.16*sin(w*v)^2))';
+  const breather = surfpath.parametric({
+    x: `-u+2*(1-0.16)*cosh(0.4*u)*sinh(0.4*u)/${radicand}`,
+    y: `2*w*cosh(0.4*u)*(-(w*cos(v)*cos(w*v))-sin(v)*sin(w*v))/${radicand}`,
+    z: `2*w*cosh(0.4*u)*(-(w*sin(v)*cos(w*v))+cos(v)*sin(w*v))/${radicand}`,
+    parameters: { w: Math.sqrt(0.84) },
+    u: [-5, 5],
+    v: [-10, 10],
+  });
+  const random = createRandom(8);
+  for (let i = 0; i < 20; i++) {
+    const [from, to] = [-9.9, 9].map((v) => [random.between(-5, 5), v + random.between(0, 0.9)]);
+    const path = breather.shortestPath(from, to, { maxIterations: 400 });
+    assert.ok(path.crossesSingularity && (path.converged || path.status === 'tolerance-not-met'), `${from} to ${to}: ${path.status}`);
+    // However few the steps, it is a path or none.
+    const short = breather.shortestPath(from, to, { maxIterations: 60 + 5 * i });
+    if (short.status === 'singular-metric') assert.equal(short.points.length, 0);
+    else assert.ok(short.length >= path.length * (1 - 1e-6), `${from} to ${to}, ${60 + 5 * i} steps: ${short.status}, ${short.length}`);
+  }
+  breather.dispose();
+});
+
+test('Boy’s surface, where a line within the rectangle is a point: no path is called shortest that is longer than the way through it, seed 9', () => {
+  const boy = surfpath.parametric({
+    x: '2/3*(cos(u)*cos(2*v)+sqrt(2)*sin(u)*cos(v))*cos(u)/(sqrt(2)-sin(2*u)*sin(3*v))',
+    y: '2/3*(cos(u)*sin(2*v)-sqrt(2)*sin(u)*sin(v))*cos(u)/(sqrt(2)-sin(2*u)*sin(3*v))',
+    z: 'sqrt(2)*cos(u)^2/(sqrt(2)-sin(2*u)*sin(3*v))',
+    u: [0, 'pi'],
+    v: [0, 'pi'],
+  });
+  /** Along v as it is, to u = π/2. @param {number[]} place */
+  const toMiddle = ([u, v]) => {
+    const points = boy.evaluate(Array.from({ length: 1001 }, (_, i) => [u + ((Math.PI / 2 - u) * i) / 1000, v]).flat());
+    let length = 0;
+    for (let i = 6; i < points.length; i += 6)
+      length += Math.hypot(points[i] - points[i - 6], points[i + 1] - points[i - 5], points[i + 2] - points[i - 4]);
+    return length;
+  };
+  const random = createRandom(9);
+  let [converged, refused] = [0, 0];
+  for (let i = 0; i < 60; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(0.3, 2.8), random.between(0, Math.PI)]);
+    const path = boy.shortestPath(from, to);
+    const through = toMiddle(from) + toMiddle(to);
+    assert.ok(!path.converged || path.length <= through * 1.002, `${from} to ${to}: ${path.length}, through the middle ${through}`);
+    converged += Number(path.converged);
+    refused += Number(path.status === 'stalled' && path.length > through);
+  }
+  assert.ok(converged >= 30 && refused >= 5, `${converged} converged, ${refused} refused`);
+  boy.dispose();
+});
