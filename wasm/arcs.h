@@ -29,8 +29,9 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
                                  struct sp_arena *arena, struct sp_arcs *arcs);
 
 /* Solves a path through the point to which an edge of the rectangle collapses (a pole, an apex): two free arcs. newton->system.line holds
- * any polyline from end to end. `edge`: 2 * coordinate + side; `beyond`: how far beyond it the point lies, in the coordinate across. */
-struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+ * any polyline from end to end. `edge`: 2 * coordinate + side; `beyond`: how far beyond it the point lies, in the coordinate across;
+ * `period`: once around, 0 between walls. */
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond, double period,
                               struct sp_arena *arena, struct sp_arcs *arcs);
 
 /* Solves a path around an edge that is almost a point: around a hole, whose middle lies `beyond` it. The end nodes of newton->system.line

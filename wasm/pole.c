@@ -52,14 +52,20 @@ double sp_pole_angle(const struct sp_surface *surface, int32_t across, double va
     return angle;
 }
 
-/* By how much the way over the pole turns there towards where a way past it is shorter, radians: off straight on where the surface closes
- * around the pole; between walls, into the rectangle. */
-static double corner_of(const struct sp_surface *surface, int32_t across, double value, const double around[2]) {
-    double angle = sp_pole_angle(surface, across, value, around[0], around[1]);
-    if (surface->lower[1 - across] - surface->lower[1 - across] == 0) return angle < PI ? PI - angle : 0;
-    while (angle > 2 * PI && angle < 100)
-        angle -= 2 * PI;
-    return angle < PI ? PI - angle : angle - PI;
+/* By how much the way over the pole turns there towards where a way past it is shorter, radians: into the rectangle between walls, and to
+ * the side of the smaller angle where the surface closes around the pole after a `period`; 0 if on no side the angle is below half a turn,
+ * as may be where all angles are more than a turn. */
+static double corner_of(const struct sp_surface *surface, int32_t across, double value, const double around[2], double period) {
+    double angle = sp_pole_angle(surface, across, value, around[0], around[1]), other = PI;
+    if (period > 0) {
+        double whole = sp_pole_angle(surface, across, value, 0, period), more = whole - 2 * PI;
+        if (more * more < STRAIGHT * STRAIGHT) whole = 2 * PI; /* a smooth pole's, to rounding */
+        double turns = angle / whole;
+        if (turns < 100) angle -= (int32_t)turns * whole;
+        other = whole - angle;
+    }
+    if (other < angle) angle = other;
+    return angle < PI ? PI - angle : 0;
 }
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
@@ -79,7 +85,7 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, struc
     return 1;
 }
 
-struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond, double period,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_polyline *line = &newton->system.line;
     const struct sp_surface *surface = line->surface;
@@ -112,7 +118,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     if (arcs->count < 2) return arcs->count = 0, none;
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
-    double corner = corner_of(surface, across, value, around), first = arcs->arc[0].length, second = arcs->arc[1].length,
+    double corner = corner_of(surface, across, value, around, period), first = arcs->arc[0].length, second = arcs->arc[1].length,
            gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
     if (gain > 0) whole.length_error += gain;
     if (!(corner <= STRAIGHT && gain <= options->tolerance * whole.length)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;

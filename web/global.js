@@ -254,7 +254,9 @@ function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) 
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
     .map((tip) => {
-      const again = (/** @type {SolveOptions} */ asked) => solve(to, null, asked, tip.pole, tip.beyond);
+      const along = tip.pole > 2 ? 0 : 1;
+      const end = [...to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
+      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, tip.pole, tip.beyond);
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
       return { ...tip, to, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })

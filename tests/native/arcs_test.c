@@ -210,14 +210,14 @@ static void test_corner(void) {
 static void test_poles(void) {
     const double turns[] = {PI, -PI, 3 * PI};
     for (int i = 0; i < 3; i++) {
-        struct sp_request north = {{0.3, 1.3, 0}, {0.3 + turns[i], 1.2, 0}, NULL, 0, 4};
-        struct sp_request south = {{0.3, -1.3, 0}, {0.3 + turns[i], -1.2, 0}, NULL, 0, 3};
-        struct sp_request upright_north = {{1.3, 0.3, 0}, {1.2, 0.3 + turns[i], 0}, NULL, 0, 2};
+        struct sp_request north = {{0.3, 1.3, 0}, {0.3 + turns[i], 1.2, 2 * PI}, NULL, 0, 4};
+        struct sp_request south = {{0.3, -1.3, 0}, {0.3 + turns[i], -1.2, 2 * PI}, NULL, 0, 3};
+        struct sp_request upright_north = {{1.3, 0.3, 0}, {1.2, 0.3 + turns[i], 2 * PI}, NULL, 0, 2};
         check_length("north", solve(&whole_globe_surface, north, options_of(1e-9)), PI - 2.5, 1e-9);
         check_length("south", solve(&whole_globe_surface, south, options_of(1e-9)), PI - 2.5, 1e-9);
         check_length("upright", solve(&upright_globe, upright_north, options_of(1e-9)), PI - 2.5, 1e-9);
     }
-    struct sp_request over = {{0.3, 1.3, 0}, {0.3 + PI, 1.2, 0}, NULL, 0, 4};
+    struct sp_request over = {{0.3, 1.3, 0}, {0.3 + PI, 1.2, 2 * PI}, NULL, 0, 4};
     check_starved("pole", &whole_globe_surface, over, PI - 2.5);
     /* Between walls a path over the pole is the shortest from half a turn on; else it has a corner that is shorter cut. */
     for (double apart = 0.5; apart < 3.9; apart += 0.3) {
@@ -257,7 +257,7 @@ static void test_holes(void) {
     struct sp_request around = {{0.3, 1.2, 1e-3}, {4, 0.3, 0}, NULL, 0, 12};
     check_starved("hole", &cut, around, around_cut(1e-3, (double[2]){PI / 2 - 1.2, PI / 2 - 0.3}, 3.7));
     /* The same cut, over its middle, and in the chart around that. */
-    struct sp_request over = {{0.3, 1.2, 1e-3}, {0.3 + PI, 1.1, 0}, NULL, 0, 4},
+    struct sp_request over = {{0.3, 1.2, 1e-3}, {0.3 + PI, 1.1, 2 * PI}, NULL, 0, 4},
                       beside = {{0.3, 1.2, 1e-3}, {2.3, 0.3, 2 * PI}, NULL, 0, 8};
     check_length("over a hole", solve(&cut, over, options_of(1e-9)), PI - 2.3, 1e-9);
     check_length("past a hole", solve(&cut, beside, options_of(1e-9)), acos(sin(1.2) * sin(0.3) + cos(1.2) * cos(0.3) * cos(2)), 1e-9);
@@ -272,7 +272,8 @@ static void test_holes(void) {
 static void test_turning(void) {
     for (double u = 0.1; u < 3; u += 0.4)
         for (double v = 0.3; v < 1.5; v += 0.4) {
-            struct sp_request over = {{u, v, 0}, {u + PI, v, 0}, NULL, 0, 4}, turned = {{u, v, 0}, {u + PI, v + 0.1, 0}, NULL, 0, 4};
+            struct sp_request over = {{u, v, 0}, {u + PI, v, 2 * PI}, NULL, 0, 4},
+                              turned = {{u, v, 0}, {u + PI, v + 0.1, 2 * PI}, NULL, 0, 4};
             struct sp_request around = {{0}, {0}, NULL, 0, 0};
             double place[3] = {AXES[0] * cos(v) * cos(u), AXES[1] * cos(v) * sin(u), AXES[2] * sin(v)};
             double start[9] = {place[0], place[1], place[2], 0, 0, AXES[2], -place[0], -place[1], place[2]};

@@ -70,7 +70,7 @@ static void check_solves(void) {
     polyline.algorithm = SP_POLYLINE, recorded.record = 1;
     struct sp_request across = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0}, over_cusp = {{-0.2, -0.5, 0}, {0.3, 0.6, 0}, NULL, 0, 0};
     struct sp_request on_torus = {{5.5, 0, 0}, {3, 4, 1}, NULL, 0, 0}, at_wall = {{0, 0.8, 0}, {2, 0.7, 0}, NULL, 0, 0};
-    struct sp_request past_pole = {{0.3, 1.3, 0}, {0.3 + HALF_TURN, 1.2, 0}, NULL, 0, 4};
+    struct sp_request past_pole = {{0.3, 1.3, 0}, {0.3 + HALF_TURN, 1.2, 2 * HALF_TURN}, NULL, 0, 4};
     check_solve("globe", &globe_surface, across, elements, 0);
     check_solve("globe, recorded", &globe_surface, across, recorded, 0);
     check_solve("globe, polyline", &globe_surface, across, polyline, 0);

@@ -510,3 +510,45 @@ test('Boy’s surface, where a line within the rectangle is a point: no path is 
   assert.ok(converged >= 30 && refused >= 5, `${converged} converged, ${refused} refused`);
   boy.dispose();
 });
+
+describe('cones of more than a full turn around the apex: through it, or past it, as unrolled, seed 10', () => {
+  for (const [name, height, slope, period] of /** @type {[string, (u: number) => number, (u: number) => number, number][]} */ ([
+    ['cos(2*u)', (u) => Math.cos(2 * u), (u) => -2 * Math.sin(2 * u), 2 * Math.PI],
+    ['2*cos(3*u)', (u) => 2 * Math.cos(3 * u), (u) => -6 * Math.sin(3 * u), 2 * Math.PI],
+    ['0.3*sin(u/2)', (u) => 0.3 * Math.sin(u / 2), (u) => 0.15 * Math.cos(u / 2), 4 * Math.PI],
+  ]))
+    test(`z = v ${name}`, () => {
+      const cone = surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: `v*${name}`, u: [0, period], v: [0, 1] });
+      /** Simpson's rule on how fast rays turn. @param {number} from @param {number} to */
+      const angleBetween = (from, to) => {
+        let angle = 0;
+        for (let i = 0; i <= 1000; i++) {
+          const u = from + ((to - from) * i) / 1000;
+          const rate = Math.sqrt(1 + height(u) ** 2 + slope(u) ** 2) / (1 + height(u) ** 2);
+          angle += ((i === 0 || i === 1000 ? 1 : i % 2 ? 4 : 2) * rate * (to - from)) / 3000;
+        }
+        return angle;
+      };
+      const whole = angleBetween(0, period);
+      const random = createRandom(10);
+      let [through, past] = [0, 0];
+      for (let i = 0; i < 40; i++) {
+        const [from, to] = [0, 1].map(() => [random.between(0, period), random.between(0.05, 1)]);
+        const turned = angleBetween(Math.min(from[0], to[0]), Math.max(from[0], to[0]));
+        const angle = Math.min(turned, whole - turned, Math.PI);
+        const [a, b] = [from, to].map(([u, v]) => v * Math.hypot(1, height(u)));
+        const unrolled = Math.sqrt(a * a + b * b - 2 * a * b * Math.cos(angle));
+        const path = cone.shortestPath(from, to);
+        assert.equal(path.status, 'converged', `${from} to ${to}`);
+        const isBent = path.length > unrolled * (1 + 1e-7);
+        assert.ok(
+          path.length >= unrolled * (1 - 1e-7) && (!isBent || path.touchesBoundary),
+          `${from} to ${to}: ${path.length}, ${unrolled}`,
+        );
+        through += Number(angle === Math.PI);
+        past += Number(angle < Math.PI && !isBent);
+      }
+      assert.ok(through >= 5 && past >= 5, `${through} through the apex, ${past} past it`);
+      cone.dispose();
+    });
+});
