@@ -126,5 +126,5 @@ enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surfac
 double sp_arcs_bytes(void) {
     double pairs = SP_REFINE_INNER / 2 + 3,
            stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
-    return (SP_MAX_ARCS + 2) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
+    return (SP_MAX_ARCS + 6) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

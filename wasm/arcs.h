@@ -51,6 +51,9 @@ int32_t sp_cusp_turns(const struct sp_polyline *line, int32_t first);
  * holds the path; its charts are computed. */
 int sp_cusp_divides(const struct sp_newton *newton);
 
+/* Whether it is such curves where its normal turns over, and no more of them than sp_cusp_run may cross: a steep surface turns, too. */
+int sp_cusp_crosses(const struct sp_system *given);
+
 /* Solves a path across a curve where S_u x S_v vanishes and turns over, or several: arcs that meet in points of them. `given`: a path from
  * end to end that crosses as often, at most six times, not in newton's own arrays; of one crossing several seeds are tried.
  * SP_SINGULAR_METRIC where that fails. */

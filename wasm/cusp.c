@@ -46,6 +46,11 @@ static int scan(const struct sp_system *given, struct sp_bridge *bridge) {
     return bridge->count > 0;
 }
 
+int sp_cusp_crosses(const struct sp_system *given) {
+    struct sp_bridge bridge;
+    return scan(given, &bridge);
+}
+
 /* Solves a bridge of one crossing roughly with the crossing at evenly spaced places between the ends, each from the one before, and leaves
  * it at the given places of the two shortest of those that are shorter than their neighbours, or as long as the given: `seeds`. */
 static int rank_seeds(struct sp_newton *newton, const struct sp_options *options, const struct sp_bridge *given, struct sp_bridge *bridge,
@@ -88,7 +93,7 @@ static int approach(struct sp_newton *newton, const struct sp_options *rough, st
 static int32_t find_bridges(struct sp_newton *newton, const struct sp_options *options, struct sp_storage storage[SETS][SP_CROSSINGS + 1],
                             struct sp_bridge found[2], struct sp_arena *arena) {
     struct sp_options rough = *options;
-    struct sp_crossing seeds[2];
+    struct sp_crossing seeds[2] = {{.along = 0}, {.along = 0}};
     struct sp_bridge given = found[0], work = given;
     int32_t count = 0;
     if (rough.tolerance < ROUGH) rough.tolerance = ROUGH;

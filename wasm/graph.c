@@ -45,7 +45,7 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
     int sides = surface->kind == SP_IMPLICIT ? 3 : 2;
     for (int j = 0; j < sides; j++) {
         double side = clean.box[2 * j + 1] - clean.box[2 * j];
-        if (!(side > 0 || (clean.cell > 0 && side == 0)) || !sp_is_finite(side)) return SP_NOT_FINITE;
+        if (!(side > 0 || clean.cell > 0) || !sp_is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
     graph->resolved = status == SP_CONVERGED && surface->metric == SP_INDUCED && is_resolved(graph);

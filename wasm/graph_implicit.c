@@ -172,6 +172,14 @@ static void read_corners(const struct cells *cells, const int32_t at[3], uint8_t
         signs[c] = sign_bits(sp_block_get(&block, c, 0));
 }
 
+static int is_within_reach(const struct cells *cells, const int32_t at[3]) {
+    const struct sp_graph_options *options = cells->builder->options;
+    double ends[2][3], middle[3];
+    for (int j = 0; j < 3; j++)
+        ends[0][j] = options->box[2 * j], ends[1][j] = options->box[2 * j + 1], middle[j] = ends[0][j] + at[j] * options->cell;
+    return options->reach <= 0 || sp_distance3(ends[0], middle) + sp_distance3(ends[1], middle) <= options->reach;
+}
+
 /* Lists the neighbours into which the surface passes through a face; of the first cell, which it may pass by its corners, all six. */
 static void flood_around(struct cells *cells, int32_t from, int32_t most) {
     uint8_t signs[8];
@@ -182,6 +190,7 @@ static void flood_around(struct cells *cells, int32_t from, int32_t most) {
         if (from != 0 && face_bits(signs, axis, upper) != 3) continue;
         struct cell next = cells->list[from];
         next.at[axis] += 2 * upper - 1, next.faces = 0;
+        if (!is_within_reach(cells, next.at)) continue;
         int32_t *slot = find_slot(cells, next.at);
         if (*slot >= 0) continue;
         *slot = cells->count;

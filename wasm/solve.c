@@ -140,7 +140,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
         /* Chords across two cusps may lead to a path across none, but not in many steps: as many are left for arcs. */
-        int32_t kept = may && sp_cusp_turns(line, 0) > 0 ? newton->steps_left / 2 : 0;
+        int32_t kept = may && sp_cusp_turns(line, 0) > 0 && sp_cusp_crosses(&start) ? newton->steps_left / 2 : 0;
         newton->steps_left -= kept;
         refined = sp_refine_run(newton, options, arena);
         newton->steps_left += kept;

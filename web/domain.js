@@ -1,6 +1,7 @@
 /** The parameter rectangle of a surface: its ranges, which directions are closed, and lifts of points across a seam. Knows only evaluations of S and its derivatives. */
 
 /** @typedef {{ lower: number[], upper: number[] }} Range */
+/** @typedef {Range & { caller: string }} Asked a range, and for whom it was read */
 /** @typedef {{ pole: number, beyond: number, at: Float64Array | null, radius: number, smooth: boolean }} Tip an edge, 1 + 2 · coordinate + side; how far beyond it, in the coordinate across, the surface collapses to a point; negative: inside the rectangle; that point, where it is known; how far the edge is from it, in space; and whether the surface is smooth there and closed around it */
 /** @typedef {Range & { periodic: boolean[], poles: number[], tips: Tip[], around: { along: number, most: number }[] }} Domain poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
@@ -230,7 +231,7 @@ function agreeIn(low, high, offset) {
 
 /**
  * Refuses to close a direction in which the surface does not close, or in which it closes turned over: a lift would have to turn the other coordinate round.
- * @param {Jets} jets @param {Range} range @param {number} size of the surface @param {number} direction
+ * @param {Jets} jets @param {Asked} range @param {number} size of the surface @param {number} direction
  */
 function checkCloses(jets, range, size, direction) {
   const low = jets(linePlaces(range, direction, 0, TEST_FRACTIONS));
@@ -245,7 +246,7 @@ function checkCloses(jets, range, size, direction) {
     apart(TEST_FRACTIONS.map((fraction) => 1 - fraction)) <= POSITION_GAP * size
       ? `meets itself turned over at the ends of ${name}, as a Möbius strip does; leave ${name} open, or double its range`
       : `does not close: it is ${gaping} apart at the ends of ${name}; leave ${name} open, or mend its range, as in [0, '2pi']`;
-  throw new RangeError(`periodic.${name}: the surface ${why}`);
+  throw new RangeError(`${range.caller}: periodic.${name}: the surface ${why}`);
 }
 
 /** Whether the second half of the lists repeats the first. @param {ArrayLike<number>[]} lists */
@@ -262,11 +263,11 @@ function agree(lists) {
 
 /**
  * What a rectangle is glued to: which directions are periodic, as asked, or, 'auto', where the surface closes; and which edges are points.
- * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Sampled} surface @param {Range} range
+ * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Sampled} surface @param {Asked} range
  * @returns {Domain}
  */
-export function findDomain(asked, surface, { lower, upper }) {
-  const range = { lower, upper };
+export function findDomain(asked, surface, range) {
+  const { lower, upper } = range;
   if (asked !== 'auto' && !surface.tensors) {
     const size = diagonal(surface.jets, range);
     for (const direction of [0, 1]) if ([asked.u, asked.v][direction]) checkCloses(surface.jets, range, size, direction);

@@ -36,7 +36,7 @@ import {
  *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
  *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: around the edge, as around a hole
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
- * @property {(level: number) => Graph | null} flood a graph around the first end, bounds or not
+ * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: of a path in space, 0: none is known
  * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
  */
 
@@ -59,8 +59,8 @@ const AGREEMENT = 1e-6;
 const AT_REST = 1e-9;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if none of them holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
-/** Of the ways that were not, the shortest first, so many are measured, each chord of them in parts. */
-const [MOST_MEASURED, PARTS] = [8, 8];
+/** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
+const [MOST_MEASURED, MOST_PARTS] = [8, 512];
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 const COMPARED_POINTS = 64;
 /** A chord that turns around a pole by this part of a turn passes it nearby. */
@@ -105,11 +105,10 @@ export function findPaths(problem, options, most) {
   const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
   const ways = overPoles(problem, options, tried, rough);
   const found = choosePaths(problem, options, most, { tried, status, rough, ways });
-  if (most === 1 && holds({ path: found[0] })) return [challenge(problem, options, found[0], tried)];
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
-  return corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length)
-    ? [asAsked(corner, options)]
-    : found;
+  if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))
+    return [asAsked(corner, options)];
+  return most === 1 && holds({ path: found[0] }) ? [challenge(problem, options, found[0], tried)] : found;
 }
 
 /**
@@ -120,16 +119,19 @@ export function findPaths(problem, options, most) {
  */
 function challenge(problem, options, best, tried) {
   const { positions, solve } = problem;
-  let [path, least] = [best, Infinity];
+  let path = best;
+  let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
   for (const { to, start } of positions ? open.slice(0, MOST_MEASURED) : []) {
-    const lengthIn = (/** @type {number} */ parts) => lengthOf(problem, /** @type {Float64Array} */ (start), parts);
-    const length = isShorter(lengthIn(1)) ? lengthIn(PARTS) : Infinity; // fewer chords are shorter
+    let length = 0;
+    // Fewer chords are shorter.
+    for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)
+      length = lengthOf(problem, /** @type {Float64Array} */ (start), parts);
     if (!isShorter(length)) continue;
+    least = Math.min(least, length);
     const shorter = solve(to, start, options);
-    if (holds({ path: shorter }) && shorter.length < path.length) path = shorter;
-    else least = Math.min(least, length);
+    if (holds({ path: shorter }) && shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
   }
   return isShorter(least) ? { ...path, status: STALLED } : path;
 }
@@ -144,8 +146,7 @@ function lengthOf({ positions }, polyline, parts) {
   }
   const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(places);
   let length = 0;
-  for (let i = 3; i < points.length; i += 3)
-    length += gap([points[i], points[i + 1], points[i + 2]], [points[i - 3], points[i - 2], points[i - 1]]);
+  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i), points.subarray(i - 3));
   return length;
 }
 
@@ -193,7 +194,11 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
   if (failed.length === 0 && beside.length > 0) return [asAsked(beside[0], options)];
-  return [failed[0] ?? (apart ? emptyPath(status) : solveWeakly(problem, tried, options))];
+  /* A path that is none of the best is better than none, if what is shorter can be told. */
+  const weakest = failed.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length)[0];
+  if (weakest || (failed.length > 0 && !problem.positions)) return [weakest ?? failed[0]];
+  const last = apart ? emptyPath(status) : solveWeakly(problem, tried, options);
+  return [last.length > 0 ? last : (failed[0] ?? last)];
 }
 
 /**
@@ -213,7 +218,11 @@ function findStarts(problem, isAll) {
   let status = OFF_SURFACE;
   /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
   let level = problem.domain || (problem.isPlain && problem.graph(0)?.resolved) ? 0 : 1;
-  for (const find of [problem.graph, problem.flood]) {
+  const flood = (/** @type {number} */ at) => {
+    const near = solveRoughly(problem, { to: problem.to, start: null }, []);
+    return problem.flood(at, problem.isPlain && !isAll && holds(near) ? near.path.length : 0);
+  };
+  for (const find of [problem.graph, flood]) {
     for (let graph = find(level); graph; graph = find(++level)) {
       status = search(graph);
       if (status !== DISCONNECTED && status !== OFF_SURFACE) break;
@@ -380,14 +389,15 @@ const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =
 
 /**
  * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
- * @param {Problem} problem @param {SolveOptions} options @param {Start[]} unfollowed
+ * @param {Problem} problem @param {SolveOptions} options @param {Tried[]} unfollowed
  */
 function asTheyAre({ solve }, options, unfollowed) {
   /** @type {Found[]} */
   const found = [];
   if (options.algorithm !== ELEMENTS) return found;
-  for (const { to, start } of unfollowed.slice(0, MOST_UNFOLLOWED))
-    if (found.length < LEAST_UNFOLLOWED || !found.some(holds)) found.push({ to, path: solve(to, start, options) });
+  for (const { to, start, path } of unfollowed.slice(0, MOST_UNFOLLOWED))
+    if (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds)))
+      found.push({ to, path: solve(to, start, options) });
   return found;
 }
 

@@ -15,6 +15,8 @@ const RESOLUTION = [
 ];
 /** Without a box: cells between the ends. */
 const FLOOD_RESOLUTION = [14, 22, 34];
+/** A flood reaches as far as a path leads that is longer than the one that is known by this factor, and so many cells more. */
+const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
 
 export class Graphs {
@@ -45,13 +47,20 @@ export class Graphs {
   /**
    * The graph of an implicit surface around a point, whatever its bounds, with cells a part of the distance to another wide. Valid until the next one.
    * @param {Heap} heap @param {number} record @param {number[]} from @param {number[]} to @param {number} level
+   * @param {number} length in space of a path between them: no cell is needed that no shorter one can reach; 0: there is none
    */
-  flood(heap, record, from, to, level) {
+  flood(heap, record, from, to, level, length) {
     const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
     if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
     this.#flood = null;
-    this.#flood = heap.buildGraph(record, this.#kind, { box: from.flatMap((x) => [x, x]), cell, resolution: 0, loose: level > 1 });
+    this.#flood = heap.buildGraph(record, this.#kind, {
+      box: from.flatMap((x, j) => [x, to[j]]),
+      cell,
+      resolution: 0,
+      loose: level > 1,
+      reach: length && length * LONGER + BESIDE * cell,
+    });
     return usable(this.#flood);
   }
 

@@ -72,7 +72,8 @@ export function describe(value) {
 
 /** @param {string} name @param {unknown} value */
 export function checkObject(name, value) {
-  if (typeof value !== 'object' || value === null) throw new TypeError(`${name} must be an object, not ${describe(value)}`);
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    throw new TypeError(`${name} must be an object, not ${describe(value)}`);
 }
 
 /** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */

@@ -101,7 +101,7 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
       solve: (end, start, asked, pole, beyond = 0) =>
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
       graph: (level) => watch(graphs.find(heap, record, place, level)),
-      flood: (level) => watch(graphs.flood(heap, record, a, b, level)),
+      flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
       search: (graph, points, isAll) => watch(heap.searchGraph(record, graph, a, b, points, isAll)),
     }),
   );

@@ -454,10 +454,10 @@ export class Surface {
       [lower[j], upper[j]] = range;
     }
     if (this.#finder) this.#reference = this.#finder.find(this.#parameters, [lower[1], upper[1]]);
-    return { lower, upper };
+    return { lower, upper, caller };
   }
 
-  /** Finds out which directions are periodic, and tells the solver. @param {{ lower: number[], upper: number[] } | null} range */
+  /** Finds out which directions are periodic, and tells the solver. @param {import('./domain.js').Asked | null} range */
   #settle(range) {
     const surface = {
       jets: (/** @type {number[]} */ points) => this.#evaluate('jet', points),

@@ -14,6 +14,8 @@ const FOLDED = [
   ['max(0, x)', (x) => Math.max(0, x), [0]],
   ['max(0, x - 0.3)', (x) => Math.max(0, x - 0.3), [0.3]],
   ['0.1*abs(x)', (x) => 0.1 * Math.abs(x), [0]],
+  ['0.3*abs(x)', (x) => 0.3 * Math.abs(x), [0]],
+  ['0.7*abs(x)', (x) => 0.7 * Math.abs(x), [0]],
   ['abs(x - 0.123)', (x) => Math.abs(x - 0.123), [0.123]],
   ['min(x, 0.2 - x)', (x) => Math.min(x, 0.2 - x), [0.1]],
   ['abs(abs(x) - 0.4)', (x) => Math.abs(Math.abs(x) - 0.4), [-0.4, 0, 0.4]],
@@ -35,6 +37,7 @@ for (const [z, height, folds] of FOLDED)
       const path = surface.shortestPath(from, to);
       if (path.touchesBoundary) continue;
       const error = Math.abs(path.length - exact);
+      assert.ok(path.points.length > 0 && error < 0.01 * exact, `${from} to ${to}: ${path.status}, ${path.length}, exact ${exact}`);
       assert.ok(!path.converged || error <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
       if (inner.length === 0) assert.equal(path.status, 'converged', `${from} to ${to} crosses no fold`);
       else crossing++;

@@ -30,12 +30,12 @@ test('a direction that does not close is not periodic, and by how much it misses
   refuses(
     () => surfpath.parametric(arc),
     RangeError,
-    /^periodic\.u: the surface does not close: it is 1\.99\d+ apart at the ends of u; leave u open/,
+    /^parametric: periodic\.u: the surface does not close: it is 1\.99\d+ apart at the ends of u; leave u open/,
   );
   refuses(() => surfpath.parametric({ ...arc, parameters: { a: 6.283 } }), RangeError, /it is 0\.000185\d+ apart/);
   const ring = surfpath.parametric({ ...arc, parameters: { a: 2 * Math.PI } });
   assert.equal(ring.domain?.periodic.u, true);
-  refuses(() => ring.set({ a: 5 }), RangeError, /^periodic\.u: the surface does not close/);
+  refuses(() => ring.set({ a: 5 }), RangeError, /^set: periodic\.u: the surface does not close/);
   assert.equal(ring.parameters.a, 2 * Math.PI, 'a set that is refused changes nothing');
   ring.dispose();
 });

@@ -31,14 +31,13 @@ const TRANSLATIONS = new Map([
   ['ceil', '-floor(-(…))'],
   ['round', 'floor(… + 0.5)'],
   ['fract', 'a - floor(a)'],
+  ['sqr', '(…)^2'],
+  ['norm', 'hypot(…)'],
   ['clamp', 'min(max(…, low), high)'],
   ['mix', 'a + (b - a)*t'],
-  ['lerp', 'a + (b - a)*t'],
-  ['smoothstep', 't^2*(3 - 2*t), t from 0 to 1'],
+  ['smoothstep', 't^2*(3 - 2*t)'],
   ['length', 'hypot(…)'],
-  ['norm', 'hypot(…)'],
-  ['sqr', '(…)^2'],
-  ['if', 'the choice with min, max, abs or sign'],
+  ['if', 'it with min, max, abs or sign'],
 ]);
 
 /** Longer names are not repeated in full, nor compared with others. */

@@ -244,7 +244,6 @@ export class Calculus {
     const parts = all.length > MOST_PARTS ? [a, b] : all;
     this.#lengths.set(value, parts);
     const units = parts.map((part) => g.divide(part.value, value));
-    const inverse = g.divide(g.one, value);
     const along = (/** @type {(part: Jet) => number} */ of) =>
       units.map((unit, k) => g.multiply(unit, of(parts[k]))).reduce((x, y) => g.add(x, y));
     const across = (/** @type {number} */ k, /** @type {number} */ l, /** @type {number} */ i) =>
@@ -256,7 +255,7 @@ export class Calculus {
         let sum = g.zero;
         for (let l = 1; l < parts.length; l++) for (let k = 0; k < l; k++) sum = g.add(sum, g.multiply(across(k, l, i), across(k, l, j)));
         return g.add(
-          g.multiply(sum, inverse),
+          g.divide(sum, value),
           along((part) => part.second[at]),
         );
       },

@@ -228,9 +228,9 @@ export class Graph {
   /** The nodes that a node is computed from: none, one or two. @param {number} id */
   operands(id) {
     const operation = this.operations[id];
-    let count = operation >= Operation.negate && operation <= Operation.floor ? 1 : 2;
-    if (operation <= Operation.parameter) count = 0;
-    if (operation >= Operation.call) count = solverFunctions[operation - Operation.call].arity;
+    if (operation <= Operation.parameter) return [];
+    const isOne = operation >= Operation.negate && operation <= Operation.floor;
+    const count = operation < Operation.call ? 2 - Number(isOne) : solverFunctions[operation - Operation.call].arity;
     return [this.left[id], this.right[id]].slice(0, count);
   }
 

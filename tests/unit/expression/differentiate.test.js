@@ -554,6 +554,7 @@ test('finite where the true derivative is', () => {
     ['hypot(u, v)', [3e200, 4e200], [5e200, 0.6, 0.8, 0, 0, 0]],
     ['hypot(u, v)', [3, 4], [5, 0.6, 0.8, 0.128, -0.096, 0.072]],
     ['hypot(u)', [0, 0], [0, 0, 0, 0, 0, 0]],
+    ['hypot(u, 0)', [1e-310, 0], [1e-310, 1, 0, 0, 0, 0]],
     // Where some operands are 0, on a sphere's axis and a rounded box's faces; a length that is 0 has no slope, that of it and the rest has.
     ['hypot(u, v, 2)', [0, 0], [2, 0, 0, 0.5, 0, 0.5]],
     ['hypot(2, hypot(u, v), 0)', [0, 0], [2, 0, 0, 0.5, 0, 0.5]],
