@@ -57,7 +57,7 @@ const MOST_FINE = 4;
 const AGREEMENT = 1e-6;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
 const AT_REST = 1e-9;
-/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if none of them holds, up to so many. */
+/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 /** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
 const [MOST_MEASURED, MOST_PARTS] = [8, 512];
@@ -181,7 +181,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
   }
-  for (const followed of asTheyAre(problem, options, unfollowed))
+  for (const followed of asTheyAre(problem, options, unfollowed, usable.length > 0 ? LEAST_UNFOLLOWED : MOST_UNFOLLOWED))
     if (holds(followed)) usable.push(followed);
     else failed.push(followed.path);
   usable.push(...shorterOverPole(ways, usable));
@@ -389,13 +389,13 @@ const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =
 
 /**
  * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
- * @param {Problem} problem @param {SolveOptions} options @param {Tried[]} unfollowed
+ * @param {Problem} problem @param {SolveOptions} options @param {Tried[]} unfollowed @param {number} most
  */
-function asTheyAre({ solve }, options, unfollowed) {
+function asTheyAre({ solve }, options, unfollowed, most) {
   /** @type {Found[]} */
   const found = [];
   if (options.algorithm !== ELEMENTS) return found;
-  for (const { to, start, path } of unfollowed.slice(0, MOST_UNFOLLOWED))
+  for (const { to, start, path } of unfollowed.slice(0, most))
     if (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds)))
       found.push({ to, path: solve(to, start, options) });
   return found;
