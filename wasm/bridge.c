@@ -94,7 +94,7 @@ static int solve_arcs(struct sp_newton *newton, const struct sp_options *options
 
 int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
                     struct sp_arena *arena) {
-    double slope[SP_CROSSINGS], reach[SP_CROSSINGS];
+    double slope[SP_CROSSINGS] = {0}, reach[SP_CROSSINGS] = {0};
     for (int32_t i = 0; i < bridge->count; i++)
         slope[i] = bridge->slope[i], reach[i] = bridge->reach[i];
     if (solve_arcs(newton, options, checked, bridge, arena)) return 1;
