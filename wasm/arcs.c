@@ -3,7 +3,8 @@
 #include "metric.h"
 #include "sample.h"
 
-enum { PANELS = 64, EDGE_DEGREE = 16 };
+/* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
+enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -126,5 +127,5 @@ enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surfac
 double sp_arcs_bytes(void) {
     double pairs = SP_REFINE_INNER / 2 + 3,
            stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
-    return (SP_MAX_ARCS + 6) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
+    return (SP_MAX_ARCS + SPARE) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

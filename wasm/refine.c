@@ -15,7 +15,8 @@ static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL
 /* Where the path ends on a singular curve. */
 static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
                                      {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
-/* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. */
+/* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. Then
+ * this part of their widths stays even, so that none is without width. */
 static const double UNEVEN = 3, EVENLY = 1e-6;
 enum { SPREAD_NODES = 64 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
@@ -221,7 +222,7 @@ static int spread_elements(const struct sp_system *system, sp_pair *turns, doubl
     }
     for (spread[0] = 0; k <= SP_SPREAD; k++)
         spread[k] = 1;
-    for (k = 1; k < SP_SPREAD; k++) /* at a crease, rung by rung, they would else close in on nothing */
+    for (k = 1; k < SP_SPREAD; k++)
         spread[k] += EVENLY * ((double)k / SP_SPREAD - spread[k]);
     return most > UNEVEN * total;
 }

@@ -15,7 +15,7 @@ const RESOLUTION = [
 ];
 /** Without a box: cells between the ends. */
 const FLOOD_RESOLUTION = [14, 22, 34];
-/** A flood reaches as far as a path leads that is longer than the one that is known by this factor, and so many cells more. */
+/** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
 

@@ -8,7 +8,7 @@ const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹
 const OUTCOMES = {
   converged: ['Converged', 'No path nearby is shorter.'],
   'iteration-limit': ['Stopped early', 'The iterations ran out: choose fewer points or move the ends a little.'],
-  stalled: ['Stuck', 'No step made the path shorter: try another algorithm or fewer points.'],
+  stalled: ['Stuck', 'No step made the path shorter, or a shorter way leads to no path: try another algorithm or fewer points.'],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
   'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],

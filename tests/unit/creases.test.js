@@ -37,6 +37,7 @@ for (const [z, height, folds] of FOLDED)
       const path = surface.shortestPath(from, to);
       if (path.touchesBoundary) continue;
       const error = Math.abs(path.length - exact);
+      // Found roughly, but a path.
       assert.ok(path.points.length > 0 && error < 0.01 * exact, `${from} to ${to}: ${path.status}, ${path.length}, exact ${exact}`);
       assert.ok(!path.converged || error <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
       if (inner.length === 0) assert.equal(path.status, 'converged', `${from} to ${to} crosses no fold`);

@@ -24,7 +24,7 @@ const TYPES = [
 ];
 const EVALUATE = 4;
 
-/** Functions that may be imported, in this order: those of functions.js, then those for the sine and cosine of an angle, and of two. */
+/** Functions that may be imported, in this order: those of functions.js, then those for the sine and cosine of an angle, and of two. `type`: of TYPES. */
 const IMPORTS = [
   ...solverFunctions.map(({ name, arity }) => ({ name, type: arity - 1 })),
   { name: 'sincos', type: 2 },

@@ -26,7 +26,7 @@ function liveOperations({ graph, jet }) {
 }
 
 test('the surfaces of the paper need no more operations than they did', () => {
-  /** Live operations for values and first and second derivatives; they may only fall.  @type {Record<string, number>} */
+  /** Live operations for values and first and second derivatives; they may only fall. @type {Record<string, number>} */
   const most = {
     saddle: 6,
     paraboloid: 5,
