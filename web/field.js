@@ -1,5 +1,6 @@
 /** Distances from one point to all vertices of a mesh: by one search of the surface's graph, which is in wasm/graph_field.c, or each by the solver. */
 
+import { copies } from './lifts.js';
 import { checkBoolean, checkOptions, readOptions } from './path.js';
 import { findGlobal } from './routes.js';
 import { EXHAUSTED } from './runtime/solver.js';
@@ -44,7 +45,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
     const found = run((heap, record) => {
       const graph = graphs.find(heap, record, place, level);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
-      return graph && heap.measureField(record, graph, from, wanted);
+      return graph && joinFields(copies(domain, from).map((place) => heap.measureField(record, graph, place, wanted)));
     });
     if (!found) break;
     if (found.status === OUT_OF_MEMORY) throw new RangeError(`${caller}: ${EXHAUSTED}`);
@@ -55,6 +56,13 @@ function search({ domain, box, graphs, run }, caller, from, places) {
   if (missing.length === lengths.length)
     throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
   return lengths;
+}
+
+/** Lengths from the same point in several places, the shorter ones. @param {{ status: number, lengths: Float64Array }[]} fields */
+function joinFields(fields) {
+  const [first, ...others] = fields.filter(({ status }) => status === CONVERGED);
+  for (const { lengths } of others) for (const [i, length] of lengths.entries()) if (length < first.lengths[i]) first.lengths[i] = length;
+  return first ?? fields[0];
 }
 
 /** A place at a pole, turned to face another: there, one coordinate is free. @param {import('./domain.js').Domain | null} domain @param {number[]} place @param {number[]} other */

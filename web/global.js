@@ -4,7 +4,9 @@
  */
 
 import { distinct, estimate, isSame } from './distinct.js';
-import { gap, isAtPole, liftNear } from './domain.js';
+import { isAtPole } from './domain.js';
+import { copies, liftNear, neighbours } from './lifts.js';
+import { gap } from './rectangle.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -207,8 +209,9 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
  * @param {Problem} problem @param {boolean} isAll
  */
 function findStarts(problem, isAll) {
+  const { from, to, domain } = problem;
   /** @type {Start[]} */
-  const starts = straightEnds(problem).map((to) => ({ to, start: null }));
+  const starts = (domain ? neighbours(domain, to, from) : [to]).map((end) => ({ to: end, start: null }));
   const search = (/** @type {Graph} */ graph) => {
     if (graph.status !== CONVERGED) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS, isAll);
@@ -236,18 +239,6 @@ function findStarts(problem, isAll) {
   return { starts, status };
 }
 
-/** The second end on its nearest lift and on the neighbouring ones. @param {Problem} problem @returns {number[][]} */
-function straightEnds({ from, to, domain }) {
-  if (!domain) return [to];
-  let ends = [liftNear(domain, to, from)];
-  for (const j of [0, 1]) {
-    if (!domain.periodic[j]) continue;
-    const period = domain.upper[j] - domain.lower[j];
-    ends = ends.flatMap((end) => [0, -1, 1].map((turn) => end.map((x, i) => (i === j ? x + turn * period : x))));
-  }
-  return ends;
-}
-
 /**
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
  * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
@@ -258,16 +249,18 @@ function straightEnds({ from, to, domain }) {
 function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) {
   if (!domain || options.algorithm !== ELEMENTS) return [];
   const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
-  return domain.tips
-    .filter(({ pole, beyond }) => beyond > 0 || (!isAtPole(domain, from, pole) && !isAtPole(domain, to, pole)))
+  const ends = copies(domain, to);
+  return ends
+    .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
+    .filter((tip) => tip.beyond > 0 || (!isAtPole(domain, from, tip.pole) && !isAtPole(domain, tip.to, tip.pole)))
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
     .map((tip) => {
       const along = tip.pole > 2 ? 0 : 1;
-      const end = [...to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
+      const end = [...tip.to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
       const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, tip.pole, tip.beyond);
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
-      return { ...tip, to, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
+      return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })
     .sort((a, b) => (a.path.length || a.bound) - (b.path.length || b.bound));
 }
@@ -298,7 +291,7 @@ function shorterOverPole(ways, others) {
  * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
-function besidePoles({ from, to, domain, solve }, options, ways, others) {
+function besidePoles({ from, domain, solve }, options, ways, others) {
   let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
   const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
   /** @type {Found[]} */
@@ -308,7 +301,7 @@ function besidePoles({ from, to, domain, solve }, options, ways, others) {
     if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
     const range = /** @type {import('./domain.js').Domain} */ (domain);
     const along = pole > 2 ? 0 : 1;
-    const end = [...liftNear(range, to, from), range.upper[along] - range.lower[along]];
+    const end = [...liftNear(range, tip.to, from), range.upper[along] - range.lower[along]];
     /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
     const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
     for (const kind of [...(at || !beyond ? [4] : []), ...(beyond > 0 ? [8] : [])]) {

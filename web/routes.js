@@ -1,10 +1,11 @@
 /** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
 
-import { facePoles, liftEnds } from './domain.js';
+import { facePoles } from './domain.js';
 import { ELEMENTS, findPaths, holds, passedPole, passPoles, reverse } from './global.js';
+import { copies, liftEnds, moveBy } from './lifts.js';
 import { makePath } from './path.js';
 import { emptyPath } from './runtime/heap.js';
-import { OUT_OF_MEMORY } from './runtime/status.js';
+import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -24,12 +25,8 @@ import { joinPaths, shareOut } from './via.js';
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
 const [PATIENCE, SLIPPING] = [40, 0.25];
-
-/** Moves u v pairs by whole periods. @param {Float64Array} parameters @param {number[]} by */
-function shift(parameters, by) {
-  if (by[0] === 0 && by[1] === 0) return;
-  for (let i = 0; i < parameters.length; i++) parameters[i] += by[i & 1];
-}
+/** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
+const LONGEST = 1.25;
 
 /**
  * The locally shortest path near a start. One that comes to nothing near a pole may want to pass that on the other side, whereto no step in the rectangle
@@ -62,7 +59,7 @@ export function solveNear(field, ends, options, start) {
   }
   if (passing) return passing;
   const path = makePath(near);
-  if (path.parameters) shift(path.parameters, [faced[0][0] - lifted[0][0], faced[0][1] - lifted[0][1]]);
+  if (domain && path.parameters) moveBy(domain, path.parameters, lifted[0], faced[0]);
   return path;
 }
 
@@ -102,20 +99,27 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
       graph: (level) => watch(graphs.find(heap, record, place, level)),
       flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
-      search: (graph, points, isAll) => watch(heap.searchGraph(record, graph, a, b, points, isAll)),
+      search: (graph, points, isAll) =>
+        joinSearches(copies(domain, b).map((end) => watch(heap.searchGraph(record, graph, a, end, points, isAll)))),
     }),
   );
   const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
   return raw.map((one) => {
     const path = makePath(swap ? reverse(one) : one);
-    const { parameters } = path;
-    if (parameters)
-      shift(
-        parameters,
-        [0, 1].map((j) => (domain?.periodic[j] ? (swap ? b : a)[j] - parameters[j] : 0)),
-      );
+    if (domain && path.parameters) moveBy(domain, path.parameters, path.parameters, swap ? b : a);
     return path;
   });
+}
+
+/**
+ * Searches for ways to the same point in several places as one. Ways that are much longer than the shortest are of no interest.
+ * @param {ReturnType<Heap['searchGraph']>[]} searches
+ */
+function joinSearches(searches) {
+  const found = searches.filter(({ status }) => status === CONVERGED).sort((a, b) => a.distance - b.distance);
+  if (found.length === 0) return searches[0];
+  const near = found.filter(({ distance }) => distance <= LONGEST * found[0].distance);
+  return { ...found[0], candidates: near.flatMap(({ candidates }) => candidates) };
 }
 
 /**

@@ -107,8 +107,8 @@ export class Surface {
     const domain = this.#domain;
     return (
       domain && {
-        u: [domain.lower[0], domain.upper[0]],
-        v: [domain.lower[1], domain.upper[1]],
+        u: [domain.written.lower[0], domain.written.upper[0]],
+        v: [domain.written.lower[1], domain.written.upper[1]],
         periodic: { u: domain.periodic[0], v: domain.periodic[1] },
       }
     );
@@ -255,11 +255,16 @@ export class Surface {
     const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (this.#kind)];
     if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
       throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
-    if (this.#domain) return meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, resolution);
+    if (this.#domain) return this.#meshRectangle(this.#domain, resolution);
     const box = this.#box;
     if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
     const mesh = this.#meshImplicit(caller, box, resolution);
     return wanted === undefined && bridgesSheets(mesh) ? this.#meshImplicit(caller, box, FINER) : mesh;
+  }
+
+  /** @param {import('./domain.js').Domain} domain @param {number} resolution */
+  #meshRectangle({ written }, resolution) {
+    return meshRectangle((points) => this.evaluate(points), written.lower, written.upper, resolution);
   }
 
   /** @param {string} caller @param {number[]} box @param {number} resolution @returns {Mesh} */
@@ -457,7 +462,7 @@ export class Surface {
     return { lower, upper, caller };
   }
 
-  /** Finds out which directions are periodic, and tells the solver. @param {import('./domain.js').Asked | null} range */
+  /** Finds out which directions are periodic, and tells the solver. @param {import('./seams.js').Asked | null} range */
   #settle(range) {
     const surface = {
       jets: (/** @type {number[]} */ points) => this.#evaluate('jet', points),
@@ -537,7 +542,7 @@ export class Surface {
   /** Where a projection starts. @param {number[]} target */
   #nearest(target) {
     if (!this.#domain) return target;
-    const grid = meshRectangle((points) => this.evaluate(points), this.#domain.lower, this.#domain.upper, SEARCH);
+    const grid = this.#meshRectangle(this.#domain, SEARCH);
     let [best, least] = [0, Infinity];
     for (let i = 0; i < grid.positions.length / 3; i++) {
       const away = [0, 1, 2].reduce((sum, k) => sum + (grid.positions[3 * i + k] - target[k]) ** 2, 0);

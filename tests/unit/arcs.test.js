@@ -286,7 +286,7 @@ test('a path that chords take for one along a wall: no edge is run backwards', (
 });
 
 describe('contacts that chords see and the path has not, and the other way round', () => {
-  const moebius = surfpath.surface(gallery.moebius);
+  const moebius = surfpath.surface({ ...gallery.moebius, periodic: {} });
   const bowl = surfpath.surface(gallery.paraboloid);
   for (const { name, surface, from, to } of [
     { name: 'along one wall, and near the other one', surface: moebius, from: [0.3825, -0.2026], to: [5.3745, 0.2771] },

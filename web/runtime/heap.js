@@ -281,12 +281,13 @@ export class Heap {
    * Runs sp_graph_search.
    * @param {number} surface address of its record @param {Graph} graph @param {number[]} from @param {number[]} to @param {number} points of a candidate
    * @param {boolean} all not only ways that may become the shortest path
-   * @returns {{ status: number, candidates: Float64Array[] }} candidates: polylines of u v or x y z, shortest first
+   * @returns {{ status: number, distance: number, candidates: Float64Array[] }} distance: length of the shortest way; candidates: polylines of u v or x y z, shortest first
    */
   searchGraph(surface, graph, from, to, points, all) {
     const numbers = this.#numbers;
     const dimension = from.length;
-    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points))) return { status: OUT_OF_MEMORY, candidates: [] };
+    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
+      return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
     this.#writePoint(numbers, from);
     this.#writePoint(numbers + 24, to);
     const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.#openArena(), this.#graphAnswer);
@@ -294,7 +295,7 @@ export class Heap {
     const candidates = Array.from({ length: count }, (_, i) =>
       this.#copyDoubles(places + 8 * dimension * written * i, dimension * written),
     );
-    return { status, candidates };
+    return { status, distance: this.#allDoubles()[this.#graphAnswer >> 3], candidates };
   }
 
   /**

@@ -1,0 +1,92 @@
+/** Points of a glued rectangle, moved to other places that are the same point of the surface: by whole periods, and by turns after which it is turned over. */
+
+/** @typedef {import('./seams.js').Glued} Glued */
+
+/**
+ * The same point of the surface, so many turns on.
+ * @param {Glued} glued @param {number[]} point @param {number} turns of the direction in which the surface turns over; 0 if there is none
+ */
+export function turnOn({ lower, upper, periodic, turn }, point, turns) {
+  if (!turn || turns === 0) return point;
+  const { direction, span, sign, offset } = turn;
+  const other = 1 - direction;
+  const mirror = (/** @type {number} */ x) => {
+    if (periodic[other]) return offset - x;
+    /* The walls' own numbers, whatever is rounded. */
+    const [low, high] = [lower[other], upper[other]];
+    return x === low ? high : x === high ? low : Math.min(Math.max(offset - x, low), high);
+  };
+  return point.map((x, j) => {
+    if (j === direction) return x + turns * span;
+    return sign > 0 ? x - turns * offset : turns % 2 === 0 ? x : mirror(x);
+  });
+}
+
+/** All places of the rectangle that are this point of the surface; itself first. @param {Glued | null} glued @param {number[]} point */
+export function copies(glued, point) {
+  if (!glued?.turn) return [point];
+  return Array.from({ length: glued.turn.folds }, (_, turns) => turnOn(glued, point, turns));
+}
+
+/**
+ * The lift of a point nearest to another: moved by whole periods, and no turn.
+ * @param {Glued} glued @param {number[]} point @param {number[]} near
+ */
+export function liftNear({ lower, upper, periodic }, point, near) {
+  return point.map((x, j) => {
+    const period = upper[j] - lower[j];
+    return periodic[j] ? x - period * Math.round((x - near[j]) / period) : x;
+  });
+}
+
+/** The turns by which a point comes nearest to another. @param {Glued} glued @param {ArrayLike<number>} point @param {ArrayLike<number>} near */
+const turnsTo = ({ turn }, point, near) => (turn ? Math.round((near[turn.direction] - point[turn.direction]) / turn.span) : 0);
+
+/** The lift nearest to another point, among all turns. @param {Glued} glued @param {number[]} point @param {number[]} near */
+function turnNear(glued, point, near) {
+  return liftNear(glued, turnOn(glued, point, turnsTo(glued, point, near)), near);
+}
+
+/**
+ * The ends on the lifts where they are solved: near each other, or near the given start; the lexicographically smaller one stays, so that
+ * exchanging the ends gives the same problem.
+ * @param {Glued} glued @param {number[]} from @param {number[]} to @param {Float64Array | null} start u v of its points
+ */
+export function liftEnds(glued, from, to, start) {
+  if (start) return [turnNear(glued, from, [start[0], start[1]]), turnNear(glued, to, Array.from(start.subarray(-2)))];
+  const swap = from[0] !== to[0] ? from[0] > to[0] : from[1] > to[1];
+  return swap ? [turnNear(glued, from, to), to] : [from, turnNear(glued, to, from)];
+}
+
+/** A point on its lift nearest to another, and on the neighbouring ones. @param {Glued} glued @param {number[]} point @param {number[]} near @returns {number[][]} */
+export function neighbours(glued, point, near) {
+  const { lower, upper, periodic, turn } = glued;
+  let lifts = [turnNear(glued, point, near)];
+  for (const j of [0, 1]) {
+    if (!periodic[j]) continue;
+    const step = (/** @type {number[]} */ lift, /** @type {number} */ by) => {
+      if (j !== turn?.direction) return lift.map((x, i) => (i === j ? x + by * (upper[j] - lower[j]) : x));
+      const turned = turnOn(glued, lift, by);
+      const beside = [...near];
+      beside[j] = turned[j];
+      return liftNear(glued, turned, beside);
+    };
+    lifts = lifts.flatMap((lift) => [lift, step(lift, -1), step(lift, 1)]);
+  }
+  return lifts;
+}
+
+/**
+ * Moves u v pairs by turns and whole periods, so that this point of them comes to lie where another is.
+ * @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} from u v, one of them @param {number[]} to the same point of the surface
+ */
+export function moveBy(glued, parameters, from, to) {
+  const turns = turnsTo(glued, from, to);
+  const first = turnOn(glued, [from[0], from[1]], turns);
+  const by = [0, 1].map((j) => (glued.periodic[j] ? to[j] - first[j] : 0));
+  if (turns === 0 && by[0] === 0 && by[1] === 0) return;
+  for (let i = 0; i < parameters.length; i += 2) {
+    const place = turnOn(glued, [parameters[i], parameters[i + 1]], turns);
+    for (const j of [0, 1]) parameters[i + j] = place[j] + by[j];
+  }
+}

@@ -1,0 +1,144 @@
+/** Edges of a parameter rectangle that are one point, or almost: poles, apexes, small holes. Knows only samples of the surface. */
+
+import { dot, FRACTIONS, gap, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+
+/** @typedef {import('./rectangle.js').Range} Range */
+/** @typedef {import('./rectangle.js').Jets} Jets */
+/** @typedef {import('./rectangle.js').Sampler} Sampler */
+/** @typedef {import('./rectangle.js').Sampled} Sampled */
+/** @typedef {{ pole: number, beyond: number, at: Float64Array | null, radius: number, smooth: boolean }} Tip an edge, 1 + 2 · coordinate + side; how far beyond it, in the coordinate across, the surface collapses to a point; negative: inside the rectangle; that point, where it is known; how far the edge is from it, in space; and whether the surface is smooth there and closed around it */
+
+/** An edge that is almost a point: the point is so near, in parts of the range, and equally near everywhere along the edge, up to this part of that. */
+const NEAR_POINT = 0.05;
+const SAME_POINT = 0.1;
+/** The surface is smooth at a point if derivatives around it differ from those of a plane by less, as SMOOTH of wasm/polar.c. */
+const FLAT = 1e-5;
+/** So near to a point, in parts of the range, a metric is as at it. */
+const BESIDE = 1e-4;
+/** Of the range. */
+const ROUNDING = 2e-15;
+
+/**
+ * Edges that are one point: a pole, an apex. They are compared with the line beside them: the surface may be far larger elsewhere.
+ * @param {Sampled} surface @param {Range} range
+ */
+export function findPoles({ jets, tensors }, range) {
+  const isPoint = tensors ? hasNoLength(tensors, range) : isOnePlace(jets);
+  return [0, 1, 2, 3]
+    .filter((edge) => {
+      const [direction, side] = [edge >> 1, edge & 1];
+      const beside = linePlaces(range, direction, Math.abs(side - FRACTIONS[1]), FRACTIONS);
+      return isPoint(linePlaces(range, direction, side, FRACTIONS), beside, 1 - direction);
+    })
+    .map((edge) => edge + 1);
+}
+
+/**
+ * An edge that is almost a point, as where 3.14 stands for π: the speed along it vanishes at a point a little beyond, extrapolated, or before.
+ * @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole the edge
+ * @returns {Tip[]} none or one
+ */
+export function findHole(jets, range, periodic, pole) {
+  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const span = range.upper[direction] - range.lower[direction];
+  const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
+  /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
+  const offsetsAt = (fraction) => {
+    const sampled = jets(place(fraction));
+    return FRACTIONS.map((_, i) => {
+      const [speed, change] = [vector(sampled, i, direction ? 3 : 6), vector(sampled, i, 12)];
+      const [product, squared] = [dot(speed, change), dot(change, change)];
+      return product ** 2 >= (1 - SAME_POINT) * dot(speed, speed) * squared ? -product / (squared * span) : Number.NaN;
+    });
+  };
+  const offsets = offsetsAt(side);
+  const [first] = offsets;
+  const isNear = Math.abs(first) <= NEAR_POINT && offsets.every((offset) => Math.abs(offset - first) <= SAME_POINT * Math.abs(first));
+  if (!isNear) return [];
+  const exact = side + first + offsetsAt(side + first)[0];
+  /* Not behind the point, not even by rounding: there the normal has turned over. */
+  const before = exact - ROUNDING * (2 * side - 1);
+  if (isOnePlace(jets)(place(before), place(Math.abs(side - FRACTIONS[1])))) return [tipAt(jets, range, periodic, pole, before)];
+  const beyond = (side ? span : -span) * first;
+  return beyond > 0 ? [{ pole, beyond, at: null, radius: 0, smooth: false }] : [];
+}
+
+/** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
+export function tipAt(jets, range, periodic, pole, fraction) {
+  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const sampled = jets(linePlaces(range, direction, fraction, FRACTIONS));
+  const at = vector(sampled, 0, 0);
+  const beyond = (fraction - side) * (side ? 1 : -1) * (range.upper[direction] - range.lower[direction]);
+  return {
+    pole,
+    beyond,
+    at,
+    radius: reach(jets(linePlaces(range, direction, side, FRACTIONS)), at),
+    smooth: periodic[1 - direction] && isFlat(sampled, direction),
+  };
+}
+
+/** Whether the derivatives across a point are those of a plane around it, a cos θ + b sin θ, equal steps of the coordinate along those of θ. @param {Float64Array} sampled @param {number} direction */
+function isFlat(sampled, direction) {
+  const across = (/** @type {number} */ i) => vector(sampled, i, direction ? 6 : 3);
+  /* 2 cos(2π/16), as there are 17 FRACTIONS. */
+  const twice = Math.sqrt(2 + Math.SQRT2);
+  const size = Math.max(...FRACTIONS.map((_, i) => Math.sqrt(dot(across(i), across(i)))));
+  return FRACTIONS.slice(2).every(
+    (_, i) =>
+      gap(
+        across(i).map((x, k) => x + across(i + 2)[k]),
+        across(i + 1).map((x) => twice * x),
+      ) <=
+      FLAT * size,
+  );
+}
+
+/**
+ * By how much the direction across turns along a line of the rectangle: radians, exact where it stays in a plane.
+ * @param {Jets} jets @param {number[]} places @param {number} direction
+ */
+export function turning(jets, places, direction) {
+  const sampled = jets(places);
+  const across = FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)).map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
+  return across.slice(1).reduce((sum, x, i) => {
+    /* Twice the arcsine of half the chord, as in wasm/pole.c. */
+    const [chord, square] = [gap(x, across[i]), gap(x, across[i]) ** 2];
+    return sum + chord * (1 + (square / 24) * (1 + ((9 * square) / 80) * (1 + (25 * square) / 168)));
+  }, 0);
+}
+
+/** @param {Jets} jets */
+function isOnePlace(jets) {
+  return (/** @type {number[]} */ places, /** @type {number[]} */ beside) => {
+    const sampled = jets(places);
+    const first = vector(sampled, 0, 0);
+    const near = POSITION_GAP * reach(jets(beside), first);
+    return FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), first) <= near);
+  };
+}
+
+/** Where E, F and G measure length they tell what is a point: the speed along the edge vanishes. @param {Sampler} tensors @param {Range} range */
+function hasNoLength(tensors, range) {
+  const span = [0, 1].map((j) => range.upper[j] - range.lower[j]);
+  const lengthOf = (/** @type {ArrayLike<number>} */ tensor, /** @type {number} */ j) => Math.sqrt(Math.abs(tensor[2 * j])) * span[j];
+  return (/** @type {number[]} */ places, /** @type {number[]} */ beside, /** @type {number} */ along) => {
+    const lengths = tensors(beside).flatMap((tensor) => [lengthOf(tensor, 0), lengthOf(tensor, 1)]);
+    const least = POSITION_GAP * Math.max(0, ...lengths.filter(Number.isFinite));
+    return tensors(places).every((tensor) => lengthOf(tensor, along) <= least);
+  };
+}
+
+/**
+ * Whether E, F and G around an edge that is a point are those of a plane around it, once around.
+ * @param {Sampler} tensors @param {Range} range @param {number} pole
+ */
+export function isRound(tensors, range, pole) {
+  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const [away, turn] = [across, 1 - across].map((j) => range.upper[j] - range.lower[j]);
+  const circle = (2 * Math.PI * BESIDE * away) / turn;
+  const edge = tensors(linePlaces(range, across, side, FRACTIONS)).map((tensor) => tensor[2 * across]);
+  const beside = tensors(linePlaces(range, across, Math.abs(side - BESIDE), FRACTIONS));
+  const is = (/** @type {number} */ x, /** @type {number} */ expected) => Math.abs(x / edge[0] - expected) <= FLAT;
+  return beside.every((tensor, i) => is(edge[i], 1) && is(tensor[1] / circle, 0) && is(tensor[2 - 2 * across] / circle ** 2, 1));
+}
