@@ -12,7 +12,7 @@ import { checkObject, describe } from './path.js';
  * @property {Expression} z
  * @property {readonly [Expression, Expression]} u range of u, constants and parameters only
  * @property {readonly [Expression, Expression]} v range of v
- * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] which directions are closed; default 'auto': where S and its first derivatives agree on both edges
+ * @property {'auto' | { u?: boolean, v?: boolean }} [periodic] which directions are closed; default 'auto': where S and its first derivatives agree on both edges, straight, turned over or shifted, and the formulas repeat
  * @property {Readonly<Record<string, number>>} [parameters] named constants; `set` changes them without recompiling
  * @property {Expression} [density] ρ > 0 over u, v, x, y, z and the parameters: the length element is ρ ds, so that paths avoid where it is large
  * @property {{ E: Expression, F: Expression, G: Expression }} [metric] over u, v and the parameters: replaces the metric that space induces;
