@@ -51,7 +51,7 @@ build/coverage/core.so: $(WASM:%.c=build/coverage/native/%.o)
 build/coverage/%_test: tests/native/%_test.c $(NATIVE_SHARED) $(WASM:%.c=build/coverage/native/%.o)
 	@clang -std=c17 -ffp-contract=off -fno-math-errno -Iwasm -O1 -fprofile-instr-generate $^ -lm -o $@
 
-coverage: all build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TESTS) ## branches of the C and lines of the JavaScript that the tests run; 95 % of each are wanted
+coverage: all build/native/core.o build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TESTS) ## branches of the C and lines of the JavaScript that the tests run; 95 % of each are wanted
 	@rm -rf build/coverage/counters build/coverage/v8 build/coverage/*.prof*
 	@for test in $(COVERAGE_TESTS); do LLVM_PROFILE_FILE=$$test.profraw $$test tests/data >/dev/null || exit 1; done
 	@NODE_OPTIONS=--import=$(CURDIR)/tests/coverage/preload.js NODE_V8_COVERAGE=build/coverage/v8 \

@@ -1,10 +1,11 @@
 // How quick the page is: its first path (printed), no script that keeps it for 50 ms, shaders compiled once; and what is pointed at is marked everywhere.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import { allowance } from '../helpers/allowance.js';
 import { nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
 import { watchTasks } from '../helpers/pace.js';
 
-/** Milliseconds of the processor that a script may keep the page. */
+/** Milliseconds of the processor that a script may keep the page, on one that is not slow. */
 const MOST = 50;
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
@@ -16,8 +17,8 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Looks at most, of which the quickest counts: other work on the machine slows a script even by the processor's own clock. */
-const LOOKS = 3;
+/** Looks, and looks at most, of which the quickest counts: other work on the machine slows a script even by the processor's own clock. */
+const [LOOKS, MOST_LOOKS] = [3, 6];
 
 /** @param {() => Promise<void>} act */
 async function checkTasks(act) {
@@ -25,8 +26,8 @@ async function checkTasks(act) {
     const tasks = await watchTasks(page, act);
     assert.ok(tasks.length > 3, 'tasks are seen');
     const [{ name, milliseconds, at }] = tasks;
-    if (milliseconds < MOST) return;
-    assert.ok(look < LOOKS, `${name} ${at} kept the page for ${milliseconds} ms of the processor`);
+    if (milliseconds < allowance(MOST)) return;
+    assert.ok(look < MOST_LOOKS, `${name} ${at} kept the page for ${milliseconds} ms of the processor`);
   }
 }
 

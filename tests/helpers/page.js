@@ -50,7 +50,7 @@ export async function openBrowser(more = [], options = {}) {
  */
 export async function openPage(context, address) {
   const page = await context.newPage();
-  page.setDefaultTimeout(15000);
+  page.setDefaultTimeout(60000);
   /** @type {string[]} errors and warnings, since the page was opened */
   const complaints = [];
   page.on('console', (message) => {

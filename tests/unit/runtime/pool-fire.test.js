@@ -6,6 +6,7 @@ import { gallery } from '../../../web/gallery.js';
 import { load } from '../../../web/index.js';
 import { createPool } from '../../../web/pool.js';
 import { randomPairs } from '../../bench/pairs.js';
+import { allowance } from '../../helpers/allowance.js';
 import { createRandom } from '../../helpers/random.js';
 import { alive, FRAGILE, killOne, MORTAL, started, wait } from '../../helpers/workers.js';
 
@@ -192,11 +193,13 @@ describe(`calls that are aborted, seed ${SEED}`, () => {
     test('is cut short, and its worker ended and replaced, within 50 ms', async () => {
       /* 30 ms of grace and the end of the thread: 35 to 45 ms on an idle machine. Of a busy one the least of many tells. */
       let least = [Infinity, Infinity];
-      for (let round = 0; round < 3 || (Math.max(...least) > 50 && round < 30); round++) {
+      let most = 50;
+      for (let round = 0; round < 3 || (Math.max(...least) > most && round < 30); round++) {
         const times = await cutShort();
         least = least.map((time, i) => Math.min(time, times[i]));
+        most = allowance(50);
       }
-      assert.ok(Math.max(...least) <= 50, `rejected after ${least[0]} ms, ended after ${least[1]} ms at least`);
+      assert.ok(Math.max(...least) <= most, `rejected after ${least[0]} ms, ended after ${least[1]} ms at least`);
     });
   });
 });
