@@ -109,7 +109,10 @@ static int is_degenerate(const struct sp_polyline *line, int32_t i, const struct
  * somewhere. */
 static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i, const struct chord *chord, double scale) {
     if (is_degenerate(line, i, chord)) return SP_SINGULAR_METRIC;
-    if (dot(chord->normal[0], chord->normal[1]) < 0) return check_fold(line, chord);
+    const double(*normal)[3] = chord->normal;
+    int at_pole =
+        (i == 0 && sp_normal_is_nothing(normal[0], normal[1])) || (i == line->fold.inner && sp_normal_is_nothing(normal[1], normal[0]));
+    if (!at_pole && dot(chord->normal[0], chord->normal[1]) < 0) return check_fold(line, chord);
     double u = chord->place[1][0] - chord->place[0][0], v = chord->place[1][1] - chord->place[0][1], half[3], middle[3];
     sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
     for (int j = 0; j < 2; j++)

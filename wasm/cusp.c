@@ -27,7 +27,8 @@ static int scan(const struct sp_system *given, struct sp_bridge *bridge) {
     for (int i = 1; i <= SCAN; i++) {
         given_place(given, (double)i / SCAN, here);
         sp_normal_at(surface, here, normal);
-        if (dot(first, normal) < 0) {
+        int at_pole = (i == 1 && sp_normal_is_nothing(first, normal)) || (i == SCAN && sp_normal_is_nothing(normal, first));
+        if (!at_pole && dot(first, normal) < 0) {
             if (bridge->count == SP_CROSSINGS || !sp_crossing_find(surface, before, here, bridge->crossing + bridge->count)) return 0;
             double parameter = (i - 0.5) / SCAN;
             bridge->piece[bridge->count++] = (struct sp_piece){.system = *given, .first = from, .last = parameter};

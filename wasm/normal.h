@@ -8,6 +8,14 @@
 /* S_u x S_v at a place. */
 void sp_normal_at(const struct sp_surface *surface, const double place[2], double normal[3]);
 
+/* Whether a normal is zero up to rounding, beside that of another place: at a pole, where it points to either side. */
+static inline int sp_normal_is_nothing(const double normal[3], const double beside[3]) {
+    double squared = 0, other = 0;
+    for (int j = 0; j < 3; j++)
+        squared += normal[j] * normal[j], other += beside[j] * beside[j];
+    return squared <= 1e-20 * other;
+}
+
 /* What a bisection found: the place and the normal that it looked at last; squares of lengths of normals, the least that it met and the
  * larger one of the ends. */
 struct sp_turn {

@@ -28,6 +28,9 @@ export function isSame(a, b) {
   return away <= APART * size;
 }
 
+/** Whether a path is one of these. @param {{ path: RawPath }[]} list @param {{ path: RawPath }} found */
+export const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
+
 /**
  * Places along a path of equal chords, three numbers each: points, or u v 0 where it has no positions.
  * @param {RawPath} path @returns {Float64Array}

@@ -2,25 +2,48 @@
 
 import { FRACTIONS, linePlaces } from './rectangle.js';
 import { findSeams } from './seams.js';
-import { findHole, findPoles, isRound, tipAt, turning } from './tips.js';
+import { findHole, findPinches, findPoles, isRound, tipAt, turning } from './tips.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Sampled} Sampled */
 /** @typedef {import('./seams.js').Asked} Asked */
 /** @typedef {import('./seams.js').Glued} Glued */
 /** @typedef {import('./tips.js').Tip} Tip */
-/** @typedef {Glued & { written: Range, poles: number[], tips: Tip[], around: { along: number, most: number }[] }} Domain written: the rectangle as its definition has it, one turn; poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
+/** @typedef {{ across: number, period: number, pieces: Domain[] }} Pinches lines within the rectangle that are one point: the coordinate across them, its period or 0, and what lies between them, in order: pieces with poles */
+/** @typedef {Glued & { written: Range, poles: number[], tips: Tip[], around: { along: number, most: number }[], pinches: Pinches | null }} Domain written: the rectangle as its definition has it, one turn; poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
 
 /** Radians: half a turn, and some. */
 const HALF_AROUND = 1.2 * Math.PI;
 
 /**
- * What a rectangle is glued to: which directions are periodic, as asked, or, 'auto', where the surface closes; and which edges are points.
+ * What a rectangle is glued to: which directions are periodic, as asked, or, 'auto', where the surface closes; which edges are points, and which lines between.
  * @param {'auto' | { u?: boolean, v?: boolean }} asked @param {Sampled} surface @param {Asked} written
  * @returns {Domain}
  */
 export function findDomain(asked, surface, written) {
   const glued = findSeams(asked, surface, written);
+  const domain = describeEdges(glued, written, surface);
+  const { lower, upper, periodic } = glued;
+  /* Where E, F and G measure length, positions tell nothing; across a turn the pieces change places. */
+  if (surface.tensors || glued.turn) return domain;
+  for (const across of [1, 0]) {
+    const places = findPinches(surface.jets, glued, across);
+    if (places.length === 0) continue;
+    const period = periodic[across] ? upper[across] - lower[across] : 0;
+    const ends = period ? [...places, places[0] + period] : [lower[across], ...places, upper[across]];
+    const pieces = ends.slice(1).map((end, i) => {
+      const [low, high] = [[...lower], [...upper]];
+      [low[across], high[across]] = [ends[i], end];
+      const open = periodic.map((closed, j) => closed && j !== across);
+      return describeEdges({ lower: low, upper: high, periodic: open, turn: null }, { lower: low, upper: high }, surface);
+    });
+    return { ...domain, pinches: { across, period, pieces } };
+  }
+  return domain;
+}
+
+/** A glued rectangle, and what its edges are. @param {Glued} glued @param {Range} written @param {Sampled} surface @returns {Domain} */
+function describeEdges(glued, written, surface) {
   const { lower, upper, periodic } = glued;
   const range = { lower, upper };
   const poles = findPoles(surface, range);
@@ -47,7 +70,7 @@ export function findDomain(asked, surface, written) {
       const along = pole > 2 ? 0 : 1;
       return { along, most: (HALF_AROUND / turned(pole)) * (upper[along] - lower[along]) };
     });
-  return { ...glued, written: { lower: written.lower, upper: written.upper }, poles, tips, around };
+  return { ...glued, written: { lower: written.lower, upper: written.upper }, poles, tips, around, pinches: null };
 }
 
 /**

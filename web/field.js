@@ -2,7 +2,7 @@
 
 import { copies } from './lifts.js';
 import { checkBoolean, checkOptions, readOptions } from './path.js';
-import { findGlobal } from './routes.js';
+import { findPath } from './pieces.js';
 import { EXHAUSTED } from './runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
@@ -43,7 +43,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
     const wanted =
       level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
     const found = run((heap, record) => {
-      const graph = graphs.find(heap, record, place, level);
+      const graph = graphs.find(heap, record, place, level, domain?.turn?.folds);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
       return graph && joinFields(copies(domain, from).map((place) => heap.measureField(record, graph, place, wanted)));
     });
@@ -88,7 +88,7 @@ export function measureField(field, caller, from, mesh, exact) {
   return lengths.map((length, i) => {
     if (length === Infinity || length === 0) return length;
     const to = Array.from(places.subarray(width * i, width * (i + 1)));
-    const [path] = findGlobal(field, [face(field.domain, from, to), face(field.domain, to, from)], solve, 1);
+    const path = findPath(field, [face(field.domain, from, to), face(field.domain, to, from)], solve, 'global');
     return path.converged || path.status === 'ill-conditioned' ? path.length : Number.NaN;
   });
 }

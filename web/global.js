@@ -3,10 +3,12 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { distinct, estimate, isSame } from './distinct.js';
+import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
+import { challenge } from './challenge.js';
+import { distinct, estimate, isAmong, isSame } from './distinct.js';
 import { isAtPole } from './domain.js';
-import { copies, liftNear, neighbours } from './lifts.js';
-import { gap } from './rectangle.js';
+import { neighbours } from './lifts.js';
+import { besidePoles, overPoles, refine, shorterOverPole } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -19,31 +21,15 @@ import {
   STALLED,
 } from './runtime/status.js';
 
-/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
-/** @typedef {import('./runtime/heap.js').Graph} Graph */
-/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
-/** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
-/** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with */
-/** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
-/** @typedef {Found & import('./domain.js').Tip & { bound: number, again: (options: SolveOptions) => RawPath }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').Graph} Graph */
+/** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
+/** @typedef {import('./candidates.js').Start} Start */
+/** @typedef {import('./candidates.js').Found} Found */
+/** @typedef {import('./candidates.js').Tried} Tried */
+/** @typedef {import('./candidates.js').Way} Way */
+/** @typedef {import('./candidates.js').Problem} Problem */
 
-/**
- * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
- * @property {number[]} from
- * @property {number[]} to
- * @property {import('./domain.js').Domain | null} domain
- * @property {boolean} isPlain length is that of space
- * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface where length is that of space
- * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
- *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
- *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: around the edge, as around a hole
- * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
- * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: of a path in space, 0: none is known
- * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
- */
-
-/** As sp_algorithm in wasm/surfpath.h. */
-export const ELEMENTS = 0;
 /** Why a straight start comes to nothing that has to do with an end alone. */
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
@@ -51,9 +37,7 @@ const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds. */
 const ROUGH = [31, 63, 127, 255];
 const CANDIDATE_POINTS = 65;
-/** Rough lengths this much longer than the best may still turn out to be the shortest. */
-const MARGIN = 1e-3;
-/** Of those, so many are solved finely. */
+/** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 4;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
@@ -61,30 +45,6 @@ const AGREEMENT = 1e-6;
 const AT_REST = 1e-9;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
-/** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
-const [MOST_MEASURED, MOST_PARTS] = [8, 512];
-/** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
-const COMPARED_POINTS = 64;
-/** A chord that turns around a pole by this part of a turn passes it nearby. */
-const SHARP = 0.05;
-/** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
-const BESIDE_STEPS = 60;
-
-/** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
-export const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
-
-/** @param {SolveOptions} options @returns {SolveOptions} */
-const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
-
-/** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
-const asAsked = ({ path, again }, options) =>
-  again && (options.points !== COMPARED_POINTS || options.record || !holds({ path })) ? again(options) : path;
-
-/** Whether a path is one of these. @param {Found[]} list @param {Found} found */
-const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
-
-/** Infinite where there is none. @param {Found[]} list */
-const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => estimate(path) || Infinity));
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
@@ -114,45 +74,6 @@ export function findPaths(problem, options, most) {
 }
 
 /**
- * The path, or one that is shorter, of a way that could not be followed roughly. Where such a way is shorter than all that were found there is a shorter path,
- * and what is known of it is only that: `stalled`.
- * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
- * @returns {RawPath}
- */
-function challenge(problem, options, best, tried) {
-  const { positions, solve } = problem;
-  let path = best;
-  let least = Infinity;
-  const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
-  const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
-  for (const { to, start } of positions ? open.slice(0, MOST_MEASURED) : []) {
-    let length = 0;
-    // Fewer chords are shorter.
-    for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)
-      length = lengthOf(problem, /** @type {Float64Array} */ (start), parts);
-    if (!isShorter(length)) continue;
-    least = Math.min(least, length);
-    const shorter = solve(to, start, options);
-    if (holds({ path: shorter }) && shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
-  }
-  return isShorter(least) ? { ...path, status: STALLED } : path;
-}
-
-/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */
-function lengthOf({ positions }, polyline, parts) {
-  const places = new Float64Array((polyline.length - 2) * parts + 2);
-  for (let k = 0; k < places.length; k++) {
-    const at = (k >> 1) / parts;
-    const i = 2 * Math.floor(at) + (k & 1);
-    places[k] = polyline[i] + (at % 1) * ((polyline[i + 2] ?? 0) - polyline[i]);
-  }
-  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(places);
-  let length = 0;
-  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i), points.subarray(i - 3));
-  return length;
-}
-
-/**
  * The paths among all that were tried.
  * @param {Problem} problem @param {SolveOptions} options @param {number} most
  * @param {{ tried: Tried[], status: number, rough: Found[], ways: Way[] }} candidates status: of the search; rough: those tried that hold; ways: over poles
@@ -178,7 +99,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const failed = [];
   for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
     if (most > 1 && usable.length === most) break;
-    if (isAmong(passing, found)) continue;
+    if (isAmong(passing, found) || (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path))) continue;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
@@ -239,126 +160,9 @@ function findStarts(problem, isAll) {
   return { starts, status };
 }
 
-/**
- * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
- * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
- * even as straight lines in space are longer than the best path are left out.
- * @param {Problem} problem @param {SolveOptions} options @param {Found[]} tried @param {Found[]} rough those that hold
- * @returns {Way[]}
- */
-function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) {
-  if (!domain || options.algorithm !== ELEMENTS) return [];
-  const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
-  const ends = copies(domain, to);
-  return ends
-    .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
-    .filter((tip) => tip.beyond > 0 || (!isAtPole(domain, from, tip.pole) && !isAtPole(domain, tip.to, tip.pole)))
-    .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
-    .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
-    .map((tip) => {
-      const along = tip.pole > 2 ? 0 : 1;
-      const end = [...tip.to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
-      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, tip.pole, tip.beyond);
-      const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
-      return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
-    })
-    .sort((a, b) => (a.path.length || a.bound) - (b.path.length || b.bound));
-}
-
-/**
- * Where a path near a start came to nothing: the shortest of those that pass a pole, or lead over it, unless what was found is shorter, and a path.
- * @param {Problem} problem @param {SolveOptions} options @param {RawPath} near @returns {RawPath[]} none or one
- */
-export function passPoles(problem, options, near) {
-  const weak = { to: problem.to, path: near, start: null, coarse: near };
-  const others = leaps(problem, near) ? [] : [weak];
-  const ways = overPoles(problem, options, [weak], others);
-  const most = others.length > 0 && near.length > 0 ? (1 + MARGIN) * near.length : Infinity;
-  return [...besidePoles(problem, options, ways, others), ...ways]
-    .filter((found) => holds(found) && found.path.length <= most)
-    .sort((a, b) => a.path.length - b.path.length)
-    .slice(0, 1)
-    .map((found) => asAsked(found, options));
-}
-
-/** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
-function shorterOverPole(ways, others) {
-  const shortest = lengthOfShortest(others);
-  return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
-}
-
-/**
- * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
- * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
- */
-function besidePoles({ from, domain, solve }, options, ways, others) {
-  let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
-  const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
-  /** @type {Found[]} */
-  const found = [];
-  for (const tip of ways) {
-    const { pole, beyond, at, radius, bound } = tip;
-    if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
-    const range = /** @type {import('./domain.js').Domain} */ (domain);
-    const along = pole > 2 ? 0 : 1;
-    const end = [...liftNear(range, tip.to, from), range.upper[along] - range.lower[along]];
-    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
-    const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
-    for (const kind of [...(at || !beyond ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
-      const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
-      const way = { to: end, again, path: again(asked) };
-      if (way.path.status >= CONVERGED) found.push(way);
-      if (holds(way)) shortest = Math.min(shortest, way.path.length);
-      else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
-    }
-  }
-  return found;
-}
-
-/**
- * Whether a polyline jumps over a pole, a hole or a slit. One that passes a pole nearer than its nodes are apart turns by about half a turn in a chord.
- * @param {Problem} problem @param {RawPath} path
- */
-function leaps({ domain }, { parameters }) {
-  if (!domain || !parameters) return false;
-  return domain.around.some(({ along, most }) =>
-    parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most),
-  );
-}
-
 /** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
 const shortestWeak = (tried) =>
   tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
-
-/** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
-function refine({ from, domain, solve }, { to, path }, options) {
-  const { parameters } = path;
-  const pole = domain && parameters && options.algorithm === ELEMENTS && passedPole(domain, parameters, SHARP);
-  if (pole && domain.tips.some((tip) => tip.pole === pole && tip.smooth && !tip.at)) {
-    const along = pole > 2 ? 0 : 1;
-    const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
-    if (holds({ path: beside })) return beside;
-  }
-  return solve(to, parameters ?? path.points, options);
-}
-
-/**
- * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; 0: none.
- * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters @param {number} part
- */
-export function passedPole({ lower, upper, tips }, parameters, part) {
-  let [passed, nearest] = [0, Infinity];
-  for (const { pole } of tips) {
-    const across = (pole - 1) >> 1;
-    const along = 1 - across;
-    for (let i = 2; i < parameters.length; i += 2) {
-      const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
-      const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
-      if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
-    }
-  }
-  return passed;
-}
 
 /**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
@@ -408,7 +212,14 @@ function isPointed({ from, to, domain, graph }) {
  */
 const isKnown = (coarse, tried) =>
   coarse.status === STALLED &&
-  tried.some((other) => holds(other) && Math.abs(other.coarse.length / coarse.length - 1) <= AT_REST && isSame(other.coarse, coarse));
+  tried.some(
+    (other) =>
+      holds(other) &&
+      (isOneOfMany(other.coarse, coarse) || (Math.abs(other.coarse.length / coarse.length - 1) <= AT_REST && isSame(other.coarse, coarse))),
+  );
+
+/** Whether a path is as long as one that is one of many: between the poles of a surface of revolution each meridian is as good. @param {RawPath} one @param {RawPath} path */
+const isOneOfMany = (one, path) => one.status === ILL_CONDITIONED && Math.abs(one.length / path.length - 1) <= AT_REST;
 
 /**
  * Solves with few points, and with more where that does not hold, unless that was done.
@@ -429,19 +240,4 @@ function solveRoughly(problem, { to, start }, tried) {
 function solveWeakly(problem, tried, options) {
   const best = shortestWeak(tried);
   return best ? refine(problem, best, options) : problem.solve(tried[0].to, null, options);
-}
-
-/** Turns a path round. @param {RawPath} path @returns {RawPath} */
-export function reverse(path) {
-  const turned = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
-    const result = new Float64Array(numbers.length);
-    for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
-    return result;
-  };
-  return {
-    ...path,
-    points: turned(path.points, 3),
-    parameters: path.parameters && turned(path.parameters, 2),
-    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
-  };
 }

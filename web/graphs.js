@@ -32,11 +32,11 @@ export class Graphs {
   /**
    * The graph of all of the surface; null: there is none so fine. One of status out-of-memory holds nothing, and is tried again by the next call.
    * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
-   * @param {number} level how often it is refined
+   * @param {number} level how often it is refined @param {number} [turns] how often the surface lies in the box: so many times as many cells
    */
-  find(heap, record, box, level) {
+  find(heap, record, box, level, turns = 1) {
     const resolutions = RESOLUTION[this.#kind];
-    const resolution = resolutions[level];
+    const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
     if (!box || !resolution) return null;
     const loose = !resolutions[level + 1];
     const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose });

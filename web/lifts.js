@@ -76,17 +76,39 @@ export function neighbours(glued, point, near) {
   return lifts;
 }
 
-/**
- * Moves u v pairs by turns and whole periods, so that this point of them comes to lie where another is.
- * @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} from u v, one of them @param {number[]} to the same point of the surface
- */
-export function moveBy(glued, parameters, from, to) {
-  const turns = turnsTo(glued, from, to);
-  const first = turnOn(glued, [from[0], from[1]], turns);
-  const by = [0, 1].map((j) => (glued.periodic[j] ? to[j] - first[j] : 0));
+/** Moves u v pairs by turns, and then by this. @param {Glued} glued @param {Float64Array} parameters @param {number} turns @param {number[]} by */
+function move(glued, parameters, turns, by) {
   if (turns === 0 && by[0] === 0 && by[1] === 0) return;
   for (let i = 0; i < parameters.length; i += 2) {
     const place = turnOn(glued, [parameters[i], parameters[i + 1]], turns);
     for (const j of [0, 1]) parameters[i + j] = place[j] + by[j];
   }
+}
+
+/**
+ * Moves u v pairs so that this point of them comes to lie exactly where another is, the same point of the surface.
+ * @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} from u v @param {number[]} to
+ */
+export function moveOnto(glued, parameters, from, to) {
+  const turns = turnsTo(glued, from, to);
+  const first = turnOn(glued, [from[0], from[1]], turns);
+  move(
+    glued,
+    parameters,
+    turns,
+    [0, 1].map((j) => (glued.periodic[j] ? to[j] - first[j] : 0)),
+  );
+}
+
+/** Moves u v pairs so that the first of them comes to lie next to a place. @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} near u v */
+export function moveNear(glued, parameters, near) {
+  const turns = turnsTo(glued, parameters, near);
+  const first = turnOn(glued, [parameters[0], parameters[1]], turns);
+  const lifted = liftNear(glued, first, [near[0], near[1]]);
+  move(
+    glued,
+    parameters,
+    turns,
+    [0, 1].map((j) => lifted[j] - first[j]),
+  );
 }

@@ -1,21 +1,24 @@
-/** From two ends, or several, to a path: near a start, the globally shortest, or through given points. Joins the solver, the graphs and the lifts of a surface. */
+/** From two ends to a path: near a start, or the globally shortest. Joins the solver, the graphs and the lifts of a surface. */
 
+import { ELEMENTS, holds } from './candidates.js';
 import { facePoles } from './domain.js';
-import { ELEMENTS, findPaths, holds, passedPole, passPoles, reverse } from './global.js';
-import { copies, liftEnds, moveBy } from './lifts.js';
+import { findPaths } from './global.js';
+import { copies, liftEnds, moveOnto } from './lifts.js';
 import { makePath } from './path.js';
+import { passedPole, passPoles } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
-import { joinPaths, shareOut } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
+/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
  * @typedef {object} Field a surface, as far as finding paths on it needs to know
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
+ * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
@@ -59,7 +62,7 @@ export function solveNear(field, ends, options, start) {
   }
   if (passing) return passing;
   const path = makePath(near);
-  if (domain && path.parameters) moveBy(domain, path.parameters, lifted[0], faced[0]);
+  if (domain && path.parameters) moveOnto(domain, path.parameters, lifted[0], faced[0]);
   return path;
 }
 
@@ -74,7 +77,7 @@ export function findGlobal(field, ends, options, most) {
 
 /**
  * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
- * @param {Field} field @param {number[][]} ends @param {(problem: import('./global.js').Problem) => import('./runtime/heap.js').RawPath[]} find
+ * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/heap.js').RawPath[]} find
  * @returns {Path[]}
  */
 function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {
@@ -97,7 +100,7 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
       domain,
       solve: (end, start, asked, pole, beyond = 0) =>
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
-      graph: (level) => watch(graphs.find(heap, record, place, level)),
+      graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
       flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
       search: (graph, points, isAll) =>
         joinSearches(copies(domain, b).map((end) => watch(heap.searchGraph(record, graph, a, end, points, isAll)))),
@@ -106,9 +109,24 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
   const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
   return raw.map((one) => {
     const path = makePath(swap ? reverse(one) : one);
-    if (domain && path.parameters) moveBy(domain, path.parameters, path.parameters, swap ? b : a);
+    if (domain && path.parameters) moveOnto(domain, path.parameters, path.parameters, swap ? b : a);
     return path;
   });
+}
+
+/** Turns a path round. @param {RawPath} path @returns {RawPath} */
+export function reverse(path) {
+  const turned = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
+    const result = new Float64Array(numbers.length);
+    for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+    return result;
+  };
+  return {
+    ...path,
+    points: turned(path.points, 3),
+    parameters: path.parameters && turned(path.parameters, 2),
+    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
+  };
 }
 
 /**
@@ -120,25 +138,4 @@ function joinSearches(searches) {
   if (found.length === 0) return searches[0];
   const near = found.filter(({ distance }) => distance <= LONGEST * found[0].distance);
   return { ...found[0], candidates: near.flatMap(({ candidates }) => candidates) };
-}
-
-/**
- * The shortest pieces from place to place: first roughly, to share out the points, then as asked.
- * @param {Field} field @param {string} caller @param {number[][]} places @param {SolveOptions} options @param {unknown} start
- * @returns {Path}
- */
-export function passThrough(field, caller, places, options, start) {
-  if (start !== 'global' && start !== 'straight')
-    throw new RangeError(`${caller}: options.start must be 'global' or 'straight' where options.via is given`);
-  const count = places.length - 1;
-  const least = 2 * count - 1;
-  if (options.points < least)
-    throw new RangeError(`${caller}: options.points must be at least ${least} where options.via has ${count - 1}, not ${options.points}`);
-  const solve = (/** @type {number[]} */ points) =>
-    points.map((own, i) => {
-      const [ends, asked] = [places.slice(i, i + 2), { ...options, points: own }];
-      return start === 'global' ? findGlobal(field, ends, asked, 1)[0] : solveNear(field, ends, asked, null);
-    });
-  const lengths = solve(Array(count).fill(Math.max(31, Math.ceil(options.points / count)))).map(({ length }) => length || 0);
-  return joinPaths(solve(shareOut(lengths, options.points)));
 }

@@ -13,9 +13,10 @@ import { checkOptions, describe, makePath, readOptions, readStart } from './path
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED, NOT_FINITE, OFF_SURFACE, STATUS } from './runtime/status.js';
-import { findGlobal, passThrough, solveNear } from './routes.js';
+import { findGeodesics, findPath } from './pieces.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
+import { passThrough } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
@@ -59,6 +60,8 @@ export class Surface {
   /** @type {Installed | null} */ #installed = null;
   /** @type {Installed | null} */ #installedMetric = null;
   #graphs;
+  /** Those of the pieces of its domain. @type {Graphs[]} */ #graphsOfPieces = [];
+  /** The domain whose walls the solver knows now. @type {import('./domain.js').Domain | null} */ #walls = null;
   /** The solver's instance in which it is installed; 0: in none. */
   #generation = 0;
   #disposed = false;
@@ -127,8 +130,8 @@ export class Surface {
     const stops = via.map((point, i) => this.#readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#readPoint(caller, 'from', from), ...stops, this.#readPoint(caller, 'to', to)];
     if (stops.length > 0) return passThrough(this.#field(), caller, places, solve, start);
-    if (start === 'global') return findGlobal(this.#field(), places, solve, 1)[0];
-    return solveNear(this.#field(), places, solve, readStart(caller, start, SHAPE[this.#kind].variables.length));
+    const near = start === 'global' ? start : readStart(caller, start, SHAPE[this.#kind].variables.length);
+    return findPath(this.#field(), places, solve, near);
   }
 
   /**
@@ -148,7 +151,7 @@ export class Surface {
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    return findGlobal(this.#field(), ends, solve, max).filter(({ index, status }) => index === 0 || status === 'out-of-memory');
+    return findGeodesics(this.#field(), ends, solve, max).filter(({ index, status }) => index === 0 || status === 'out-of-memory');
   }
 
   /**
@@ -395,7 +398,7 @@ export class Surface {
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     if (this.#generation === this.#solver.generation) return;
-    this.#graphs.drop(null);
+    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(null);
     try {
       this.#install();
       this.#writeRecord();
@@ -405,9 +408,10 @@ export class Surface {
     }
   }
 
-  /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @returns {T} */
-  #run(call) {
+  /** Runs something on the solver's memory, after making sure that this surface is installed there. @template T @param {(heap: import('./runtime/heap.js').Heap) => T} call @param {import('./domain.js').Domain | null} [domain] a piece of it @returns {T} */
+  #run(call, domain = this.#domain) {
     this.#wake();
+    if (this.#walls !== domain) this.#writeRecord(domain);
     return this.#solver.run(() => call(this.#solver.heap));
   }
 
@@ -474,9 +478,9 @@ export class Surface {
     this.#writeRecord();
   }
 
-  #writeRecord() {
+  #writeRecord(domain = this.#domain) {
     const { jet, value } = /** @type {Installed} */ (this.#installed);
-    const domain = this.#domain;
+    this.#walls = domain;
     const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
     const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
@@ -495,23 +499,29 @@ export class Surface {
     return this.#domain ? enterDomain(this.#domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
-  /** What finding a path needs of this surface. @returns {import('./routes.js').Field} */
-  #field() {
+  /** What finding a path needs of this surface, or of a piece of it. @param {import('./domain.js').Domain | null} [domain] @param {Graphs} [graphs] @returns {import('./routes.js').Field} */
+  #field(domain = this.#domain, graphs = this.#graphs) {
     const isPlain = this.#kind !== 'metric' && !this.#metric;
+    const pieces = domain?.pinches?.pieces ?? [];
     return {
       kind: KIND[this.#kind],
-      domain: this.#domain,
+      domain,
       box: this.#box,
-      graphs: this.#graphs,
+      graphs,
       isPlain,
-      positions: isPlain && this.#domain ? (places) => this.#evaluate('value', places) : null,
-      run: (call) => this.#run((heap) => call(heap, this.#record)),
+      positions: isPlain && domain ? (places) => this.#evaluate('value', places) : null,
+      run: (call) => this.#run((heap) => call(heap, this.#record), domain),
+      pieces: pieces.map((piece, i) => {
+        this.#graphsOfPieces[i] ??= new Graphs(KIND[this.#kind]);
+        return this.#field(piece, this.#graphsOfPieces[i]);
+      }),
     };
   }
 
   /** Frees the graphs: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
-    this.#graphs.drop(this.#generation === this.#solver.generation ? this.#solver.heap : null);
+    const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
+    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(heap);
   }
 
   /** @param {string} caller @param {number[]} target @param {number[]} place where to start */
@@ -535,7 +545,7 @@ export class Surface {
     if (shapeless && solve.algorithm === 0) solve.points = 1;
     for (const ends of readPairs(caller, pairs, SHAPE[this.#kind].variables, this.#domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
-      else yield start === 'global' ? findGlobal(this.#field(), ends, solve, 1)[0] : solveNear(this.#field(), ends, solve, null);
+      else yield findPath(this.#field(), ends, solve, start === 'global' ? start : null);
     }
   }
 

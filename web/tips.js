@@ -15,6 +15,8 @@ const SAME_POINT = 0.1;
 const FLAT = 1e-5;
 /** So near to a point, in parts of the range, a metric is as at it. */
 const BESIDE = 1e-4;
+/** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of Newton's method find the place. */
+const [SCANNED, SCANNED_LINES, BEGIN, SETTLING] = [48, [0.137, 0.611], 0.3183, 6];
 /** Of the range. */
 const ROUNDING = 2e-15;
 
@@ -61,6 +63,38 @@ export function findHole(jets, range, periodic, pole) {
   if (isOnePlace(jets)(place(before), place(Math.abs(side - FRACTIONS[1])))) return [tipAt(jets, range, periodic, pole, before)];
   const beyond = (side ? span : -span) * first;
   return beyond > 0 ? [{ pole, beyond, at: null, radius: 0, smooth: false }] : [];
+}
+
+/**
+ * Where, between two edges, the rectangle is one point: the speed along a line vanishes there and turns round, as where a radius changes its sign.
+ * @param {Jets} jets @param {Range} range @param {number} across the coordinate that is constant on the line
+ * @returns {number[]} it, ascending
+ */
+export function findPinches(jets, range, across) {
+  const span = range.upper[across] - range.lower[across];
+  const offset = across ? 3 : 6;
+  const scan = Array.from({ length: SCANNED + 1 }, (_, i) => (i + BEGIN) / (SCANNED + 1));
+  const lines = SCANNED_LINES.map((line) => jets(linePlaces(range, 1 - across, line, scan)));
+  /** Where the speed is least near a part of the range. @param {number} fraction */
+  const settle = (fraction) => {
+    let at = fraction;
+    for (let step = 0; step < SETTLING; step++) {
+      const sampled = jets(linePlaces(range, across, at, SCANNED_LINES));
+      const [speed, change] = [vector(sampled, 0, offset), vector(sampled, 0, 12)];
+      at -= dot(speed, change) / (dot(change, change) * span) || 0;
+    }
+    return at;
+  };
+  /** @type {number[]} */
+  const found = [];
+  for (let i = 0; i < SCANNED; i++) {
+    if (!lines.every((sampled) => dot(vector(sampled, i, offset), vector(sampled, i + 1, offset)) < 0)) continue;
+    const at = settle((scan[i] + scan[i + 1]) / 2);
+    const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction, FRACTIONS);
+    if (at > scan[0] && at < scan[SCANNED] && isOnePlace(jets)(place(at), place(scan[i])))
+      found.push((1 - at) * range.lower[across] + at * range.upper[across]);
+  }
+  return found.filter((x, i) => i === 0 || x > found[i - 1]);
 }
 
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */

@@ -481,7 +481,7 @@ test('breather, kin of Dini’s surface: from end to end, across several cusps, 
   breather.dispose();
 });
 
-test('Boy’s surface, cut open, where a line within the rectangle is a point: no path is called shortest that is longer than the way through it, seed 9', () => {
+test('Boy’s surface, cut open: where it is shorter, through the line within the rectangle that is one point, seed 9', () => {
   const boy = surfpath.parametric({
     x: '2/3*(cos(u)*cos(2*v)+sqrt(2)*sin(u)*cos(v))*cos(u)/(sqrt(2)-sin(2*u)*sin(3*v))',
     y: '2/3*(cos(u)*sin(2*v)-sqrt(2)*sin(u)*sin(v))*cos(u)/(sqrt(2)-sin(2*u)*sin(3*v))',
@@ -499,7 +499,7 @@ test('Boy’s surface, cut open, where a line within the rectangle is a point: n
     return length;
   };
   const random = createRandom(9);
-  let [converged, refused] = [0, 0];
+  let converged = 0;
   for (let i = 0; i < 60; i++) {
     const [from, to] = [0, 1].map(() => [random.between(0.3, 2.8), random.between(0, Math.PI)]);
     const path = boy.shortestPath(from, to);
@@ -507,9 +507,8 @@ test('Boy’s surface, cut open, where a line within the rectangle is a point: n
     const through = toMiddle(from) + toMiddle(to);
     assert.ok(!path.converged || path.length <= through * 1.002, `${from} to ${to}: ${path.length}, through the middle ${through}`);
     converged += Number(path.converged);
-    refused += Number(path.status === 'stalled' && path.length > through);
   }
-  assert.ok(converged >= 30 && refused >= 5, `${converged} converged, ${refused} refused`);
+  assert.ok(converged >= 55, `${converged} converged`);
   boy.dispose();
 });
 

@@ -288,7 +288,7 @@ describe('parameters and seams', () => {
     assert.deepEqual(closes({ density: '2 + x' }), { u: true, v: true });
     assert.deepEqual(closes({ density: '2 + u' }), { u: false, v: true });
     assert.deepEqual(closes({ metric: { E: 1, F: 0, G: '1 + v' } }), { u: true, v: false });
-    assert.deepEqual(closes({ density: '2 + u', periodic: { u: true } }), { u: true, v: false });
+    assert.throws(() => closes({ density: '2 + u', periodic: { u: true } }), /its formulas do not repeat beyond the ends of u/);
   });
 
   test('a metric without positions wraps only where asked', () => {

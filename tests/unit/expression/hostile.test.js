@@ -10,10 +10,10 @@ const apply = () => Number.NaN;
 /** @param {string} source @param {Record<string, number>} [parameters] */
 const build = (source, parameters) => compile({ outputs: [source], names: ['f'], variables: ['u', 'v'], parameters, apply });
 
-/** Milliseconds that a call takes: the least of many. @param {() => void} call @param {number} [times] */
-function leastTime(call, times = 40) {
+/** Milliseconds that a call takes: the least of many, if it must be. @param {() => void} call @param {number} [times] @param {number} [enough] no call is needed after one that took no more */
+function leastTime(call, times = 40, enough = 0) {
   let least = Infinity;
-  for (let i = 0; i < times; i++) {
+  for (let i = 0; i < times && !(least <= enough); i++) {
     const start = performance.now();
     call();
     least = Math.min(least, performance.now() - start);
@@ -56,8 +56,9 @@ describe('hostile texts are refused in a millisecond', () => {
           (/** @type {any} */ error) => error instanceof ExpressionError && error.message.length < 500,
         );
       // The least of many, so that the machine's other work does not count.
-      const milliseconds = leastTime(refuse);
-      assert.ok(milliseconds <= allowance(1), `${milliseconds} ms`);
+      const most = allowance(1);
+      const milliseconds = leastTime(refuse, 400, most);
+      assert.ok(milliseconds <= most, `${milliseconds} ms`);
     });
 });
 

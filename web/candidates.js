@@ -1,0 +1,60 @@
+/** What a path that was found between two ends is, and how it is compared with others. */
+
+import { estimate } from './distinct.js';
+import { CONVERGED, ILL_CONDITIONED } from './runtime/status.js';
+
+/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/heap.js').Graph} Graph */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
+/** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with */
+/** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
+/** @typedef {Found & import('./domain.js').Tip & { bound: number, again: (options: SolveOptions) => RawPath }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
+
+/**
+ * @typedef {object} Problem two ends, the lexicographically smaller first, and the surface they lie on
+ * @property {number[]} from
+ * @property {number[]} to
+ * @property {import('./domain.js').Domain | null} domain
+ * @property {boolean} isPlain length is that of space
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface where length is that of space
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
+ *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
+ *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: around the edge, as around a hole
+ * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
+ * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: of a path in space, 0: none is known
+ * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
+ */
+
+/** As sp_algorithm in wasm/surfpath.h. */
+export const ELEMENTS = 0;
+
+/** Rough lengths this much longer than the best may still turn out to be the shortest. */
+export const MARGIN = 1e-3;
+
+/** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
+const COMPARED_POINTS = 64;
+
+/** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
+export const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
+
+/** @param {SolveOptions} options @returns {SolveOptions} */
+export const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
+
+/** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
+export const asAsked = ({ path, again }, options) =>
+  again && (options.points !== COMPARED_POINTS || options.record || !holds({ path })) ? again(options) : path;
+
+/** Infinite where there is none. @param {Found[]} list */
+export const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => estimate(path) || Infinity));
+
+/**
+ * Whether a polyline jumps over a pole, a hole or a slit. One that passes a pole nearer than its nodes are apart turns by about half a turn in a chord.
+ * @param {Problem} problem @param {RawPath} path
+ */
+export function leaps({ domain }, { parameters }) {
+  if (!domain || !parameters) return false;
+  return domain.around.some(({ along, most }) =>
+    parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most),
+  );
+}

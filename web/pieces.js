@@ -1,0 +1,138 @@
+/**
+ * Surfaces that hang together in points, as a double cone does: the rectangle is cut along the lines that are one point, and each piece is a surface with poles. A
+ * path from one piece to another leads through the points between them. MATH.md, "Pieces".
+ */
+
+import { joinPieces } from './join.js';
+import { moveNear } from './lifts.js';
+import { gap } from './rectangle.js';
+import { findGlobal, solveNear } from './routes.js';
+
+/** @typedef {import('./path.js').Path} Path */
+/** @typedef {import('./domain.js').Domain} Domain */
+/** @typedef {import('./domain.js').Pinches} Pinches */
+/** @typedef {import('./routes.js').Field} Field */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {'global' | Float64Array | null} Start how a path is looked for: by a search, near a polyline, or straight */
+/** @typedef {{ piece: Field, ends: number[][] }} Leg of a way, within a piece */
+
+/** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
+const findIn = (field, ends, options, start) =>
+  start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start);
+
+/** @param {Path} path */
+const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
+
+/** What the length of a path is at most; infinite where there is none. @param {Path} path */
+const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
+
+/** The path with these legs, in the caller's turn of the parameters. @param {Field} field @param {Leg[]} legs @param {SolveOptions} options @param {number[]} from @returns {Path} */
+function follow({ domain }, legs, options, from) {
+  const points = Math.max(options.points, 2 * legs.length - 1);
+  const solve = (/** @type {number} */ i, /** @type {number} */ own) =>
+    findGlobal(legs[i].piece, legs[i].ends, { ...options, points: own }, 1)[0];
+  const path = legs.length > 1 ? joinPieces(legs.length, points, solve, domain) : solve(0, points);
+  return placed(domain, points > options.points ? thinned(path, options.points + 2) : path, from);
+}
+
+/** A path whose parameters begin where the caller's do. @param {Domain | null} domain @param {Path} path @param {number[]} from */
+function placed(domain, path, from) {
+  if (domain && path.parameters) moveNear(domain, path.parameters, from);
+  return path;
+}
+
+/** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
+function thinned(path, count) {
+  const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
+    const last = numbers.length / width - 1;
+    const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
+    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
+  };
+  return {
+    ...path,
+    points: path.points.length > 0 ? pick(path.points, 3) : path.points,
+    parameters: path.parameters && pick(path.parameters, 2),
+  };
+}
+
+/** What no path with these legs is shorter than. @param {Field} field @param {Leg[]} legs */
+function boundOf({ positions }, legs) {
+  if (!positions) return 0;
+  return legs.reduce((sum, { ends }) => {
+    const points = positions(ends.flat());
+    return sum + gap(points, points.subarray(3));
+  }, 0);
+}
+
+/** A place moved by whole periods into a piece; null: it is not in it. @param {Pinches} pinches @param {Field} piece @param {number[]} place */
+function into({ across, period }, { domain }, place) {
+  const { lower, upper } = /** @type {Domain} */ (domain);
+  const x = place[across];
+  const lifted = period > 0 ? x - period * Math.floor((x - lower[across]) / period) : x;
+  if (!(lifted >= lower[across] && lifted <= upper[across])) return null;
+  return place.map((own, j) => (j === across ? lifted : own));
+}
+
+/**
+ * The ways between two places, from piece to piece: in one piece the one within it first.
+ * @param {Field} field @param {number[][]} ends @returns {Leg[][]}
+ */
+function waysBetween({ domain, pieces }, [from, to]) {
+  const pinches = /** @type {Pinches} */ (domain?.pinches);
+  const { across, period } = pinches;
+  const holding = (/** @type {number[]} */ place) => pieces.flatMap((piece, i) => (into(pinches, piece, place) ? [i] : []));
+  const [starts, stops] = [holding(from), holding(to)];
+  const first = starts.find((i) => stops.includes(i)) ?? starts[0];
+  const last = stops.includes(first) ? first : stops[0];
+  const count = pieces.length;
+  /** So many pieces up (1) or down (−1). @param {number} step @param {number} steps */
+  const chain = (step, steps) =>
+    Array.from({ length: steps + 1 }, (_, k) => {
+      const piece = pieces[(first + k * step + count * (steps + 1)) % count];
+      const { lower, upper } = /** @type {Domain} */ (piece.domain);
+      /* At a pole the coordinate around it is free. */
+      const pole = (/** @type {number} */ side) => (side < 0 ? lower : upper).map((x, j) => (j === across ? x : from[j]));
+      const [begin, end] = [k === 0 && into(pinches, piece, from), k === steps && into(pinches, piece, to)];
+      return { piece, ends: [begin || pole(-step), end || pole(step)] };
+    });
+  /* An end that is a point between two pieces needs no leg from there to there. */
+  const trimmed = (/** @type {Leg[]} */ legs) =>
+    legs.length > 1
+      ? legs.filter(({ ends: [begin, end] }) => begin[across] !== end[across] || into(pinches, pieces[first], begin) === null)
+      : legs;
+  const up = (last - first + count) % count;
+  const all =
+    period > 0
+      ? [chain(1, up), ...(up === 0 ? [chain(1, count), chain(-1, count)] : [chain(-1, count - up)])]
+      : [chain(Math.sign(last - first), Math.abs(last - first))];
+  return all.map(trimmed);
+}
+
+/**
+ * The path between two ends.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start
+ * @returns {Path}
+ */
+export function findPath(field, ends, options, start) {
+  if (field.pieces.length === 0) return findIn(field, ends, options, start);
+  const [nearest, ...others] = waysBetween(field, ends);
+  const isWithin = nearest.length === 1;
+  const path = isWithin
+    ? placed(field.domain, findIn(nearest[0].piece, nearest[0].ends, options, start), ends[0])
+    : follow(field, nearest, options, ends[0]);
+  const open = isWithin && start !== 'global' ? [] : others.filter((legs) => !isPath(path) || boundOf(field, legs) < path.length);
+  /* One that is shorter tells, whatever its status: then no longer one is the shortest. */
+  return open.map((legs) => follow(field, legs, options, ends[0])).reduce((best, one) => (mostOf(one) < mostOf(best) ? one : best), path);
+}
+
+/**
+ * All locally shortest paths between two ends that are found, shortest first.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
+ * @returns {Path[]}
+ */
+export function findGeodesics(field, ends, options, most) {
+  if (field.pieces.length === 0) return findGlobal(field, ends, options, most);
+  const [nearest] = waysBetween(field, ends);
+  if (nearest.length > 1) return [findPath(field, ends, options, 'global')];
+  return findGlobal(nearest[0].piece, nearest[0].ends, options, most).map((path) => placed(field.domain, path, ends[0]));
+}

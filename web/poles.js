@@ -1,0 +1,130 @@
+/**
+ * Ways over the poles of a parametric surface, paths that pass a pole nearby, and those that wind around a hole: what the rectangle's own coordinates cannot follow.
+ * Knows which ones are worth a solve; the solver knows how.
+ */
+
+import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
+import { estimate } from './distinct.js';
+import { isAtPole } from './domain.js';
+import { copies, liftNear } from './lifts.js';
+import { gap } from './rectangle.js';
+import { emptyPath } from './runtime/heap.js';
+import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
+
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
+/** @typedef {import('./candidates.js').Found} Found */
+/** @typedef {import('./candidates.js').Tried} Tried */
+/** @typedef {import('./candidates.js').Way} Way */
+/** @typedef {import('./candidates.js').Problem} Problem */
+
+/** A chord that turns around a pole by this part of a turn passes it nearby. */
+const SHARP = 0.05;
+/** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
+const BESIDE_STEPS = 60;
+
+/**
+ * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
+ * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
+ * even as straight lines in space are longer than the best path are left out.
+ * @param {Problem} problem @param {SolveOptions} options @param {Found[]} tried @param {Found[]} rough those that hold
+ * @returns {Way[]}
+ */
+export function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) {
+  if (!domain || options.algorithm !== ELEMENTS) return [];
+  const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
+  const ends = copies(domain, to);
+  return ends
+    .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
+    .filter((tip) => tip.beyond > 0 || (!isAtPole(domain, from, tip.pole) && !isAtPole(domain, tip.to, tip.pole)))
+    .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
+    .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
+    .map((tip) => {
+      const along = tip.pole > 2 ? 0 : 1;
+      const end = [...tip.to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
+      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, tip.pole, tip.beyond);
+      const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
+      return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
+    })
+    .sort((a, b) => (a.path.length || a.bound) - (b.path.length || b.bound));
+}
+
+/**
+ * Where a path near a start came to nothing: the shortest of those that pass a pole, or lead over it, unless what was found is shorter, and a path.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} near @returns {RawPath[]} none or one
+ */
+export function passPoles(problem, options, near) {
+  const weak = { to: problem.to, path: near, start: null, coarse: near };
+  const others = leaps(problem, near) ? [] : [weak];
+  const ways = overPoles(problem, options, [weak], others);
+  const most = others.length > 0 && near.length > 0 ? (1 + MARGIN) * near.length : Infinity;
+  return [...besidePoles(problem, options, ways, others), ...ways]
+    .filter((found) => holds(found) && found.path.length <= most)
+    .sort((a, b) => a.path.length - b.path.length)
+    .slice(0, 1)
+    .map((found) => asAsked(found, options));
+}
+
+/** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
+export function shorterOverPole(ways, others) {
+  const shortest = lengthOfShortest(others);
+  return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
+}
+
+/**
+ * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
+ * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
+ */
+export function besidePoles({ from, domain, solve }, options, ways, others) {
+  let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
+  const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
+  /** @type {Found[]} */
+  const found = [];
+  for (const tip of ways) {
+    const { pole, beyond, at, radius, bound } = tip;
+    if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
+    const range = /** @type {import('./domain.js').Domain} */ (domain);
+    const along = pole > 2 ? 0 : 1;
+    const end = [...liftNear(range, tip.to, from), range.upper[along] - range.lower[along]];
+    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
+    const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
+    for (const kind of [...(at || !beyond ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
+      const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
+      const way = { to: end, again, path: again(asked) };
+      if (way.path.status >= CONVERGED) found.push(way);
+      if (holds(way)) shortest = Math.min(shortest, way.path.length);
+      else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
+    }
+  }
+  return found;
+}
+
+/** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+export function refine({ from, domain, solve }, { to, path }, options) {
+  const { parameters } = path;
+  const pole = domain && parameters && options.algorithm === ELEMENTS && passedPole(domain, parameters, SHARP);
+  if (pole && domain.tips.some((tip) => tip.pole === pole && tip.smooth && !tip.at)) {
+    const along = pole > 2 ? 0 : 1;
+    const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
+    if (holds({ path: beside })) return beside;
+  }
+  return solve(to, parameters ?? path.points, options);
+}
+
+/**
+ * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; 0: none.
+ * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters @param {number} part
+ */
+export function passedPole({ lower, upper, tips }, parameters, part) {
+  let [passed, nearest] = [0, Infinity];
+  for (const { pole } of tips) {
+    const across = (pole - 1) >> 1;
+    const along = 1 - across;
+    for (let i = 2; i < parameters.length; i += 2) {
+      const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
+      const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
+      if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
+    }
+  }
+  return passed;
+}
