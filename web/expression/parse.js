@@ -255,7 +255,7 @@ class Parser {
   }
 
   #checkSize() {
-    if (this.#output.program.length > LIMITS.nodes) {
+    if (this.#output.size > LIMITS.nodes) {
       this.#fail(`the expression has more than ${LIMITS.nodes} numbers, names and operations; write it shorter`);
     }
   }

@@ -14,6 +14,8 @@
 export class Postfix {
   /** @type {Instruction[]} */ program = [];
   /** @type {Entry[]} */ #waiting = [];
+  /** How many steps it has, or will have once all that waits is written. */
+  size = 0;
 
   /** What was pushed last. @returns {Entry | undefined} */
   get top() {
@@ -22,15 +24,19 @@ export class Postfix {
 
   /** @param {Entry} entry */
   push(entry) {
+    if (entry.name) this.size++;
     this.#waiting.push(entry);
   }
 
   pop() {
-    return this.#waiting.pop();
+    const entry = this.#waiting.pop();
+    if (entry?.name) this.size--;
+    return entry;
   }
 
   /** Appends a step. @param {Instruction['kind']} kind @param {string} name @param {number} value @param {number} index of its text in the source */
   emit(kind, name, value, index) {
+    this.size++;
     this.program.push({ kind, name, value, index });
   }
 
