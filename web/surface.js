@@ -102,17 +102,20 @@ export class Surface {
   }
 
   /**
-   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces.
-   * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean } } | null}
+   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces. `turn`, where there is such a seam: one turn on along that
+   * direction, the place with the other coordinate w is the one that had it at sign · w + offset.
+   * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean }, turn?: { along: 'u' | 'v', sign: number, offset: number } } | null}
    */
   get domain() {
     Surface.#enter(this, 'domain');
     const domain = this.#domain;
+    const turn = domain?.turn;
     return (
       domain && {
         u: [domain.written.lower[0], domain.written.upper[0]],
         v: [domain.written.lower[1], domain.written.upper[1]],
         periodic: { u: domain.periodic[0], v: domain.periodic[1] },
+        ...(turn && { turn: { along: turn.direction ? 'v' : 'u', sign: turn.sign, offset: turn.offset } }),
       }
     );
   }

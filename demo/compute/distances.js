@@ -3,6 +3,8 @@
  * Smooth, so that contours are, where a search of the graph has steps of half a per cent; and much quicker than a search for each.
  */
 
+import { liftNear, turnOn } from '../state/lifts.js';
+
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('surfpath').Path} Path */
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
@@ -19,6 +21,8 @@ const LOST = 1.002;
 const MOST_SEARCHES = 100;
 /** Distance of vertices that are one point, in parts of the coordinates' size: rounding leaves that of a pole. */
 const SAME = 1e-12;
+/** Parts of a range into which coordinates are rounded to be compared. */
+const SHARES = 1e6;
 
 /**
  * @param {Surface} surface @param {number[]} from @param {SurfaceMesh} mesh
@@ -51,6 +55,12 @@ export function* measureDistances(surface, from, mesh, rough) {
 /** @param {SurfaceMesh} mesh @param {number} i @param {number} j */
 const chord = ({ positions }, i, j) => Math.hypot(...[0, 1, 2].map((k) => positions[3 * i + k] - positions[3 * j + k]));
 
+/** Where in its range a coordinate lies, rounded. @param {number} x @param {[number, number]} range @param {boolean} isRound the ends are the same */
+function shareOf(x, [low, high], isRound) {
+  const share = Math.round((SHARES * (x - low)) / (high - low));
+  return isRound ? (share + SHARES) % SHARES : share;
+}
+
 /**
  * Vertices that are one point of the surface, for each the first of them: the two sides of a seam, and the corners of a triangle at a pole.
  * @param {Surface} surface @param {SurfaceMesh} mesh
@@ -64,7 +74,10 @@ function findTwins({ domain }, mesh) {
   /** @type {Map<string, number>} */ const first = new Map();
   for (const i of twins.keys()) {
     const [a, b] = parameters.subarray(2 * i, 2 * i + 2);
-    const key = `${periodic.u && a === u[1] ? u[0] : a} ${periodic.v && b === v[1] ? v[0] : b}`;
+    let place = [a, b];
+    if (periodic.u && a === u[1]) place = turnOn(domain, place, 0, -1);
+    if (periodic.v && b === v[1]) place = turnOn(domain, place, 1, -1);
+    const key = `${shareOf(place[0], u, periodic.u)} ${shareOf(place[1], v, periodic.v)}`;
     twins[i] = first.get(key) ?? i;
     if (!first.has(key)) first.set(key, i);
   }
@@ -105,7 +118,7 @@ function chooseStarts(neighbours, reached, cost) {
 /** The shortest of what neighbours' paths lead to. @param {Surface} surface @param {number[]} from @param {number[]} to @param {Path[]} starts */
 function follow(surface, from, to, starts) {
   /** @type {Path | null} */ let best = null;
-  for (const start of starts) best = shorter(best, solve(surface, from, liftNear(surface, to, start), start));
+  for (const start of starts) best = shorter(best, solve(surface, from, besideEnd(surface, to, start), start));
   return best;
 }
 
@@ -125,13 +138,8 @@ function solve(surface, from, to, start) {
 }
 
 /** A point moved by whole turns to where a path to its surroundings ends. @param {Surface} surface @param {number[]} to @param {Path} path */
-function liftNear({ domain }, to, { parameters }) {
-  if (!domain || !parameters) return to;
-  return to.map((x, k) => {
-    const axis = k === 0 ? 'u' : 'v';
-    const turn = domain[axis][1] - domain[axis][0];
-    return domain.periodic[axis] ? x + turn * Math.round((parameters[parameters.length - 2 + k] - x) / turn) : x;
-  });
+function besideEnd({ domain }, to, { parameters }) {
+  return domain && parameters ? liftNear(domain, to, parameters.subarray(-2)) : to;
 }
 
 /** @param {Path} path */

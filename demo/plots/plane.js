@@ -4,11 +4,12 @@ import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
 import { onHover, setHover } from '../state/hover.js';
+import { inside, liftNear, unrollings } from '../state/lifts.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { pointList, svg, ticks } from './svg.js';
 
 /** @typedef {[number, number]} Point */
-/** @typedef {{ low: Point, high: Point, periodic: boolean[], size: Point, to: (point: ArrayLike<number>) => Point, from: (place: Point) => number[] }} Frame */
+/** @typedef {{ domain: import('../state/lifts.js').Domain, low: Point, high: Point, periodic: boolean[], size: Point, to: (point: ArrayLike<number>) => Point, from: (place: Point) => number[] }} Frame */
 
 const WIDTH = 320;
 /** Room for the numbers, in units of the picture: left, right, top, bottom. */
@@ -60,7 +61,7 @@ function renderHover(hover) {
   if (!drawn || !dot) return;
   dot.toggleAttribute('hidden', !hover?.parameters);
   if (!hover?.parameters) return;
-  const [x, y] = drawn.frame.to(inside(hover.parameters, drawn.frame));
+  const [x, y] = drawn.frame.to(inside(drawn.frame.domain, hover.parameters));
   for (const [name, value] of [
     ['cx', x],
     ['cy', y],
@@ -78,11 +79,13 @@ function drag(event) {
 }
 
 /** @param {NonNullable<import('surfpath').Surface['domain']>} domain @returns {Frame} */
-function frameOf({ u, v, periodic }) {
+function frameOf(domain) {
+  const { u, v, periodic } = domain;
   const wide = WIDTH - MARGIN.left - MARGIN.right;
   const high = Math.min(Math.max((wide * (v[1] - v[0])) / (u[1] - u[0]), LEAST_HEIGHT), MOST_HEIGHT);
   const scale = [wide / (u[1] - u[0]), high / (v[1] - v[0])];
   return {
+    domain,
     low: [u[0], v[0]],
     high: [u[1], v[1]],
     periodic: [periodic.u, periodic.v],
@@ -92,25 +95,12 @@ function frameOf({ u, v, periodic }) {
   };
 }
 
-/** Whole turns by which a curve must be moved so that each part of it lies in the rectangle once. @param {ArrayLike<number>} parameters @param {Frame} frame */
-function turnsOf(parameters, { low, high, periodic }) {
-  const lists = [0, 1].map((k) => {
-    if (!periodic[k]) return [0];
-    let [least, most] = [Infinity, -Infinity];
-    for (let i = k; i < parameters.length; i += 2) [least, most] = [Math.min(least, parameters[i]), Math.max(most, parameters[i])];
-    const turn = high[k] - low[k];
-    const [first, last] = [Math.floor((least - low[k]) / turn), Math.floor((most - low[k]) / turn)];
-    return Array.from({ length: Math.min(last - first, 8) + 1 }, (_, i) => -(first + i) * turn);
-  });
-  return lists[0].flatMap((a) => lists[1].map((b) => [a, b]));
-}
-
-/** @param {ArrayLike<number>} parameters @param {Frame} frame @param {string} className */
+/** A curve, each part of it in the rectangle once. @param {ArrayLike<number>} parameters @param {Frame} frame @param {string} className */
 function curve(parameters, frame, className) {
-  return turnsOf(parameters, frame).map(([a, b]) => {
-    const points = Array.from({ length: parameters.length / 2 }, (_, i) => frame.to([parameters[2 * i] + a, parameters[2 * i + 1] + b]));
-    return svg('polyline', { points: pointList(points), class: className });
-  });
+  if (parameters.length === 0) return [];
+  return unrollings(frame.domain, parameters).map((points) =>
+    svg('polyline', { points: pointList(points.map((point) => frame.to(point))), class: className }),
+  );
 }
 
 /** @param {Frame} frame @param {string[]} names */
@@ -134,15 +124,8 @@ function grid({ low, high, size, to }, names) {
   ];
 }
 
-/** A point moved by whole turns into the rectangle. @param {number[]} point @param {Frame} frame */
-const inside = (point, { low, high, periodic }) =>
-  point.map((x, k) => (periodic[k] ? x - (high[k] - low[k]) * Math.floor((x - low[k]) / (high[k] - low[k])) : x));
-
-/** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame} frame */
-const straightLine = ([from, to], { low, high, periodic }) => [
-  ...from,
-  ...to.map((x, k) => (periodic[k] ? x + (high[k] - low[k]) * Math.round((from[k] - x) / (high[k] - low[k])) : x)),
-];
+/** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame['domain']} domain */
+const straightLine = ([from, to], domain) => [...from, ...liftNear(domain, to, from)];
 
 /** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
 function indicatrices(frame) {
@@ -175,7 +158,7 @@ function ellipse(place, [E, F, G], size, frame) {
 function picture(frame) {
   const { sketch, solved, chosen } = state;
   const path = chosenPath();
-  const ends = (sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends).map((end) => frame.to(inside(end, frame)));
+  const ends = (sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends).map((end) => frame.to(inside(frame.domain, end)));
   const handles = ends.map(([x, y], end) =>
     svg(
       'g',
@@ -186,7 +169,8 @@ function picture(frame) {
     ),
   );
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
-  const straight = sketch.task !== 'trace' && sketch.via.length === 0 ? curve(straightLine(sketch.ends, frame), frame, 'straight') : [];
+  const straight =
+    sketch.task !== 'trace' && sketch.via.length === 0 ? curve(straightLine(sketch.ends, frame.domain), frame, 'straight') : [];
   const clip = svg(
     'clipPath',
     { id: 'plane-clip' },
@@ -195,7 +179,7 @@ function picture(frame) {
   const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...straight, ...others);
   if (path?.parameters) inner.append(...curve(path.parameters, frame, 'path-halo'), ...curve(path.parameters, frame, 'path'));
   const vias = sketch.via.map((point) => {
-    const [x, y] = frame.to(inside(point, frame));
+    const [x, y] = frame.to(inside(frame.domain, point));
     return svg('circle', { cx: x, cy: y, r: 4, class: 'via' });
   });
   const height = frame.size[1] + MARGIN.top + MARGIN.bottom;

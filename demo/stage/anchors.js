@@ -6,6 +6,7 @@ import { create, find } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, render, state } from '../state/state.js';
 import { formatNumber } from '../panels/words.js';
+import { liftNear } from '../state/lifts.js';
 
 /** @typedef {import('./scene.js').View} View */
 
@@ -34,13 +35,8 @@ const letterOf = (/** @type {number} */ index) => (index < 2 ? 'AB'[index] : Str
 
 /** A periodic coordinate by whole turns as near as may be to the last one. @param {number[]} point @param {number[]} last */
 function unwind(point, last) {
-  const { domain } = state.surface ?? { domain: null };
-  if (!domain) return point;
-  return point.map((x, i) => {
-    const axis = i === 0 ? 'u' : 'v';
-    const turn = domain.periodic[axis] ? domain[axis][1] - domain[axis][0] : 0;
-    return turn > 0 ? x + turn * Math.round((last[i] - x) / turn) : x;
-  });
+  const domain = state.surface?.domain;
+  return domain ? liftNear(domain, point, last) : point;
 }
 
 /** @param {number} index @param {number[]} given */

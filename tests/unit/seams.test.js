@@ -117,6 +117,12 @@ for (const [name, { definition, span, before, period, folds }] of Object.entries
       const periodic = /** @type {Record<string, boolean>} */ (domain.periodic);
       assert.deepEqual([periodic[own], periodic[other]], [true, period > 0]);
       close(domain[/** @type {'u'} */ (own)][1] - domain[/** @type {'u'} */ (own)][0], span);
+      const { turn } = domain;
+      assert.equal(turn?.along, name.includes('by a third on its way') ? undefined : own);
+      // The place one turn on, as `turn` has it; there, where the other coordinate is closed, up to its period, which is a turn, too.
+      const at = isAlongV ? 0 : 1;
+      const [place, on] = [isAlongV ? [2.9, 1.1] : [1.1, 0.4], turned(isAlongV ? [2.9, 1.1] : [1.1, 0.4])];
+      if (turn) assert.ok(Math.abs(Math.sin((turn.sign * on[at] + turn.offset - place[at]) / 2)) < 1e-12);
       const random = createRandom(3);
       for (let i = 0; i < 10; i++) {
         const place = randomPlace(surface, random);
