@@ -213,14 +213,14 @@ dist/types/index.d.ts: $(WEB) tsconfig.json tests/helpers/prune-types.js dist/wa
 # The page: one bundle for the window and its worker, which share most of it; what is asked for later is a file of its own. Everything is named
 # relative to everything else.
 
-build/site/main.js: $(shell find demo -type f) dist/surfpath.wasm $(WEB) Makefile $(NPM)
+build/site/main.js: $(shell find demo -type f) dist/wasm.js $(WEB) Makefile $(NPM)
 	@echo $(@D)
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
 	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --format=esm --target=es2022 \
-	    --alias:surfpath=./web/slim.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
+	    --alias:surfpath=./web/index.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
 	@sed 's/^ *//' demo/index.html >$(@D)/index.html
-	@cp -r demo/icon.svg demo/thumbnails dist/surfpath.wasm $(@D)
+	@cp -r demo/icon.svg demo/thumbnails $(@D)
 
 # Native builds of the same C: with sanitizers for the tests; optimised, one object, for benchmarks and the symbol check.
 

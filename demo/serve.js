@@ -18,7 +18,6 @@ const TYPES = new Map([
   ['.js', 'text/javascript; charset=utf-8'],
   ['.svg', 'image/svg+xml'],
   ['.webp', 'image/webp'],
-  ['.wasm', 'application/wasm'],
 ]);
 
 /** What the page needs, and nothing else. */

@@ -96,10 +96,7 @@ function waysBetween({ domain, pieces }, [from, to]) {
       return { piece, ends: [begin || pole(-step), end || pole(step)] };
     });
   /* An end that is a point between two pieces needs no leg from there to there. */
-  const trimmed = (/** @type {Leg[]} */ legs) =>
-    legs.length > 1
-      ? legs.filter(({ ends: [begin, end] }) => begin[across] !== end[across] || into(pinches, pieces[first], begin) === null)
-      : legs;
+  const trimmed = (/** @type {Leg[]} */ legs) => (legs.length > 1 ? legs.filter(({ ends: [a, b] }) => a[across] !== b[across]) : legs);
   const up = (last - first + count) % count;
   const all =
     period > 0

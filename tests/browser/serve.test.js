@@ -36,7 +36,6 @@ for (const [path, type] of [
   ['/surfpath/main.js', 'text/javascript; charset=utf-8'],
   ['/surfpath/style.css?again', 'text/css; charset=utf-8'],
   ['/surfpath/icon.svg', 'image/svg+xml'],
-  ['/surfpath/surfpath.wasm', 'application/wasm'],
   ['/surfpath/thumbnails/saddle.webp', 'image/webp'],
 ])
   test(`${path} is ${type}`, async () => {
