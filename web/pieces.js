@@ -36,7 +36,7 @@ function follow({ domain }, legs, options, from) {
 }
 
 /** A path whose parameters begin where the caller's do. @param {Domain | null} domain @param {Path} path @param {number[]} from */
-function placed(domain, path, from) {
+export function placed(domain, path, from) {
   if (domain && path.parameters) moveNear(domain, path.parameters, from);
   return path;
 }
@@ -103,6 +103,18 @@ function waysBetween({ domain, pieces }, [from, to]) {
       ? [chain(1, up), ...(up === 0 ? [chain(1, count), chain(-1, count)] : [chain(-1, count - up)])]
       : [chain(Math.sign(last - first), Math.abs(last - first))];
   return all.map(trimmed);
+}
+
+/**
+ * Where a place is solved from that has no other end: in the first piece that holds it, if there are pieces.
+ * @param {Field} field @param {number[]} place @returns {{ domain: Domain | null, place: number[] }}
+ */
+export function placeIn({ domain, pieces }, place) {
+  for (const piece of pieces) {
+    const lifted = into(/** @type {Pinches} */ (domain?.pinches), piece, place);
+    if (lifted) return { domain: piece.domain, place: lifted };
+  }
+  return { domain, place };
 }
 
 /**

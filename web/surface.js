@@ -13,7 +13,7 @@ import { checkOptions, describe, makePath, readOptions, readStart } from './path
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED, NOT_FINITE, OFF_SURFACE, STATUS } from './runtime/status.js';
-import { findGeodesics, findPath } from './pieces.js';
+import { findGeodesics, findPath, placed, placeIn } from './pieces.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
 import { passThrough } from './via.js';
@@ -205,10 +205,12 @@ export class Surface {
   trace(from, direction, length, options) {
     const caller = Surface.#enter(this, 'trace');
     const asked = readTrace(caller, direction, length, SHAPE[this.#kind].variables.length);
-    const request = { kind: KIND[this.#kind], from: this.#readPoint(caller, 'from', from), ...asked };
+    const start = this.#readPoint(caller, 'from', from);
+    const { domain, place } = placeIn(this.#field(), start);
+    const request = { kind: KIND[this.#kind], from: place, ...asked };
     const wanted = readTraceOptions(caller, options);
-    const path = this.#run((heap) => heap.trace(this.#record, request, wanted));
-    if (path) return makePath(path);
+    const path = this.#run((heap) => heap.trace(this.#record, request, wanted), domain);
+    if (path) return place === start ? makePath(path) : placed(this.#domain, makePath(path), start);
     throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
   }
 

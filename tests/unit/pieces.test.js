@@ -119,6 +119,16 @@ describe('a double cone', () => {
     }
   });
 
+  test('a trace ends at the apex, as at any pole', () => {
+    const path = surface.trace([1, -0.5], [0, 1], 3);
+    assert.equal(path.status, 'edge-reached');
+    close(path.length, slant(0.5));
+    const beside = surface.trace([1, -0.5], [0.1, 1], 1);
+    assert.equal(beside.status, 'converged');
+    const parameters = /** @type {Float64Array} */ (beside.parameters);
+    assert.ok(parameters[0] === 1 && parameters[1] === -0.5 && parameters.every((v, i) => i % 2 === 0 || v < 0));
+  });
+
   test('set moves the apex', () => {
     const moved = make({ x: '(v - a) cos(u)', y: '(v - a) sin(u)', z: 'v', v: [-1, 1], parameters: { a: 0 } });
     close(moved.shortestPath([0, -0.5], [3, 0.5]).length, slant(1));
