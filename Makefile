@@ -71,7 +71,7 @@ test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o buil
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
 
 browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
-	@node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)
+	@EVERY_RELEASE=1 node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)
 
 check: dist/types/index.d.ts $(NPM) | tools ## formatting, lint and types
 	@$(BIN)/biome check --colors=off --error-on-warnings
