@@ -121,8 +121,9 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
     double length = distance(chord->at[0], chord->at[1]), rounding = 1e-14 * scale;
-    double along =
-        (root(speed_squared(line, i, u, v)) + 4 * root(chart_speed_squared(chart, 0, u, v)) + root(speed_squared(line, i + 1, u, v))) / 6;
+    /* Speeds at the path's ends say nothing: they may be infinite. */
+    double first = i > 0 ? root(speed_squared(line, i, u, v)) : 0, last = i < line->fold.inner ? root(speed_squared(line, i + 1, u, v)) : 0;
+    double along = (first + 4 * root(chart_speed_squared(chart, 0, u, v)) + last) / 6;
     if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
     if (distance(half, middle) > LARGEST_SAGITTA * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
     return SP_CONVERGED;
@@ -194,12 +195,20 @@ static inline __attribute__((always_inline)) void measure(const struct chord_pai
     *lengths += sp_select(counted, length, zero), *errors += sp_select(counted & (length > zero), error, zero);
 }
 
+/* Zero where the surface has no finite derivatives, as may be at an end. */
+static struct sp_vector finite(struct sp_vector normal) {
+    sp_pair squared = sp_dot(normal, normal);
+    sp_mask is_finite = squared - squared == sp_splat(0.0);
+    return (struct sp_vector){sp_from_bits(is_finite & sp_bits(normal.x)), sp_from_bits(is_finite & sp_bits(normal.y)),
+                              sp_from_bits(is_finite & sp_bits(normal.z))};
+}
+
 /* Chords that are not plainly in order are looked at one by one. */
 enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, struct sp_chord_sums *sums) {
     enum sp_status worst = SP_CONVERGED;
     int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
     sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, weight_from, weight_to = lengths;
-    struct chord_pair pair = {.to = sp_chart_normal(line->nodes.charts)};
+    struct chord_pair pair = {.to = finite(sp_chart_normal(line->nodes.charts))};
     if (sums) weight_to = weight_of(pair.to);
     for (int32_t k = 0; k < chords; k++) {
         const sp_pair *chart = line->nodes.charts + SP_CHART * k;

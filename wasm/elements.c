@@ -118,7 +118,7 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
     struct sp_energy energy = {0};
     struct sp_vector carried = {{0}, {0}, {0}};
     sp_pair squares = sp_splat(0.0), carried_weight = squares;
-    held[0] = held[1] = (sp_mask){0, 0}; /* the ends': couplings with them are filled in, though no unknown is theirs */
+    held[0] = held[1] = (sp_mask){-1, -1}; /* the ends, where the surface may have no finite derivatives */
     for (int32_t e = 0; e < pairs; e++) {
         struct integral integral = integral_of(elements, e);
         squares += differentiate(&integral, p, element_charts(elements, line->nodes.charts, e), elements->velocity).squares;

@@ -1,5 +1,6 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
+#include "ends.h"
 #include "metric.h"
 #include "piece.h"
 
@@ -9,20 +10,6 @@ static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
 /* How far from straight a path may pass a pole, radians. A path that passes beside it is shorter by the square of that over twice the
  * stiffness of the path; between nearly antipodal places of the earth, where that is least, by 2e-11 of its length. */
 static const double STRAIGHT = 1e-6;
-
-/* Coordinate j at the end of the path in `system`, extrapolated from the other nodes of its last element. */
-static double extrapolated(const struct sp_system *system, int32_t j) {
-    const struct sp_reference *reference = &system->elements.reference;
-    int32_t p = reference->degree, last = system->line.fold.inner + 1;
-    double value = 0;
-    for (int32_t i = 0; i < p; i++) {
-        double weight = 1;
-        for (int32_t k = 0; k < p; k++)
-            if (k != i) weight *= (1 - reference->node[k]) / (reference->node[i] - reference->node[k]);
-        value += weight * sp_fold_get(system->line.fold, system->line.nodes.places, 2, last - p + i, j);
-    }
-    return value;
-}
 
 /* Of a tensor the length around the pole per unit of the coordinate around it grows as fast as this with the distance from it: there
  * g_around has the value and the slope 0. */
@@ -77,7 +64,7 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, struc
     for (int round = 0, strict = 0; round < ROUNDS; round++) {
         if (!sp_piece_solve(newton, strict ? options : &loose, 1, piece, arena)) return 0;
         sp_piece_keep(newton, piece);
-        double next = extrapolated(&piece->system, 1 - across), change = next - *end, enough = (strict ? ENOUGH : LOOSE) * range;
+        double next = sp_ends_continued(&piece->system, 1, 1 - across), change = next - *end, enough = (strict ? ENOUGH : LOOSE) * range;
         if (strict && change * change <= enough * enough) return 1;
         strict |= change * change <= enough * enough || 2 * round >= ROUNDS;
         *end = next;

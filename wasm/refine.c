@@ -1,6 +1,7 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
 #include "refine.h"
 #include "check.h"
+#include "ends.h"
 #include "metric_check.h"
 #include "metric_elements.h"
 #include "sample.h"
@@ -108,6 +109,7 @@ struct climbed {
 static void run(struct sp_newton *newton, const struct sp_options *options, const struct start *start, struct climbed *climbed) {
     climbed->outcome = sp_newton_run(newton, options);
     if (climbed->outcome.status < 0) return;
+    sp_ends_turn(&newton->system);
     climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
     climbed->moved = displacement(&newton->system, start);
 }
@@ -340,6 +342,7 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
         int32_t count = 2 * (line->fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) return now;
+        sp_ends_turn(&newton->system);
         now.length = sp_system_length(&newton->system, line->nodes);
         enum sp_status checked;
         *error = check_chords(newton, &now, &checked);

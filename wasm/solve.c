@@ -230,6 +230,11 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
     fill(&refined, &newton, options, result);
     enum sp_status written = write_points(&newton, &arcs, options->point_count, arena, result);
+    /* The ends as they are given: at a pole the path may have turned them. */
+    for (int j = 0; j < 2 && result->parameters; j++) {
+        result->parameters[j] = ends[newton.reversed][j];
+        result->parameters[2 * (options->point_count + 1) + j] = ends[!newton.reversed][j];
+    }
     if (status == SP_CONVERGED && result->length_error > result->length) status = SP_TOLERANCE_NOT_MET; /* rounding is all there is */
     if (written < 0 || status > 0) return written < 0 ? written : status;
     return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;

@@ -1,15 +1,16 @@
 /** The domain of a surface: its parameter rectangle, how that is glued, which edges are points; and points that enter it. */
 
-import { FRACTIONS, linePlaces } from './rectangle.js';
+import { FRACTIONS, gap, linePlaces, POSITION_GAP, reach } from './rectangle.js';
 import { findSeams } from './seams.js';
-import { findHole, findPinches, findPoles, isRound, tipAt, turning } from './tips.js';
+import { findHole, findPinches, findPoles, isRound, leastAcross, tipAt, turning } from './tips.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Sampled} Sampled */
 /** @typedef {import('./seams.js').Asked} Asked */
 /** @typedef {import('./seams.js').Glued} Glued */
 /** @typedef {import('./tips.js').Tip} Tip */
-/** @typedef {{ across: number, period: number, pieces: Domain[] }} Pinches lines within the rectangle that are one point: the coordinate across them, its period or 0, and what lies between them, in order: pieces with poles */
+/** @typedef {{ across: number, period: number, pieces: Piece[] }} Pinches lines within the rectangle that are one point: the coordinate across them, how far it is around where the pieces form a ring (both edges may be one such point) or 0, and what lies between them, in order: pieces with poles */
+/** @typedef {Domain & { slabs: number[] }} Piece slabs: what a path is long, at least, that crosses so many equal parts of it, each; where length is that of space */
 /** @typedef {Glued & { written: Range, poles: number[], tips: Tip[], around: { along: number, most: number }[], pinches: Pinches | null }} Domain written: the rectangle as its definition has it, one turn; poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
 
 /** Radians: half a turn, and some. */
@@ -28,18 +29,29 @@ export function findDomain(asked, surface, written) {
   if (surface.tensors || glued.turn) return domain;
   for (const across of [1, 0]) {
     const places = findPinches(surface.jets, glued, across);
-    if (places.length === 0) continue;
-    const period = periodic[across] ? upper[across] - lower[across] : 0;
-    const ends = period ? [...places, places[0] + period] : [lower[across], ...places, upper[across]];
+    const isTied = meetsInPole(surface, domain, across);
+    if (places.length === 0 && !isTied) continue;
+    const period = periodic[across] || isTied ? upper[across] - lower[across] : 0;
+    const ends = periodic[across] ? [...places, places[0] + period] : [lower[across], ...places, upper[across]];
     const pieces = ends.slice(1).map((end, i) => {
       const [low, high] = [[...lower], [...upper]];
       [low[across], high[across]] = [ends[i], end];
       const open = periodic.map((closed, j) => closed && j !== across);
-      return describeEdges({ lower: low, upper: high, periodic: open, turn: null }, { lower: low, upper: high }, surface);
+      const range = { lower: low, upper: high };
+      return {
+        ...describeEdges({ ...range, periodic: open, turn: null }, range, surface),
+        slabs: leastAcross(surface.jets, range, across),
+      };
     });
     return { ...domain, pinches: { across, period, pieces } };
   }
   return domain;
+}
+
+/** Whether both edges across a coordinate are one and the same point, as those of a horn torus are. @param {Sampled} surface @param {Domain} domain @param {number} across */
+function meetsInPole({ jets }, domain, across) {
+  const [low, high] = [1, 2].map((side) => domain.tips.find(({ pole }) => pole === 2 * across + side && domain.poles.includes(pole))?.at);
+  return !!low && !!high && gap(low, high) < POSITION_GAP * reach(jets(linePlaces(domain, across, 0.5, FRACTIONS)), low);
 }
 
 /** A glued rectangle, and what its edges are. @param {Glued} glued @param {Range} written @param {Sampled} surface @returns {Domain} */
@@ -95,7 +107,7 @@ export function isAtPole({ lower, upper }, point, pole) {
 }
 
 /** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
-function freeCoordinate(domain, point) {
+export function freeCoordinate(domain, point) {
   const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
   return at === undefined ? -1 : 1 - ((at - 1) >> 1);
 }

@@ -6,7 +6,7 @@
 import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
 import { challenge } from './challenge.js';
 import { distinct, estimate, isAmong, isSame } from './distinct.js';
-import { isAtPole } from './domain.js';
+import { freeCoordinate, isAtPole } from './domain.js';
 import { neighbours } from './lifts.js';
 import { besidePoles, overPoles, refine, shorterOverPole } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
@@ -60,9 +60,9 @@ export function findPaths(problem, options, most) {
     const path = problem.solve(problem.to, null, options);
     if (path.status === CONVERGED) return [path];
   }
-  const { starts, status } = findStarts(problem, most > 1);
-  /** @type {Tried[]} */
-  const tried = [];
+  /* Without a rectangle there is one straight start. */
+  const tried = problem.domain ? [] : [solveRoughly(problem, { to: problem.to, start: null }, [])];
+  const { starts, status } = findStarts(problem, most > 1, tried[0]);
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
   const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
   const ways = overPoles(problem, options, tried, rough);
@@ -127,25 +127,30 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
 /**
  * Starts: the straight lines to the nearest lifts of the end, then the ways through the first graph that joins the ends. The last status says why
  * there are none of these.
- * @param {Problem} problem @param {boolean} isAll
+ * @param {Problem} problem @param {boolean} isAll @param {Tried | undefined} straight the straight start, where there is no rectangle: it is none of the answer's
  */
-function findStarts(problem, isAll) {
+function findStarts(problem, isAll, straight) {
   const { from, to, domain } = problem;
+  /* Of an end that is a pole every lift is the same. */
+  const free = domain ? Math.max(freeCoordinate(domain, from), freeCoordinate(domain, to)) : -1;
+  const lifts = domain ? neighbours(domain, to, from).filter((lift) => free < 0 || lift[free] === to[free]) : [];
   /** @type {Start[]} */
-  const starts = (domain ? neighbours(domain, to, from) : [to]).map((end) => ({ to: end, start: null }));
+  const starts = lifts.map((end) => ({ to: end, start: null }));
+  if (straight && isBadEnd(problem, straight.path.status)) return { starts, status: OFF_SURFACE };
   const search = (/** @type {Graph} */ graph) => {
     if (graph.status !== CONVERGED) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS, isAll);
-    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
+    for (const start of candidates) {
+      if (free >= 0) face(start, free, problem);
+      starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
+    }
     return status;
   };
   let status = OFF_SURFACE;
   /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
   let level = problem.domain || (problem.isPlain && problem.graph(0)?.resolved) ? 0 : 1;
-  const flood = (/** @type {number} */ at) => {
-    const near = solveRoughly(problem, { to: problem.to, start: null }, []);
-    return problem.flood(at, problem.isPlain && !isAll && holds(near) ? near.path.length : 0);
-  };
+  const most = straight && problem.isPlain && !isAll && holds(straight) ? straight.path.length : 0;
+  const flood = (/** @type {number} */ at) => problem.flood(at, most);
   for (const find of [problem.graph, flood]) {
     for (let graph = find(level); graph; graph = find(++level)) {
       status = search(graph);
@@ -159,6 +164,22 @@ function findStarts(problem, isAll) {
   }
   return { starts, status };
 }
+
+/**
+ * Moves a start one of whose ends is a pole so that its other end is where the problem has it, and the pole follows.
+ * @param {Float64Array} start u v of its points @param {number} free the coordinate around the pole @param {Problem} problem
+ */
+function face(start, free, { from, to, domain }) {
+  const last = start.length - 2;
+  const isPoleFirst = domain && freeCoordinate(domain, from) >= 0;
+  const by = isPoleFirst ? to[free] - start[last + free] : from[free] - start[free];
+  for (let i = free; i < start.length; i += 2) start[i] += by;
+  start[free] = from[free];
+  start[last + free] = to[free];
+}
+
+/** Whether an end is to blame for the status of a straight start on an implicit surface: that no search will change. @param {Problem} problem @param {number} status */
+const isBadEnd = ({ isPlain }, status) => status === OFF_SURFACE || (isPlain && status === SINGULAR_METRIC);
 
 /** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
 const shortestWeak = (tried) =>

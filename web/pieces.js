@@ -11,6 +11,7 @@ import { findGlobal, solveNear } from './routes.js';
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./domain.js').Domain} Domain */
 /** @typedef {import('./domain.js').Pinches} Pinches */
+/** @typedef {import('./domain.js').Piece} Piece */
 /** @typedef {import('./routes.js').Field} Field */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {'global' | Float64Array | null} Start how a path is looked for: by a search, near a polyline, or straight */
@@ -55,12 +56,18 @@ function thinned(path, count) {
   };
 }
 
-/** What no path with these legs is shorter than. @param {Field} field @param {Leg[]} legs */
-function boundOf({ positions }, legs) {
+/** What no path with these legs is shorter than: their chords, and what it takes to cross the surface between their ends. @param {Field} field @param {Leg[]} legs */
+function boundOf({ domain, positions }, legs) {
   if (!positions) return 0;
-  return legs.reduce((sum, { ends }) => {
+  const across = domain?.pinches?.across ?? 0;
+  return legs.reduce((sum, { piece, ends }) => {
     const points = positions(ends.flat());
-    return sum + gap(points, points.subarray(3));
+    const { lower, upper, slabs } = /** @type {Piece} */ (piece.domain);
+    const [low, high] = ends
+      .map((end) => ((end[across] - lower[across]) / (upper[across] - lower[across])) * slabs.length)
+      .sort((a, b) => a - b);
+    const crossed = slabs.slice(Math.ceil(low), Math.floor(high)).reduce((total, least) => total + least, 0);
+    return sum + Math.max(gap(points, points.subarray(3)), crossed);
   }, 0);
 }
 
@@ -68,7 +75,8 @@ function boundOf({ positions }, legs) {
 function into({ across, period }, { domain }, place) {
   const { lower, upper } = /** @type {Domain} */ (domain);
   const x = place[across];
-  const lifted = period > 0 ? x - period * Math.floor((x - lower[across]) / period) : x;
+  const isHere = x >= lower[across] && x <= upper[across];
+  const lifted = period > 0 && !isHere ? x - period * Math.floor((x - lower[across]) / period) : x;
   if (!(lifted >= lower[across] && lifted <= upper[across])) return null;
   return place.map((own, j) => (j === across ? lifted : own));
 }
@@ -95,8 +103,11 @@ function waysBetween({ domain, pieces }, [from, to]) {
       const [begin, end] = [k === 0 && into(pinches, piece, from), k === steps && into(pinches, piece, to)];
       return { piece, ends: [begin || pole(-step), end || pole(step)] };
     });
-  /* An end that is a point between two pieces needs no leg from there to there. */
-  const trimmed = (/** @type {Leg[]} */ legs) => (legs.length > 1 ? legs.filter(({ ends: [a, b] }) => a[across] !== b[across]) : legs);
+  /* An end that is a point between two pieces needs no leg from there to there, unless there is no other. */
+  const trimmed = (/** @type {Leg[]} */ legs) => {
+    const needed = legs.filter(({ ends: [a, b] }) => a[across] !== b[across]);
+    return needed.length > 0 ? needed : [legs[0]];
+  };
   const up = (last - first + count) % count;
   const all =
     period > 0
@@ -124,14 +135,22 @@ export function placeIn({ domain, pieces }, place) {
  */
 export function findPath(field, ends, options, start) {
   if (field.pieces.length === 0) return findIn(field, ends, options, start);
-  const [nearest, ...others] = waysBetween(field, ends);
-  const isWithin = nearest.length === 1;
-  const path = isWithin
-    ? placed(field.domain, findIn(nearest[0].piece, nearest[0].ends, options, start), ends[0])
-    : follow(field, nearest, options, ends[0]);
-  const open = isWithin && start !== 'global' ? [] : others.filter((legs) => !isPath(path) || boundOf(field, legs) < path.length);
-  /* One that is shorter tells, whatever its status: then no longer one is the shortest. */
-  return open.map((legs) => follow(field, legs, options, ends[0])).reduce((best, one) => (mostOf(one) < mostOf(best) ? one : best), path);
+  const ways = waysBetween(field, ends);
+  const solve = (/** @type {Leg[]} */ legs) =>
+    legs.length > 1
+      ? follow(field, legs, options, ends[0])
+      : placed(field.domain, findIn(legs[0].piece, legs[0].ends, options, start), ends[0]);
+  const isNear = start !== 'global' && ways[0].length === 1;
+  const near = isNear ? solve(ways[0]) : null;
+  if (near && isPath(near)) return near;
+  const open = (isNear ? ways.slice(1) : ways).map((legs) => ({ legs, bound: boundOf(field, legs) })).sort((a, b) => a.bound - b.bound);
+  const best = open.reduce((/** @type {Path | null} */ shortest, { legs, bound }) => {
+    if (shortest && bound >= mostOf(shortest)) return shortest;
+    const path = solve(legs);
+    /* One that is shorter tells, whatever its status: then no longer one is the shortest. */
+    return shortest && !(mostOf(path) < mostOf(shortest)) ? shortest : path;
+  }, near);
+  return /** @type {Path} */ (best);
 }
 
 /**

@@ -18,6 +18,8 @@ import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
+/** A chord that turns around a pole by so much of a turn is not meant. */
+const MOST_OF_A_TURN = 0.75;
 /** A chord that turns around a pole by this part of a turn passes it nearby. */
 const SHARP = 0.05;
 /** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
@@ -101,14 +103,28 @@ export function besidePoles({ from, domain, solve }, options, ways, others) {
 
 /** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
 export function refine({ from, domain, solve }, { to, path }, options) {
-  const { parameters } = path;
+  const parameters = path.parameters && domain ? unwound(domain, path.parameters) : path.parameters;
   const pole = domain && parameters && options.algorithm === ELEMENTS && passedPole(domain, parameters, SHARP);
   if (pole && domain.tips.some((tip) => tip.pole === pole && tip.smooth && !tip.at)) {
     const along = pole > 2 ? 0 : 1;
     const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
     if (holds({ path: beside })) return beside;
   }
-  return solve(to, parameters ?? path.points, options);
+  return solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? path.points, options);
+}
+
+/**
+ * Beside a cusp of revolution a turn, or six, are hardly a way, and a node of a rough path may lie that far off: the same path, each node in the turn of the one before.
+ * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters
+ */
+function unwound({ lower, upper, periodic, poles }, parameters) {
+  const moved = parameters.slice();
+  for (let i = 2; i < moved.length && poles.length > 0; i++) {
+    const period = upper[i & 1] - lower[i & 1];
+    const turns = (moved[i] - moved[i - 2]) / period;
+    if (periodic[i & 1] && Math.abs(turns) > MOST_OF_A_TURN) moved[i] -= period * Math.round(turns);
+  }
+  return moved;
 }
 
 /**

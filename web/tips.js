@@ -17,6 +17,11 @@ const FLAT = 1e-5;
 const BESIDE = 1e-4;
 /** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of Newton's method find the place. */
 const [SCANNED, SCANNED_LINES, BEGIN, SETTLING] = [48, [0.137, 0.611], 0.3183, 6];
+/** Beside a double zero one of the squared speeds is so many times that at the nearest place: 81 at least where it is one of a parabola. */
+const TOUCHING = 16;
+/** Parts of a range between lines, on which the speed is sampled; so much of what these tell is counted on. */
+const SLABS = 64;
+const CERTAIN = 0.9;
 /** Of the range. */
 const ROUNDING = 2e-15;
 
@@ -66,35 +71,71 @@ export function findHole(jets, range, periodic, pole) {
 }
 
 /**
- * Where, between two edges, the rectangle is one point: the speed along a line vanishes there and turns round, as where a radius changes its sign.
+ * Where, between two edges, the rectangle is one point: the speed along a line vanishes there, and turns round, as where a radius changes its sign, or does not, as where
+ * one touches zero.
  * @param {Jets} jets @param {Range} range @param {number} across the coordinate that is constant on the line
  * @returns {number[]} it, ascending
  */
 export function findPinches(jets, range, across) {
   const span = range.upper[across] - range.lower[across];
-  const offset = across ? 3 : 6;
   const scan = Array.from({ length: SCANNED + 1 }, (_, i) => (i + BEGIN) / (SCANNED + 1));
-  const lines = SCANNED_LINES.map((line) => jets(linePlaces(range, 1 - across, line, scan)));
-  /** Where the speed is least near a part of the range. @param {number} fraction */
-  const settle = (fraction) => {
+  const speed = (/** @type {Float64Array} */ sampled, /** @type {number} */ i) => vector(sampled, i, across ? 3 : 6);
+  /* Of each line: the speeds at two of its places by each other. */
+  const products = SCANNED_LINES.map((line) => {
+    const sampled = jets(linePlaces(range, 1 - across, line, scan));
+    return (/** @type {number} */ i, /** @type {number} */ j) => dot(speed(sampled, i), speed(sampled, j));
+  });
+  /** Of the zero of the speed from one place to the next: 1 where it turns, 2 where it almost vanishes and does not, 0: there is none. @param {number} i */
+  const orderAt = (i) => {
+    if (products.every((product) => product(i, i + 1) < 0)) return 1;
+    const isLeast =
+      i > 0 &&
+      products.every((product) => {
+        const [before, here, after] = [i - 1, i, i + 1].map((k) => product(k, k));
+        return here <= before && here < after && product(i - 1, i) > 0 && TOUCHING * here <= Math.max(before, after);
+      });
+    return isLeast ? 2 : 0;
+  };
+  /** Where the speed vanishes near a part of the range. @param {number} fraction @param {number} order of the zero */
+  const settle = (fraction, order) => {
     let at = fraction;
     for (let step = 0; step < SETTLING; step++) {
       const sampled = jets(linePlaces(range, across, at, SCANNED_LINES));
-      const [speed, change] = [vector(sampled, 0, offset), vector(sampled, 0, 12)];
-      at -= dot(speed, change) / (dot(change, change) * span) || 0;
+      const change = vector(sampled, 0, 12);
+      at -= (order * dot(speed(sampled, 0), change)) / (dot(change, change) * span) || 0;
     }
     return at;
   };
   /** @type {number[]} */
   const found = [];
   for (let i = 0; i < SCANNED; i++) {
-    if (!lines.every((sampled) => dot(vector(sampled, i, offset), vector(sampled, i + 1, offset)) < 0)) continue;
-    const at = settle((scan[i] + scan[i + 1]) / 2);
+    const order = orderAt(i);
+    if (order === 0) continue;
+    const at = settle(order === 1 ? (scan[i] + scan[i + 1]) / 2 : scan[i], order);
     const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction, FRACTIONS);
-    if (at > scan[0] && at < scan[SCANNED] && isOnePlace(jets)(place(at), place(scan[i])))
+    const beside = scan[at < (scan[i] + scan[i + 1]) / 2 ? i + 1 : i];
+    if (at > scan[0] && at < scan[SCANNED] && isOnePlace(jets)(place(at), place(beside)))
       found.push((1 - at) * range.lower[across] + at * range.upper[across]);
   }
   return found.filter((x, i) => i === 0 || x > found[i - 1]);
+}
+
+/**
+ * What a path is long, at least, that crosses the rectangle: part by part, from line to line. Least over the lines, with the speed between them taken for no less than at both.
+ * @param {Jets} jets @param {Range} range @param {number} across the coordinate that is constant on the lines
+ * @returns {number[]} of SLABS equal parts
+ */
+export function leastAcross(jets, range, across) {
+  const width = (range.upper[across] - range.lower[across]) / SLABS;
+  const speeds = Array.from({ length: SLABS + 1 }, (_, k) => {
+    const sampled = jets(linePlaces(range, across, k / SLABS, FRACTIONS));
+    const squares = FRACTIONS.map((_, i) => {
+      const [along, away] = [vector(sampled, i, across ? 3 : 6), vector(sampled, i, across ? 6 : 3)];
+      return dot(away, away) - (dot(along, away) ** 2 / dot(along, along) || 0);
+    });
+    return Math.sqrt(Math.max(0, Math.min(...squares))) || 0;
+  });
+  return speeds.slice(1).map((speed, k) => CERTAIN * width * Math.min(speed, speeds[k]));
 }
 
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */

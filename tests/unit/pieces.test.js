@@ -174,6 +174,73 @@ describe('a spindle torus, whose pieces form a ring', () => {
   });
 });
 
+describe('both edges are one and the same point', () => {
+  test('a horn torus: through it, or around, whichever is shorter', () => {
+    const horn = make({ x: '(1 + cos(v)) cos(u)', y: '(1 + cos(v)) sin(u)', z: 'sin(v)', v: ['-pi', 'pi'] });
+    for (const [from, to] of [
+      [
+        [1, 0.2 - Math.PI],
+        [2, Math.PI - 0.3],
+      ],
+      [
+        [2, Math.PI - 0.3],
+        [1, 0.2 - Math.PI],
+      ],
+    ]) {
+      const path = horn.shortestPath(from, to);
+      assert.equal(path.status, 'converged');
+      close(path.length, 0.5);
+      assertFits(horn, path, from, to);
+    }
+    const around = horn.shortestPath([1, -1], [1, 1.2]);
+    assert.equal(around.status, 'converged');
+    close(around.length, 2.2);
+  });
+
+  for (const [sign, at] of /** @type {const} */ ([
+    ['+', Math.PI],
+    ['-', 0],
+  ]))
+    test(`a horn torus whose radius 1 ${sign} cos v touches zero at v = ${at.toFixed(2)}: never longer than through that point`, () => {
+      const horn = make({ x: `(1 ${sign} cos(v)) cos(u)`, y: `(1 ${sign} cos(v)) sin(u)`, z: 'sin(v)', v: [0, '2pi'] });
+      const random = createRandom(29);
+      const away = (/** @type {number[]} */ [, v]) => Math.min(Math.abs(v - at), TURN - Math.abs(v - at));
+      let through = 0;
+      for (let i = 0; i < PAIRS; i++) {
+        const [from, to] = [0, 1].map(() => [random.between(0, TURN), random.between(0, TURN)]);
+        const path = horn.shortestPath(from, to);
+        const both = away(from) + away(to);
+        assert.equal(path.status, 'converged', `${from} to ${to}`);
+        assert.ok(path.length <= both * (1 + 1e-9), `${from} to ${to}: ${path.length}, not ${both}`);
+        through += Number(path.length >= both * (1 - 1e-9));
+        assertFits(horn, path, from, to);
+      }
+      assert.ok(through >= PAIRS / 4, `${through}`);
+    });
+
+  test('a sphere twice: through the nearer pole from one sheet to the other', () => {
+    const twice = surfpath.revolution({ r: 'sin(t)', z: 'cos(t)', t: [0, '2pi'] });
+    for (const [from, to] of [
+      [1, 5],
+      [5, 1],
+      [2, 4],
+      [1, 4],
+      [0, 1],
+      [TURN, 4],
+      [0, 4],
+      [TURN, 1],
+    ]) {
+      const path = twice.shortestPath([0, from], [1, to]);
+      assert.equal(path.status, 'converged');
+      const inward = Math.abs(from - to);
+      close(path.length, Math.min(inward, TURN - inward));
+      /* At that point the angle is free, and the path begins at the edge beside it. */
+      const begin = from % TURN === 0 ? [1, to < Math.PI ? 0 : TURN] : [0, from];
+      assertFits(twice, path, begin, [1, to]);
+    }
+  });
+});
+
 describe('poles whose radius is zero up to rounding, on either side', () => {
   for (const v of [
     ['2pi/3', '4pi/3'],

@@ -1,0 +1,113 @@
+// Paths that end in a pole, where a coordinate says nothing, or beside a point around which a turn is hardly a way: against closed forms and the verifier.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+import { close } from '../helpers/refuses.js';
+import { verifyPath } from '../helpers/verify-path.js';
+
+/** @typedef {import('../../web/index.js').Path} Path */
+
+const surfpath = await load();
+const TURN = 2 * Math.PI;
+const PAIRS = 40;
+
+/** @param {string} x @param {string} y @param {string} z @param {[number, number]} v */
+const definitionOf = (x, y, z, v) => ({ kind: /** @type {const} */ ('parametric'), x, y, z, u: /** @type {const} */ ([0, '2pi']), v });
+
+const sphereByHeight = definitionOf('sqrt(v) sqrt(2 - v) cos(u)', 'sqrt(v) sqrt(2 - v) sin(u)', '1 - v', [0, 2]);
+
+describe('from a pole, given any longitude', () => {
+  /** Paths from the pole v = 0, and from what other longitudes of it are. @param {ReturnType<typeof definitionOf>} definition @param {(path: Path, to: number[]) => void} check */
+  function leave(definition, check) {
+    const surface = surfpath.surface(definition);
+    const random = createRandom(7);
+    let steps = 0;
+    for (let i = 0; i < PAIRS; i++) {
+      const to = [random.between(0, TURN), random.between(0.01, 0.95) * definition.v[1]];
+      const paths = [0, 1].map(() => surface.shortestPath([random.between(0, TURN), 0], to));
+      for (const path of paths) {
+        assert.equal(path.status, 'converged', `${to}`);
+        steps += path.iterations / 2 / PAIRS;
+        check(path, to);
+      }
+      close(paths[0].length, paths[1].length);
+    }
+    return steps;
+  }
+
+  test('ellipsoid of three axes: geodesics, in few steps', () => {
+    const ellipsoid = definitionOf('3cos(u) sin(v)', '2sin(u) sin(v)', 'cos(v)', [0, Math.PI]);
+    const steps = leave(ellipsoid, (path, to) => {
+      assert.deepEqual(verifyPath(ellipsoid, path, { to, lengthTolerance: 1e-3 }), [], `${to}`);
+    });
+    assert.ok(steps <= 6, `${steps} steps`);
+  });
+
+  test('cusp of a paraboloid on its head: as long as its meridian', () => {
+    const steps = leave(definitionOf('v^2 cos(u)', 'v^2 sin(u)', 'v', [0, 1]), ({ length }, [, v]) => {
+      close(length, (v * Math.sqrt(1 + 4 * v * v)) / 2 + Math.asinh(2 * v) / 4);
+    });
+    assert.ok(steps <= 4, `${steps} steps`);
+  });
+
+  test('a sphere and a paraboloid by height, whose derivatives are infinite there: as long as the meridian', () => {
+    const steps = leave(sphereByHeight, ({ length }, [, v]) => close(length, Math.acos(1 - v)));
+    assert.ok(steps <= 5, `${steps} steps`);
+    leave(definitionOf('2sqrt(v) cos(u)', '2sqrt(v) sin(u)', 'v', [0, 1]), ({ length }, [, v]) => {
+      close(length, Math.sqrt(v * v + v) + Math.asinh(Math.sqrt(v)));
+    });
+  });
+
+  test('polylines say by how much they are too short there, too', () => {
+    const sphere = surfpath.surface(sphereByHeight);
+    for (const points of [31, 200]) {
+      const path = sphere.shortestPath([1, 0], [1, 0.7], { algorithm: 'polyline', points });
+      const ratio = path.lengthError / (Math.acos(0.3) - path.length);
+      assert.ok(ratio > 0.9 && ratio < 1.1, `${ratio}`);
+    }
+  });
+
+  for (const [name, x] of [
+    ['bent', 'v^2 cos(u) + v/2 + v^3'],
+    ['leaning', 'v^2 cos(u) + v^2/2'],
+  ])
+    test(`${name} cusp that is not round: all converge, none shorter than its chord`, () => {
+      const steps = leave(definitionOf(x, '2v^2 sin(u)', 'v', [0, 1]), ({ points, length }) => {
+        assert.ok(length >= Math.hypot(...points.slice(-3)) * (1 - 1e-12));
+      });
+      assert.ok(steps <= 8, `${steps} steps`);
+    });
+});
+
+test('a cone as thin as a needle: as long as unrolled, on the side that is nearer', () => {
+  const needle = surfpath.surface(definitionOf('.02v cos(u)', '.02v sin(u)', 'v', [0, 1]));
+  const random = createRandom(19);
+  const slant = Math.hypot(1, 0.02);
+  for (let i = 0; i < 4 * PAIRS; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(0, TURN), random.between(0, 1)]);
+    const around = Math.abs(from[0] - to[0]);
+    const angle = (Math.min(around, TURN - around) * 0.02) / slant;
+    const [a, b] = [slant * from[1], slant * to[1]];
+    const path = needle.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    close(path.length, Math.hypot(a - b, 2 * Math.sqrt(a * b) * Math.sin(angle / 2)));
+  }
+});
+
+test('a hemisphere as a height field, not a number beyond its rim, from ends on the rim: as long as great circles', () => {
+  const hemisphere = surfpath.graph({ z: 'sqrt(1 - x^2 - y^2)', x: [-1, 1], y: [-1, 1] });
+  const random = createRandom(31);
+  const place = (/** @type {number} */ radius) => {
+    const angle = random.between(0, TURN);
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  };
+  for (let i = 0; i < PAIRS; i++) {
+    /* The last bits of a place on the rim may lie beyond it. */
+    const [from, to] = [place(1 - 2 ** -52), place(0.95 * random.between(0, 1))];
+    const path = hemisphere.shortestPath(from, to);
+    const [p, q] = [from, to].map((at) => [...hemisphere.evaluate(at)].slice(0, 3));
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    close(path.length, 2 * Math.asin(Math.hypot(...p.map((x, j) => x - q[j])) / 2));
+  }
+});
