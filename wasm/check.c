@@ -186,21 +186,14 @@ static inline __attribute__((always_inline)) sp_pair weight_of(struct sp_vector 
     return sp_select(squared > zero, 1.0 / squared, zero);
 }
 
-/* (a^2 + b^2)/12 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md. */
+/* (a^2 + b^2)/12 of a chord's length is what the geodesic is longer, a and b the angles at its ends to fourth order: MATH.md. An end where
+ * the surface has no finite derivatives counts for nothing. */
 static inline __attribute__((always_inline)) void measure(const struct chord_pair *pair, sp_pair weight_from, sp_pair weight_to,
                                                           sp_mask counted, sp_pair *lengths, sp_pair *errors) {
     sp_pair zero = sp_splat(0.0), length = sp_square_root(pair->squared);
     sp_pair a = sp_dot(pair->chord, pair->from), b = sp_dot(pair->chord, pair->to);
-    sp_pair error = (a * a * weight_from + b * b * weight_to) / length;
+    sp_pair error = (sp_larger(zero, a * a * weight_from) + sp_larger(zero, b * b * weight_to)) / length;
     *lengths += sp_select(counted, length, zero), *errors += sp_select(counted & (length > zero), error, zero);
-}
-
-/* Zero where the surface has no finite derivatives, as may be at an end. */
-static struct sp_vector finite(struct sp_vector normal) {
-    sp_pair squared = sp_dot(normal, normal);
-    sp_mask is_finite = squared - squared == sp_splat(0.0);
-    return (struct sp_vector){sp_from_bits(is_finite & sp_bits(normal.x)), sp_from_bits(is_finite & sp_bits(normal.y)),
-                              sp_from_bits(is_finite & sp_bits(normal.z))};
 }
 
 /* Chords that are not plainly in order are looked at one by one. */
@@ -208,7 +201,7 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, str
     enum sp_status worst = SP_CONVERGED;
     int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
     sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, weight_from, weight_to = lengths;
-    struct chord_pair pair = {.to = finite(sp_chart_normal(line->nodes.charts))};
+    struct chord_pair pair = {.to = sp_chart_normal(line->nodes.charts)};
     if (sums) weight_to = weight_of(pair.to);
     for (int32_t k = 0; k < chords; k++) {
         const sp_pair *chart = line->nodes.charts + SP_CHART * k;

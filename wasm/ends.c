@@ -29,9 +29,10 @@ void sp_ends_turn(struct sp_system *system) {
     const sp_pair *end = line->nodes.charts, *middle = end + SP_CHART * line->fold.both;
     /* Frames of an implicit surface, and those of u and v themselves, have length 1. */
     for (int j = 0; j < 2; j++) {
-        int32_t basis = SP_CHART_1 + 3 * j;
-        sp_pair least = POINT * squared_distance(middle + basis, nowhere), place[2], position[3];
-        sp_mask is_point = squared_distance(end + basis, nowhere) <= least;
+        int32_t first = SP_CHART_1 + 3 * j, second = SP_CHART_11 + 6 * j;
+        sp_pair least = POINT * squared_distance(middle + first, nowhere), place[2], position[3];
+        /* On a cusp only the first derivative vanishes. */
+        sp_mask is_point = squared_distance(end + first, nowhere) + squared_distance(end + second, nowhere) <= least;
         if (!sp_any(is_point)) continue;
         place[1 - j] = line->nodes.places[1 - j];
         place[j] = (sp_pair){sp_ends_continued(system, 0, j), sp_ends_continued(system, 1, j)};

@@ -80,7 +80,7 @@ export function findPinches(jets, range, across) {
   const span = range.upper[across] - range.lower[across];
   const scan = Array.from({ length: SCANNED + 1 }, (_, i) => (i + BEGIN) / (SCANNED + 1));
   const speed = (/** @type {Float64Array} */ sampled, /** @type {number} */ i) => vector(sampled, i, across ? 3 : 6);
-  /* Of each line: the speeds at two of its places by each other. */
+  /* Of each line, what the speeds at two of its places multiply to. */
   const products = SCANNED_LINES.map((line) => {
     const sampled = jets(linePlaces(range, 1 - across, line, scan));
     return (/** @type {number} */ i, /** @type {number} */ j) => dot(speed(sampled, i), speed(sampled, j));
