@@ -121,9 +121,9 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
     double length = distance(chord->at[0], chord->at[1]), rounding = 1e-14 * scale;
-    /* Speeds at the path's ends say nothing: they may be infinite. */
-    double first = i > 0 ? root(speed_squared(line, i, u, v)) : 0, last = i < line->fold.inner ? root(speed_squared(line, i + 1, u, v)) : 0;
-    double along = (first + 4 * root(chart_speed_squared(chart, 0, u, v)) + last) / 6;
+    /* At the path's ends the speed may be infinite: that of the middle stands for it. */
+    double mid = root(chart_speed_squared(chart, 0, u, v)), first = i > 0 ? root(speed_squared(line, i, u, v)) : mid,
+           last = i < line->fold.inner ? root(speed_squared(line, i + 1, u, v)) : mid, along = (first + 4 * mid + last) / 6;
     if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
     if (distance(half, middle) > LARGEST_SAGITTA * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
     return SP_CONVERGED;

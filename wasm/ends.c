@@ -1,4 +1,4 @@
-/* Ends of a path that lie in a pole. MATH.md, "The ladder". */
+/* Ends of a path that lie in a pole. MATH.md, "Starts". */
 #include "ends.h"
 
 /* An edge of the rectangle is a point where a coordinate moves it by no more than this part of what it moves the middle of the path by,

@@ -107,7 +107,7 @@ export function isAtPole({ lower, upper }, point, pole) {
 }
 
 /** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
-export function freeCoordinate(domain, point) {
+function freeCoordinate(domain, point) {
   const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
   return at === undefined ? -1 : 1 - ((at - 1) >> 1);
 }

@@ -6,7 +6,7 @@
 import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
 import { challenge } from './challenge.js';
 import { distinct, estimate, isAmong, isSame } from './distinct.js';
-import { freeCoordinate, isAtPole } from './domain.js';
+import { isAtPole } from './domain.js';
 import { neighbours } from './lifts.js';
 import { besidePoles, overPoles, refine, shorterOverPole } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
@@ -131,19 +131,13 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
  */
 function findStarts(problem, isAll, straight) {
   const { from, to, domain } = problem;
-  /* Of an end that is a pole every lift is the same. */
-  const free = domain ? Math.max(freeCoordinate(domain, from), freeCoordinate(domain, to)) : -1;
-  const lifts = domain ? neighbours(domain, to, from).filter((lift) => free < 0 || lift[free] === to[free]) : [];
   /** @type {Start[]} */
-  const starts = lifts.map((end) => ({ to: end, start: null }));
+  const starts = domain ? neighbours(domain, to, from).map((end) => ({ to: end, start: null })) : [];
   if (straight && isBadEnd(problem, straight.path.status)) return { starts, status: OFF_SURFACE };
   const search = (/** @type {Graph} */ graph) => {
     if (graph.status !== CONVERGED) return graph.status;
     const { status, candidates } = problem.search(graph, CANDIDATE_POINTS, isAll);
-    for (const start of candidates) {
-      if (free >= 0) face(start, free, problem);
-      starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
-    }
+    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
     return status;
   };
   let status = OFF_SURFACE;
@@ -163,19 +157,6 @@ function findStarts(problem, isAll, straight) {
     level = 0;
   }
   return { starts, status };
-}
-
-/**
- * Moves a start one of whose ends is a pole so that its other end is where the problem has it, and the pole follows.
- * @param {Float64Array} start u v of its points @param {number} free the coordinate around the pole @param {Problem} problem
- */
-function face(start, free, { from, to, domain }) {
-  const last = start.length - 2;
-  const isPoleFirst = domain && freeCoordinate(domain, from) >= 0;
-  const by = isPoleFirst ? to[free] - start[last + free] : from[free] - start[free];
-  for (let i = free; i < start.length; i += 2) start[i] += by;
-  start[free] = from[free];
-  start[last + free] = to[free];
 }
 
 /** Whether an end is to blame for the status of a straight start on an implicit surface: that no search will change. @param {Problem} problem @param {number} status */

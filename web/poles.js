@@ -114,7 +114,7 @@ export function refine({ from, domain, solve }, { to, path }, options) {
 }
 
 /**
- * Beside a cusp of revolution a turn, or six, are hardly a way, and a node of a rough path may lie that far off: the same path, each node in the turn of the one before.
+ * At a pole, and beside a cusp of revolution, a turn, or six, are hardly a way, and a node of a rough path may lie that far off: the same path, each node in the turn of the one before.
  * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters
  */
 function unwound({ lower, upper, periodic, poles }, parameters) {
