@@ -131,8 +131,7 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, int w
     return 0;
 }
 
-/* Whether the free arc stays in the rectangle it was solved without. */
-static int inside(const struct sp_surface *surface, const struct sp_piece *piece) {
+int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *piece) {
     const struct sp_polyline *line = &piece->system.line;
     for (int32_t i = 1; i <= line->fold.inner; i++)
         for (int32_t j = 0; j < 2; j++) {
@@ -232,7 +231,7 @@ int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, i
     newton->system.line.surface = &open;
     int fits = fit(newton, options, checked, piece, arena);
     newton->system.line.surface = piece->system.line.surface = surface;
-    return fits && inside(surface, piece);
+    return fits && sp_contact_inside(surface, piece);
 }
 
 /* Sum of the squared derivatives of the length by the contacts' coordinates: cos - 1 of the angle, times what a unit is long. */

@@ -1,65 +1,103 @@
-/* Paths around a hole: an edge of the rectangle that is almost a point, which a path between walls winds around. Two free arcs, tangent to
- * the edge, and a piece of it. Nodes at equal steps would not see it; the elements close in on it. MATH.md, "Arcs". */
+/* Paths close by an edge of the rectangle that is a point, or almost one, a hole: past it, and around it, which is two free arcs, tangent
+ * to the edge, and a piece of that. Nodes at equal steps would not see it; the elements close in on it. MATH.md, "Arcs". */
 #include "contact.h"
 #include "functions.h"
 
-enum { DEGREE = 8, COUNT = 16 };
+/* Elements to begin with: more where the point is passed on the way, not at an end, from a part of it on that is so far from both. */
+enum { DEGREE = 8, COUNT = 16, FINE_DEGREE = 24, FINE_COUNT = 32 };
+static const double BETWEEN = 1e-3;
 /* Largest step of a contact, radians around the hole. */
 static const double STEP = 0.5;
 /* Part of the angles of both tangents from which on they are tried: where the surface is curved, or has a density, they are smaller. */
 static const double SURELY_BESIDE = 0.8;
+static const double LEAST_ANGLE = 1e-3, PI = 3.14159265358979323846;
 
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 
-/* An end of the path, and the tangent from it to the hole in the plane around that, in which the end lies at (far, 0). */
-struct tangent {
-    double end[2];
-    double far, nearest;    /* distance from the middle of the hole; the hole's radius in parts of that */
-    double touch[2], angle; /* where it touches, and under which angle that is seen from the middle */
+/* The ends, and the point as the middle of a plane. */
+struct near {
+    double ends[2][2], far[2];   /* places, and how far they are from the middle */
+    double middle, side, beyond; /* the middle, in the coordinate across; where the surface is from there, 1 or -1; how far the edge is */
+    double angle, rate;          /* between the ends, seen from there; the coordinate along the edge per radian */
+    int32_t across;
 };
 
-static struct tangent tangent_from(const double end[2], double far, double radius) {
-    double squared = far * far - radius * radius, along = squared > 0 ? root(squared) : 0, cosine = radius / far, sine = along / far;
-    return (struct tangent){
-        {end[0], end[1]}, far, cosine, {radius * cosine, radius * sine}, sp_atan2(sp_splat(along), sp_splat(radius))[0]};
+/* x + sqrt(1 + x^2): the exponential of asinh x. */
+static double sum_with_root(double x) {
+    double sum = absolute(x) + root(1 + x * x);
+    return x < 0 ? 1 / sum : sum;
 }
 
-/* Where elements meet, from the end to the hole: as close as they are far from its middle, in equal ratios. */
-static void close_in(double nearest, int from_hole, double spread[SP_SPREAD + 1]) {
-    double ratio = 1 + 1 / nearest, power = 1;
+/* Where elements meet on the line between two points of the plane: as far apart as they are from the middle, about, at `foot` + `least`
+ * sinh s for equal steps of s. Returns whether it passes the middle on the way. */
+static int close_in(const double from[2], const double along[2], double spread[SP_SPREAD + 1]) {
+    double squared = along[0] * along[0] + along[1] * along[1], foot = -(from[0] * along[0] + from[1] * along[1]) / squared,
+           least = absolute(from[0] * along[1] - from[1] * along[0]) / squared;
+    double power = sum_with_root(-foot / least), ratio = sum_with_root((1 - foot) / least) / power;
     for (int halvings = SP_SPREAD; halvings > 1; halvings /= 2)
         ratio = root(ratio);
-    for (int k = 0; k <= SP_SPREAD; k++, power *= ratio) {
-        double away = nearest * (power - 1);
-        spread[from_hole ? k : SP_SPREAD - k] = from_hole ? away : 1 - away;
-    }
+    for (int k = 0; k <= SP_SPREAD; k++, power *= ratio)
+        spread[k] = foot + 0.5 * least * (power - 1 / power);
     spread[0] = 0, spread[SP_SPREAD] = 1;
+    return foot * (1 - foot) > BETWEEN;
 }
 
-/* The straight line of the plane, as elements of the rectangle. Returns 0 if the arena is full. `turned`: radians around the hole, signed,
- * that a unit of the coordinate along the edge is seen from the end. */
-static int start_piece(struct sp_newton *newton, const struct tangent *tangent, int32_t across, double middle, double turned, int from_hole,
-                       struct sp_piece *piece, struct sp_arena *arena) {
+/* The straight line of the plane between an end, `i`, of the path and a point that far from the middle and seen at that angle, as elements
+ * of the rectangle. Returns 0 if the arena is full. */
+static int start_piece(struct sp_newton *newton, const struct near *near, int i, double far, double angle, struct sp_piece *piece,
+                       struct sp_arena *arena) {
     struct sp_system *system = &newton->system;
     double *spread = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
-    if (!spread || !sp_reference_make(&system->elements.reference, DEGREE, arena) || !sp_refine_take(&piece->storage, newton, arena))
-        return 0;
-    close_in(tangent->nearest, from_hole, spread);
-    system->elements.count = COUNT, system->elements.spread = spread, system->elements.fixed = 1;
-    system->line.fold = sp_fold_of(DEGREE * COUNT - 1);
-    double side = tangent->end[across] > middle ? 1 : -1;
-    for (int32_t i = 0; i <= DEGREE * COUNT; i++) {
-        double t = sp_sample_parameter(&system->elements, i), run = from_hole ? 1 - t : t;
-        double x = tangent->far + run * (tangent->touch[0] - tangent->far), y = run * tangent->touch[1], place[2];
-        place[across] = middle + side * root(x * x + y * y);
-        place[1 - across] = tangent->end[1 - across] + sp_atan2(sp_splat(y), sp_splat(x))[0] / turned;
-        for (int32_t j = 0; j < 2; j++)
-            system->line.nodes.places[2 * sp_fold_pair(system->line.fold, i) + j][sp_fold_lane(system->line.fold, i)] = place[j];
+    if (!spread || !sp_refine_take(&piece->storage, newton, arena)) return 0;
+    sp_pair cosine, sine = sp_sincos(sp_splat(angle), &cosine);
+    double from[2] = {near->far[i], 0}, along[2] = {far * cosine[0] - from[0], far * sine[0]};
+    for (int j = 0; j < 2 && i; j++)
+        from[j] += along[j], along[j] = -along[j];
+    int fine = close_in(from, along, spread);
+    int32_t degree = fine ? FINE_DEGREE : DEGREE, count = fine ? FINE_COUNT : COUNT;
+    if (!sp_reference_make(&system->elements.reference, degree, arena)) return 0;
+    system->elements.count = count, system->elements.spread = spread, system->elements.fixed = 1;
+    system->line.fold = sp_fold_of(degree * count - 1);
+    for (int32_t k = 0; k <= degree * count; k++) {
+        double t = sp_sample_parameter(&system->elements, k), x = from[0] + t * along[0], y = from[1] + t * along[1],
+               turned = near->rate * sp_atan2(sp_splat(y), sp_splat(x))[0];
+        sp_pair *place = system->line.nodes.places + 2 * sp_fold_pair(system->line.fold, k);
+        int lane = sp_fold_lane(system->line.fold, k);
+        place[near->across][lane] = near->middle + near->side * root(x * x + y * y);
+        place[1 - near->across][lane] = near->ends[i][1 - near->across] + (i ? -turned : turned);
     }
     sp_fold_mirror(system->line.fold, system->line.nodes.places, 2);
     piece->system = sp_storage_keep(&piece->storage, system);
     piece->first = 0, piece->last = 1;
+    for (int j = 0; j < 2; j++)
+        piece->joint[j] = (struct sp_joint){.place = {near->ends[j][0], near->ends[j][1]}};
+    return 1;
+}
+
+/* Around the hole: two tangents, and a piece of its edge. Returns 0 where the hole is not in the way, or the arena is full. */
+static int wind(struct sp_newton *newton, const struct near *near, double wall, struct sp_contact *contact, struct sp_arena *arena) {
+    double touching[2];
+    int32_t across = near->across;
+    for (int i = 0; i < 2; i++) {
+        double nearest = near->beyond / near->far[i]; /* of an end on the edge 1, to rounding */
+        touching[i] = sp_acos(sp_splat(nearest < 1 ? nearest : 1))[0];
+    }
+    /* It passes beside it; by how much only a plane tells beforehand. */
+    if (!(near->angle > SURELY_BESIDE * (touching[0] + touching[1]))) return 0;
+    for (int i = 0; i < 2; i++) {
+        if (i)
+            contact->arcs.arc[contact->arcs.count++] = (struct sp_arc){
+                .on_edge = 1, .across = across, .value = wall, .ends = {near->ends[0][1 - across], near->ends[1][1 - across]}};
+        if (near->ends[i][across] == wall) continue; /* there it begins, or ends */
+        struct sp_piece *piece = contact->pieces + contact->made++;
+        contact->arcs.arc[contact->arcs.count++] = (struct sp_arc){.on_edge = 0};
+        if (!start_piece(newton, near, i, near->beyond, touching[i], piece, arena)) return 0;
+        struct sp_joint *touch = piece->joint + 1 - i;
+        touch->slides = 1, touch->across = across, touch->reach = STEP * absolute(near->rate);
+        touch->place[across] = wall;
+        touch->place[1 - across] = near->ends[i][1 - across] + (i ? -near->rate : near->rate) * touching[i];
+    }
     return 1;
 }
 
@@ -67,36 +105,32 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_fold fold = newton->system.line.fold;
-    struct sp_contact contact = {.made = 0, .arcs = {.count = 0}};
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct tangent tangents[2];
-    int32_t across = edge / 2;
-    double wall = edge % 2 ? surface->upper[across] : surface->lower[across], middle = edge % 2 ? wall + beyond : wall - beyond, ends[2][2];
+    struct near near = {.across = edge / 2, .beyond = beyond};
+    double wall = edge % 2 ? surface->upper[near.across] : surface->lower[near.across];
+    near.side = edge % 2 ? -1 : 1, near.middle = wall - near.side * beyond;
     for (int i = 0; i < 2; i++) {
         for (int32_t j = 0; j < 2; j++)
-            ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);
-        double far = absolute(ends[i][across] - middle);
-        if (!(far > beyond || ends[i][across] == wall)) return refined;
-        tangents[i] = tangent_from(ends[i], far, beyond);
+            near.ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);
+        near.far[i] = near.side * (near.ends[i][near.across] - near.middle);
+        if (!(near.far[i] > 0)) return refined;
     }
-    double from = ends[0][1 - across], to = ends[1][1 - across], angle = sp_pole_angle(surface, across, wall, from, to),
-           rate = angle / (to - from);
-    /* It passes beside it; by how much only a plane tells beforehand. */
-    if (!(angle > SURELY_BESIDE * (tangents[0].angle + tangents[1].angle))) return refined;
-    for (int i = 0; i < 2; i++) {
-        if (i) contact.arcs.arc[contact.arcs.count++] = (struct sp_arc){.on_edge = 1, .across = across, .value = wall, .ends = {from, to}};
-        if (ends[i][across] == wall) continue; /* there it begins, or ends */
-        struct sp_piece *piece = contact.pieces + contact.made++;
-        contact.arcs.arc[contact.arcs.count++] = (struct sp_arc){.on_edge = 0};
-        double turned = i ? -rate : rate;
-        if (!start_piece(newton, tangents + i, across, middle, turned, i, piece, arena))
-            return refined.outcome.status = SP_OUT_OF_MEMORY, refined;
-        for (int32_t j = 0; j < 2; j++)
-            piece->joint[i].place[j] = piece->joint[1 - i].place[j] = ends[i][j];
-        struct sp_joint *touching = piece->joint + 1 - i;
-        touching->slides = 1, touching->across = across, touching->reach = STEP / absolute(rate);
-        touching->place[across] = wall, touching->place[1 - across] += tangents[i].angle / turned;
+    double from = near.ends[0][1 - near.across], to = near.ends[1][1 - near.across];
+    near.angle = sp_pole_angle(surface, near.across, wall, from, to);
+    if (near.angle < LEAST_ANGLE) near.angle = LEAST_ANGLE;
+    near.rate = (to - from) / near.angle;
+    if (beyond > 0) {
+        struct sp_contact contact = {.made = 0};
+        if (wind(newton, &near, wall, &contact, arena) && sp_contact_solve(newton, options, &contact, arena, &refined)) {
+            refined.outcome.active = 1, *arcs = contact.arcs;
+            return refined;
+        }
     }
-    if (sp_contact_solve(newton, options, &contact, arena, &refined)) refined.outcome.active = 1, *arcs = contact.arcs;
+    if (!(near.angle < PI)) return refined;
+    struct sp_piece piece;
+    refined.outcome.status = SP_OUT_OF_MEMORY;
+    if (!start_piece(newton, &near, 0, near.far[1], near.angle, &piece, arena)) return refined;
+    refined = sp_refine_again(newton, options, &piece.system, 0, arena);
+    if (refined.outcome.active) refined.outcome.status = SP_SINGULAR_METRIC;
     return refined;
 }

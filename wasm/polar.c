@@ -1,12 +1,11 @@
 /* Surfaces over the plane around a pole: their charts from those over u and v, by the chain rule. MATH.md, "Arcs". */
 #include "polar.h"
-#include "arcs.h"
 #include "functions.h"
 #include "metric.h"
 
-/* Of the first path: what is near a pole or an apex is small. */
+/* Of the first path: what is near a pole is small. */
 enum { POINTS = 129 };
-static const double TURN = 6.28318530717958647693, SMOOTH = 1e-5;
+static const double TURN = 6.28318530717958647693, SLACK = 1e-5;
 /* Of the ends' distances: nearer than that derivatives lose more to rounding than they change, those of a tensor, divided by squares,
  * sooner. Of the range: what rounding leads outside. */
 static const double LEAST = 1e-8, LEAST_OF_TENSOR = 1e-5, INSIDE = 1e-12;
@@ -119,9 +118,7 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
            edge = pole & 1 ? surface->upper[across] + beyond : surface->lower[across] - beyond, turn = request->to[2];
     double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
     if (surface->kind != SP_PARAMETRIC) return 0;
-    double angle = sp_pole_angle(surface, across, edge, from, from + turn);
-    if (angle > TURN - SMOOTH && angle < TURN + SMOOTH) angle = TURN;
-    *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, angle / turn, turn, 0};
+    *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, TURN / turn, turn, 0};
     polar->surface.metric += SP_POLAR;
     *moved = *request, moved->pole = 0;
     if (request->start) {
@@ -134,7 +131,7 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
     for (int j = 0; j < 2; j++) {
         const double *end = j ? request->to : request->from;
         double theta = polar->rate * (end[1 - across] - middle);
-        if (!(2 * theta < TURN / 2 + SMOOTH && 2 * theta > -TURN / 2 - SMOOTH)) return 0;
+        if (!(2 * theta < TURN / 2 + SLACK && 2 * theta > -TURN / 2 - SLACK)) return 0;
         enter(polar, end, j ? moved->to : moved->from);
         polar->least += (surface->metric == SP_TENSOR ? LEAST_OF_TENSOR : LEAST) * polar->side * (end[across] - edge);
         polar->surface.lower[j] = -open, polar->surface.upper[j] = open;

@@ -1,8 +1,8 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
+#include "contact.h"
 #include "ends.h"
 #include "metric.h"
-#include "piece.h"
 
 enum { ROUNDS = 12, SWEEP = 64 };
 static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
@@ -11,11 +11,12 @@ static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
  * stiffness of the path; between nearly antipodal places of the earth, where that is least, by 2e-11 of its length. */
 static const double STRAIGHT = 1e-6;
 
-/* Of a tensor the length around the pole per unit of the coordinate around it grows as fast as this with the distance from it: there
- * g_around has the value and the slope 0. */
+/* Of a tensor the direction away from the pole turns so much per unit of the coordinate around it: |X_a x X_ab| / |X_a|^2, where X_ab is
+ * what the vector around the pole grows by with the distance. There g_around has the value and the slope 0, g_mixed the value 0. */
 static double growth_of(int32_t across, const sp_pair *metric) {
-    sp_pair bend = metric[3 * (across ? SP_METRIC_T22 : SP_METRIC_T11) + (across ? 0 : 2)], squared = 0.5 * bend / metric[across ? 2 : 0];
-    return sp_square_root(squared)[0];
+    sp_pair bend = metric[3 * (across ? SP_METRIC_T22 : SP_METRIC_T11) + (across ? 0 : 2)], away = metric[across ? 2 : 0],
+            mixed = metric[3 * (across ? SP_METRIC_T2 : SP_METRIC_T1) + 1];
+    return sp_square_root(0.5 * bend * away - mixed * mixed)[0] / away[0];
 }
 
 double sp_pole_angle(const struct sp_surface *surface, int32_t across, double value, double from, double to) {
@@ -52,7 +53,7 @@ static double corner_of(const struct sp_surface *surface, int32_t across, double
         other = whole - angle;
     }
     if (other < angle) angle = other;
-    return angle < PI ? PI - angle : 0;
+    return angle >= PI ? 0 : PI - angle; /* not a number: no angle at all */
 }
 
 /* Solves the arc from an end to the pole, until its end in the chart continues it. */
@@ -87,7 +88,10 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     arcs->count = 0;
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return none;
     struct sp_system given = sp_storage_keep(&storage, &newton->system);
-    open.lower[across] = -__builtin_inf(), open.upper[across] = __builtin_inf();
+    double infinite = __builtin_inf();
+    open.lower[across] = -infinite, open.upper[across] = infinite;
+    struct sp_surface walls = open;
+    open.lower[1 - across] = -infinite, open.upper[1 - across] = infinite;
     line->surface = &open;
     for (int i = 0; i < 2; i++) {
         struct sp_piece piece = {.system = given, .first = i ? 1 : 0, .last = i ? 1 : 0};
@@ -97,7 +101,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         if (!sp_refine_take(&piece.storage, newton, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
         none.outcome.status = SP_SINGULAR_METRIC;
-        if (!fit(newton, options, &piece, across, range, arena)) break;
+        if (!fit(newton, options, &piece, across, range, arena) || !sp_contact_inside(&walls, &piece)) break;
         around[i] = piece.joint[1].place[1 - across];
         arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }

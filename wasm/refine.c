@@ -11,11 +11,10 @@ struct rung {
     const double *spread; /* of its elements */
 };
 
-static const struct rung LADDER[] = {{8, 2, NULL},   {8, 4, NULL},   {8, 8, NULL},   {8, 16, NULL},  {12, 16, NULL},
-                                     {16, 16, NULL}, {24, 16, NULL}, {24, 32, NULL}, {24, 64, NULL}, {16, 128, NULL}};
+/* Degrees and counts. */
+static const uint8_t LADDER[][2] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}, {16, 128}};
 /* Where the path ends on a singular curve. */
-static const struct rung GRADED[] = {{8, 2, NULL},  {12, 2, NULL},  {16, 2, NULL},  {16, 4, NULL}, {16, 8, NULL},
-                                     {24, 8, NULL}, {24, 16, NULL}, {32, 16, NULL}, {32, 32, NULL}};
+static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}, {32, 32}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. Then
  * this part of their widths stays even, so that none is without width. */
 static const double UNEVEN = 3, EVENLY = 1e-6;
@@ -171,9 +170,9 @@ static int is_settled(double moved, double moved_before, double allowed) {
 }
 
 /* The last rung of fewer nodes: a path that took many has nothing to learn from a few, and Newton on them wanders. */
-static int lowest_rung(const struct rung *ladder, int rungs, int32_t nodes) {
+static int lowest_rung(const uint8_t (*ladder)[2], int rungs, int32_t nodes) {
     int r = 0;
-    while (r + LEAST_RUNGS < rungs && ladder[r + 1].degree * ladder[r + 1].count < nodes)
+    while (r + LEAST_RUNGS < rungs && ladder[r + 1][0] * ladder[r + 1][1] < nodes)
         r++;
     return r;
 }
@@ -242,7 +241,7 @@ static struct climbed climb_chords(struct sp_newton *newton, const struct sp_opt
 
 /* Climbs until two neighbouring rungs agree. `first`: a path that all must be near to; of chords, if it has a storage: then of twice as
  * many if a rung at rest that has as many nodes is not. */
-static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const struct rung *ladder, int rungs,
+static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_options *options, const uint8_t (*ladder)[2], int rungs,
                                    struct sp_system *first, const struct sp_storage *chords, double first_length, struct sp_arena *arena) {
     struct climbed now = {.length = first_length};
     struct sp_system before = *first;
@@ -258,14 +257,14 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     for (int r = 0; r < rungs; r++) {
         int from_elements = r > 0 && before.elements.reference.degree > 1;
         arena->used = bottom;
-        if (r == 0 || ladder[r].degree != newton->system.elements.reference.degree) {
+        if (r == 0 || ladder[r][0] != newton->system.elements.reference.degree) {
             arena->used = floor;
-            if (!sp_reference_make(&newton->system.elements.reference, ladder[r].degree, arena))
+            if (!sp_reference_make(&newton->system.elements.reference, ladder[r][0], arena))
                 return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
             bottom = arena->used;
         }
         aim(newton, options, r < rungs - (follows ? LAST_RUNGS : 1));
-        struct rung rung = ladder[r];
+        struct rung rung = {ladder[r][0], ladder[r][1], NULL};
         for (int k = 0; uneven && k <= SP_SPREAD; k++)
             present[k] = spread[k], rung.spread = present;
         now = climb_guarded(newton, options, &before, first, first_length, rung, &start, arena);
@@ -318,10 +317,10 @@ int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, s
 
 /* The largest matrices, those of the last rung but one; the most nodes, those of the last; two stored paths. */
 double sp_refine_bytes(void) {
-    struct rung largest = LADDER[RUNGS - 2], last = LADDER[RUNGS - 1];
-    double order = sp_elements_order(largest.degree), degree = largest.degree, pairs = SP_REFINE_INNER / 2 + 3;
-    double numbers = order * order * (largest.count / 2) + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
-    return 4 * sp_reference_bytes(largest.degree) + numbers * sizeof(sp_pair) + (last.count / 2 + 1.0) * sizeof(struct sp_row) +
+    const uint8_t *largest = LADDER[RUNGS - 2], *last = LADDER[RUNGS - 1];
+    double order = sp_elements_order(largest[0]), degree = largest[0], pairs = SP_REFINE_INNER / 2 + 3;
+    double numbers = order * order * (largest[1] / 2) + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
+    return 4 * sp_reference_bytes(largest[0]) + numbers * sizeof(sp_pair) + (last[1] / 2 + 1.0) * sizeof(struct sp_row) +
            4 * (degree + 1) * sizeof(double) + 20 * 16;
 }
 
@@ -372,7 +371,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
                                   struct sp_arena *arena) {
     const int32_t *singular = newton->system.elements.singular;
     int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS;
-    const struct rung *ladder = graded ? GRADED : LADDER;
+    const uint8_t(*ladder)[2] = graded ? GRADED : LADDER;
     int lowest = lowest_rung(ladder, rungs, from->elements.reference.degree * from->elements.count);
     struct sp_system first = *from;
     return climb_all(newton, options, ladder + lowest, rungs - lowest, &first, NULL, length, arena);

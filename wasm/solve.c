@@ -133,7 +133,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     int32_t may = may_cross(line), pole = line->surface->kind == SP_PARAMETRIC ? request->pole : 0;
     result->crosses_singularity = 0;
     if (pole >= 1 && pole <= 4) return sp_pole_run(newton, options, pole - 1, request->from[2], request->to[2], arena, arcs);
-    if (pole >= 9 && pole <= 12 && request->from[2] > 0) return sp_hole_run(newton, options, pole - 9, request->from[2], arena, arcs);
+    if (pole >= 9 && pole <= 12) return sp_hole_run(newton, options, pole - 9, request->from[2], arena, arcs);
     if (!sp_refine_take(&storage, newton, arena)) return refined;
     size_t used = arena->used;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);

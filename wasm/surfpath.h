@@ -42,8 +42,8 @@ struct sp_request {
     int32_t pole;        /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; any other
                             number: none. 4 more: in a chart around that point, from the start or the straight line in it. to[2]: what the
                             coordinate along the edge changes by once around; 0: there are walls, and no chart. from[2]: how far beyond
-                            the edge the point lies, in the coordinate across. 8 more, if that is > 0: the path winds around the edge, as
-                            around a hole */
+                            the edge the point lies, in the coordinate across. 8 more: on elements that close in on the point, past it or,
+                            if it lies beyond the edge, around that, as around a hole */
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are

@@ -1,5 +1,7 @@
 /** Which of several paths between the same ends are the same one, judged by their lengths and where they run. */
 
+import { gap } from './rectangle.js';
+
 /** @typedef {import('./runtime/heap.js').RawPath} RawPath */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
@@ -22,8 +24,8 @@ export function isSame(a, b) {
   const [p, q] = [samplesOf(a), samplesOf(b)];
   let [away, size] = [0, 0];
   for (let i = 0; i < SAMPLES; i++) {
-    away = Math.max(away, distance(p, i, q, i));
-    size += distance(p, i, p, i + 1);
+    away = Math.max(away, gap(p[i], q[i]));
+    size += gap(p[i], p[i + 1]);
   }
   return away <= APART * size;
 }
@@ -31,27 +33,16 @@ export function isSame(a, b) {
 /** Whether a path is one of these. @param {{ path: RawPath }[]} list @param {{ path: RawPath }} found */
 export const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
 
-/**
- * Places along a path of equal chords, three numbers each: points, or u v 0 where it has no positions.
- * @param {RawPath} path @returns {Float64Array}
- */
+/** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {RawPath} path @returns {number[][]} */
 function samplesOf({ points, parameters }) {
   const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
-  const samples = new Float64Array(3 * (SAMPLES + 1));
   const last = numbers.length / width - 1;
-  for (let i = 0; i <= SAMPLES; i++) {
+  return Array.from({ length: SAMPLES + 1 }, (_, i) => {
     const at = (i / SAMPLES) * last;
     const before = Math.min(Math.floor(at), last - 1);
-    for (let k = 0; k < width; k++) {
+    return [0, 1, 2].map((k) => {
       const [from, to] = [numbers[width * before + k], numbers[width * (before + 1) + k]];
-      samples[3 * i + k] = from + (at - before) * (to - from);
-    }
-  }
-  return samples;
-}
-
-/** Between sample i of p and sample j of q. @param {Float64Array} p @param {number} i @param {Float64Array} q @param {number} j */
-function distance(p, i, q, j) {
-  const [x, y, z] = [p[3 * i] - q[3 * j], p[3 * i + 1] - q[3 * j + 1], p[3 * i + 2] - q[3 * j + 2]];
-  return Math.sqrt(x * x + y * y + z * z);
+      return k < width ? from + (at - before) * (to - from) : 0;
+    });
+  });
 }

@@ -2,7 +2,7 @@
 
 import { FRACTIONS, gap, linePlaces, POSITION_GAP, reach } from './rectangle.js';
 import { findSeams } from './seams.js';
-import { findHole, findPinches, findPoles, isRound, leastAcross, tipAt, turning } from './tips.js';
+import { findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning } from './tips.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Sampled} Sampled */
@@ -71,7 +71,7 @@ function describeEdges(glued, written, surface) {
   const tips = [
     ...poles.map((pole) =>
       tensors
-        ? { pole, beyond: 0, at: null, radius: 0, smooth: periodic[pole > 2 ? 0 : 1] && isRound(tensors, range, pole) }
+        ? { pole, beyond: 0, at: null, radius: 0, smooth: periodic[pole > 2 ? 0 : 1] && isSmooth(tensors, range, pole) }
         : tipAt(jets, range, periodic, pole, (pole - 1) & 1),
     ),
     ...holes,
@@ -119,10 +119,7 @@ function freeCoordinate(domain, point) {
  */
 export function facePoles(domain, a, b) {
   if (!domain) return [a, b];
-  const face = (/** @type {number[]} */ point, /** @type {number[]} */ other) => {
-    const free = freeCoordinate(domain, point);
-    return free < 0 ? point : point.map((x, j) => (j === free ? other[j] : x));
-  };
-  const second = face(b, a);
-  return freeCoordinate(domain, b) < 0 ? [face(a, b), b] : [a, second];
+  const face = (/** @type {number[]} */ point, /** @type {number[]} */ other) =>
+    point.map((x, j) => (j === freeCoordinate(domain, point) ? other[j] : x));
+  return freeCoordinate(domain, b) < 0 ? [face(a, b), b] : [a, face(b, a)];
 }

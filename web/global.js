@@ -205,7 +205,7 @@ function asTheyAre({ solve }, options, unfollowed, most) {
  * @param {Problem} problem
  */
 function isPointed({ from, to, domain, graph }) {
-  return !!domain?.poles.some((pole) => isAtPole(domain, from, pole) || isAtPole(domain, to, pole)) && !graph(0)?.singular;
+  return !!domain?.poles.some((pole) => [from, to].some((end) => isAtPole(domain, end, pole))) && !graph(0)?.singular;
 }
 
 /**

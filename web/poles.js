@@ -17,6 +17,7 @@ import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
 /** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
+/** @typedef {import('./tips.js').Tip} Tip */
 
 /** A chord that turns around a pole by so much of a turn is not meant. */
 const MOST_OF_A_TURN = 0.75;
@@ -32,19 +33,18 @@ const BESIDE_STEPS = 60;
  * @param {Problem} problem @param {SolveOptions} options @param {Found[]} tried @param {Found[]} rough those that hold
  * @returns {Way[]}
  */
-export function overPoles({ from, to, domain, isPlain, solve }, options, tried, rough) {
+export function overPoles(problem, options, tried, rough) {
+  const { from, to, domain, isPlain } = problem;
   if (!domain || options.algorithm !== ELEMENTS) return [];
   const points = isPlain && tried.find(({ path }) => path.points.length > 0)?.path.points;
   const ends = copies(domain, to);
   return ends
     .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
-    .filter((tip) => tip.beyond > 0 || (!isAtPole(domain, from, tip.pole) && !isAtPole(domain, tip.to, tip.pole)))
+    .filter((tip) => tip.beyond > 0 || ![from, tip.to].some((end) => isAtPole(domain, end, tip.pole)))
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
     .map((tip) => {
-      const along = tip.pole > 2 ? 0 : 1;
-      const end = [...tip.to, domain.periodic[along] ? domain.upper[along] - domain.lower[along] : 0];
-      const again = (/** @type {SolveOptions} */ asked) => solve(end, null, asked, tip.pole, tip.beyond);
+      const again = (/** @type {SolveOptions} */ asked) => solveAt(problem, tip, true, tip.to, null, asked);
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
       return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })
@@ -74,42 +74,49 @@ export function shorterOverPole(ways, others) {
 }
 
 /**
+ * Solves over a pole or, on the shorter side, past it, or around a hole: where the surface is smooth in a chart around it, else on elements that close in on it.
+ * @param {Problem} problem @param {Tip} tip @param {boolean} isOver @param {number[]} to @param {Float64Array | null} start @param {SolveOptions} options
+ */
+function solveAt({ from, domain, solve }, { pole, beyond, smooth }, isOver, to, start, options) {
+  const range = /** @type {import('./domain.js').Domain} */ (domain);
+  const along = pole > 2 ? 0 : 1;
+  const end = [...liftNear(range, to, from), range.periodic[along] ? range.upper[along] - range.lower[along] : 0];
+  return solve(end, start, options, pole + (isOver ? 0 : smooth && !(beyond > 0) ? 4 : 8), beyond);
+}
+
+/**
  * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
  */
-export function besidePoles({ from, domain, solve }, options, ways, others) {
+export function besidePoles(problem, options, ways, others) {
   let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
   const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
   /** @type {Found[]} */
   const found = [];
   for (const tip of ways) {
-    const { pole, beyond, at, radius, bound } = tip;
+    const { to, beyond, radius, bound } = tip;
     if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
-    const range = /** @type {import('./domain.js').Domain} */ (domain);
-    const along = pole > 2 ? 0 : 1;
-    const end = [...liftNear(range, tip.to, from), range.upper[along] - range.lower[along]];
-    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
-    const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
-    for (const kind of [...(at || !beyond ? [4] : []), ...(beyond > 0 ? [8] : [])]) {
-      const again = (/** @type {SolveOptions} */ wanted) => solve(end, null, wanted, pole + kind, beyond);
-      const way = { to: end, again, path: again(asked) };
-      if (way.path.status >= CONVERGED) found.push(way);
-      if (holds(way)) shortest = Math.min(shortest, way.path.length);
-      else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
-    }
+    const again = (/** @type {SolveOptions} */ wanted) => solveAt(problem, tip, false, to, null, wanted);
+    const way = { to, again, path: again(asked) };
+    if (way.path.status >= CONVERGED) found.push(way);
+    if (holds(way)) shortest = Math.min(shortest, way.path.length);
+    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */ else if (
+      tip.smooth &&
+      bound > 0 &&
+      !(beyond > 0)
+    )
+      tip.path = tip.again(compared(options));
   }
   return found;
 }
 
-/** Solves from a path found roughly; past a pole of a round metric in a chart around that. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
-export function refine({ from, domain, solve }, { to, path }, options) {
+/** Solves from a path found roughly; past a pole of a metric as beside one. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+export function refine(problem, { to, path }, options) {
+  const { domain, solve } = problem;
   const parameters = path.parameters && domain ? unwound(domain, path.parameters) : path.parameters;
-  const pole = domain && parameters && options.algorithm === ELEMENTS && passedPole(domain, parameters, SHARP);
-  if (pole && domain.tips.some((tip) => tip.pole === pole && tip.smooth && !tip.at)) {
-    const along = pole > 2 ? 0 : 1;
-    const beside = solve([...liftNear(domain, to, from), domain.upper[along] - domain.lower[along]], parameters, options, pole + 4);
-    if (holds({ path: beside })) return beside;
-  }
+  const tip = domain && parameters && options.algorithm === ELEMENTS && passedTip(domain, parameters, SHARP);
+  const beside = tip && !tip.at && solveAt(problem, tip, false, to, parameters, options);
+  if (beside && holds({ path: beside })) return beside;
   return solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? path.points, options);
 }
 
@@ -128,18 +135,21 @@ function unwound({ lower, upper, periodic, poles }, parameters) {
 }
 
 /**
- * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; 0: none.
+ * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; null: none.
  * @param {import('./domain.js').Domain} domain @param {Float64Array} parameters @param {number} part
  */
-export function passedPole({ lower, upper, tips }, parameters, part) {
-  let [passed, nearest] = [0, Infinity];
-  for (const { pole } of tips) {
+export function passedTip({ lower, upper, tips }, parameters, part) {
+  /** @type {Tip | null} */
+  let passed = null;
+  let nearest = Infinity;
+  for (const tip of tips) {
+    const { pole } = tip;
     const across = (pole - 1) >> 1;
     const along = 1 - across;
     for (let i = 2; i < parameters.length; i += 2) {
       const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
       const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
-      if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [pole, away];
+      if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [tip, away];
     }
   }
   return passed;

@@ -4,6 +4,7 @@
  * have no part in it, is the same in every engine. */
 
 import { compile } from './expression/compile.js';
+import { dot } from './rectangle.js';
 
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./runtime/solver.js').Solver} Solver */
@@ -17,9 +18,6 @@ const LEAST = 0.03;
 
 /** @param {number[]} a @param {number[]} b */
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-
-/** @param {number[]} a @param {number[]} b */
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** @param {number[]} a */
 function unit(a) {

@@ -5,7 +5,7 @@ import { facePoles } from './domain.js';
 import { findPaths } from './global.js';
 import { copies, liftEnds, moveOnto } from './lifts.js';
 import { makePath } from './path.js';
-import { passedPole, passPoles } from './poles.js';
+import { passedTip, passPoles } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
@@ -54,7 +54,7 @@ export function solveNear(field, ends, options, start) {
   };
   /* Cut short, it may only take long. */
   const isOpen = isCut && near.iterations >= PATIENCE && !holds({ path: near });
-  const slips = near.parameters && mayPass && passedPole(domain, near.parameters, SLIPPING) > 0;
+  const slips = near.parameters && mayPass && passedTip(domain, near.parameters, SLIPPING);
   let passing = !isOpen || slips ? pass() : undefined;
   if (isOpen && !passing) {
     near = solve(options);

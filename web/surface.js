@@ -10,6 +10,7 @@ import { Graphs } from './graphs.js';
 import { bridgesSheets, meshRectangle } from './mesh.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkOptions, describe, makePath, readOptions, readStart } from './path.js';
+import { gap } from './rectangle.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED, NOT_FINITE, OFF_SURFACE, STATUS } from './runtime/status.js';
@@ -560,7 +561,7 @@ export class Surface {
     const grid = this.#meshRectangle(this.#domain, SEARCH);
     let [best, least] = [0, Infinity];
     for (let i = 0; i < grid.positions.length / 3; i++) {
-      const away = [0, 1, 2].reduce((sum, k) => sum + (grid.positions[3 * i + k] - target[k]) ** 2, 0);
+      const away = gap(grid.positions.subarray(3 * i), target);
       if (away < least) [best, least] = [i, away];
     }
     return Array.from(/** @type {Float64Array} */ (grid.parameters).subarray(2 * best, 2 * best + 2));

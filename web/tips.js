@@ -11,9 +11,9 @@ import { dot, FRACTIONS, gap, linePlaces, POSITION_GAP, reach, vector } from './
 /** An edge that is almost a point: the point is so near, in parts of the range, and equally near everywhere along the edge, up to this part of that. */
 const NEAR_POINT = 0.05;
 const SAME_POINT = 0.1;
-/** The surface is smooth at a point if derivatives around it differ from those of a plane by less, as SMOOTH of wasm/polar.c. */
+/** The surface is smooth at a point if derivatives around it differ from those of a plane by less. */
 const FLAT = 1e-5;
-/** So near to a point, in parts of the range, a metric is as at it. */
+/** So near to a point, in parts of the range, and twice as far, a metric tells what it is at it. */
 const BESIDE = 1e-4;
 /** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of Newton's method find the place. */
 const [SCANNED, SCANNED_LINES, BEGIN, SETTLING] = [48, [0.137, 0.611], 0.3183, 6];
@@ -205,15 +205,26 @@ function hasNoLength(tensors, range) {
 }
 
 /**
- * Whether E, F and G around an edge that is a point are those of a plane around it, once around.
+ * Whether E, F and G around an edge that is a point are those of a surface that is smooth there, once around.
  * @param {Sampler} tensors @param {Range} range @param {number} pole
  */
-export function isRound(tensors, range, pole) {
+export function isSmooth(tensors, range, pole) {
   const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
   const [away, turn] = [across, 1 - across].map((j) => range.upper[j] - range.lower[j]);
-  const circle = (2 * Math.PI * BESIDE * away) / turn;
-  const edge = tensors(linePlaces(range, across, side, FRACTIONS)).map((tensor) => tensor[2 * across]);
-  const beside = tensors(linePlaces(range, across, Math.abs(side - BESIDE), FRACTIONS));
-  const is = (/** @type {number} */ x, /** @type {number} */ expected) => Math.abs(x / edge[0] - expected) <= FLAT;
-  return beside.every((tensor, i) => is(edge[i], 1) && is(tensor[1] / circle, 0) && is(tensor[2 - 2 * across] / circle ** 2, 1));
+  /* Over dr and r dθ: what the diagonal differs by, twice the mixed part, the trace. */
+  const around = (/** @type {number} */ fraction) => {
+    const circle = ((side ? -2 : 2) * Math.PI * fraction * away) / turn;
+    return tensors(linePlaces(range, across, Math.abs(side - fraction), FRACTIONS)).map((tensor) => {
+      const [outwards, along] = [tensor[2 * across], tensor[2 - 2 * across] / circle ** 2];
+      return [outwards - along, (2 * tensor[1]) / circle, outwards + along];
+    });
+  };
+  const far = around(2 * BESIDE);
+  const at = around(BESIDE).map((near, i) => near.map((x, k) => 2 * x - far[i][k]));
+  /* The first two turn back twice as fast as the directions, by an eighth of a turn. */
+  return at
+    .slice(1)
+    .every(
+      (next, i) => gap(next, [(at[i][0] + at[i][1]) * Math.SQRT1_2, (at[i][1] - at[i][0]) * Math.SQRT1_2, at[i][2]]) <= FLAT * next[2],
+    );
 }

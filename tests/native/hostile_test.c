@@ -22,14 +22,15 @@ static struct sp_result solve(const struct sp_surface *surface, const struct sp_
     return result;
 }
 
-/* A pole that is none of the four edges was read from beyond the walls. */
+/* A pole that is none of the four edges was read from beyond the walls. Past an edge, 9 … 12, it is the same path, on other elements. */
 static void check_pole(void) {
     struct sp_request request = {{0.1, 0.2, 0}, {1.4, -0.3, 0}, NULL, 0, 0}, wrong = request;
     struct sp_result plain = solve(&globe_surface, &request);
     for (int32_t pole = 5; pole < 14; pole++) {
         wrong.pole = pole;
         struct sp_result result = solve(&globe_surface, &wrong);
-        CHECK(result.status == SP_CONVERGED && result.length == plain.length, "pole %d: status %d", pole, result.status);
+        double most = pole > 8 && pole < 13 ? plain.length_error + result.length_error : 0;
+        CHECK(result.status == SP_CONVERGED && fabs(result.length - plain.length) <= most, "pole %d: status %d", pole, result.status);
     }
 }
 

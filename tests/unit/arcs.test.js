@@ -172,7 +172,7 @@ describe('poles', () => {
   });
 
   /* Unrolled, the shortest path between two places of a cone is straight. Closed, or a sector hardly wider than the path, which then bends in space as
-   * sharply as it passes the apex closely, unless the cone is flat. */
+   * sharply as it passes the apex closely. */
   for (const steepness of [0, 0.2, 1, 5])
     test(`beside the apex of a cone of steepness ${steepness}`, () => {
       const slope = Math.sqrt(1 + steepness ** 2);
@@ -187,7 +187,7 @@ describe('poles', () => {
           const [a, b] = [0.6 * slope, 1.3 * slope];
           const path = surface.shortestPath([0.02, 0.6], [0.02 + angle * slope, 1.3]);
           const length = Math.sqrt((a - b) ** 2 + 4 * a * b * Math.sin(angle / 2) ** 2);
-          if (surface === closed || steepness === 0 || path.converged || (steepness <= 1 && away >= 0.1)) assertLength(path, length, 1e-9);
+          if (surface === closed || path.converged || (steepness <= 1 && away >= 1e-4)) assertLength(path, length, 1e-9);
         }
     });
 

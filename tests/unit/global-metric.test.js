@@ -97,6 +97,24 @@ describe('metrics around a pole, by distance and angle', () => {
       (a, b) => Math.acos(Math.cos(a[0]) * Math.cos(b[0]) + Math.sin(a[0]) * Math.sin(b[0]) * Math.cos(a[1] - b[1])),
     ],
   ];
+  const stretched = { ...around, E: '1 + 3*cos(v)^2', F: '-3*u*sin(v)*cos(v)', G: 'u^2*(1 + 3*sin(v)^2)' };
+  const apart = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    Math.hypot(2 * (a[0] * Math.cos(a[1]) - b[0] * Math.cos(b[1])), a[0] * Math.sin(a[1]) - b[0] * Math.sin(b[1]));
+  planes.push(['a plane, stretched', stretched, apart]);
+
+  test('half a plane, stretched: straight past its corner, and through it only where that is straight', () => {
+    const half = make({ ...stretched, v: [0, 'pi'], periodic: 'auto' });
+    const random = createRandom(37);
+    for (let i = 0; i < 60; i++) {
+      const [from, to] = [0, 1].map(() => [10 ** -random.between(0, i % 2 ? 5 : 1), random.between(0, Math.PI)]);
+      const path = half.shortestPath(from, to);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      assert.ok(Math.abs(path.length - apart(from, to)) <= path.lengthError + 1e-14, `${from} to ${to}: ${path.length}`);
+    }
+    const along = make({ ...around, E: 1, G: 'u^2', v: [0, 'pi'], periodic: 'auto' }).shortestPath([1, 0], [0.5, Math.PI]);
+    assert.ok(along.converged && Math.abs(along.length - 1.5) <= 1e-14, `${along.status} ${along.length}`);
+  });
+
   for (const [name, definition, distance] of planes) {
     const surface = make(definition);
     const { u } = /** @type {{ u: number[] }} */ (surface.domain);

@@ -80,6 +80,52 @@ describe('from a pole, given any longitude', () => {
     });
 });
 
+describe('from beside an apex or the tip of a cusp, as near as can be', () => {
+  for (const radius of [2, 0.5, 0.02])
+    test(`cone of radius ${radius} at height 1: as long as unrolled, within what they say`, () => {
+      const cone = surfpath.surface(definitionOf(`${radius} v cos(u)`, `${radius} v sin(u)`, 'v', [0, 1]));
+      const random = createRandom(23);
+      const slant = Math.hypot(1, radius);
+      for (let i = 0; i < 2 * PAIRS; i++) {
+        const from = [random.between(0, TURN), 10 ** -random.between(1, 10)];
+        const to = [random.between(0, TURN), random.between(0.3, 1)];
+        const around = Math.abs(from[0] - to[0]);
+        const angle = (Math.min(around, TURN - around) * radius) / slant;
+        const [a, b] = [slant * from[1], slant * to[1]];
+        const length = Math.hypot(a - b, 2 * Math.sqrt(a * b) * Math.sin(angle / 2));
+        for (const path of [cone.shortestPath(from, to), cone.shortestPath(to, from)]) {
+          assert.equal(path.status, 'converged', `${from} to ${to}`);
+          /* The last bits of the formula. */
+          assert.ok(Math.abs(path.length - length) <= path.lengthError + 4e-16, `${from} to ${to}: ${path.length}, not ${length}`);
+        }
+      }
+    });
+
+  for (const [name, x, z] of [
+    ['round cusp', 'v^2 cos(u)', 'v'],
+    ['lemon', '(cos(v - 2.0943951023931953) + .5) cos(u)', 'sin(v - 2.0943951023931953)'],
+  ])
+    test(`${name}: converged, and the longer the farther around, but never longer than by the tip`, () => {
+      const surface = surfpath.surface(definitionOf(x, x.replace('cos(u)', 'sin(u)'), z, [0, 1]));
+      const random = createRandom(29);
+      for (let i = 0; i < PAIRS; i++) {
+        const away = 10 ** -random.between(1, 10);
+        const height = random.between(0.3, 1);
+        const [tip, far] = [surface.shortestPath([0, 0], [0, away]).length, surface.shortestPath([0, 0], [0, height]).length];
+        let least = far - tip;
+        for (const angle of [0.5, 1.5, 2.5, 3]) {
+          const path = surface.shortestPath([1, away], [1 + angle, height]);
+          assert.equal(path.status, 'converged', `${away} from the tip, ${angle} around`);
+          assert.ok(
+            path.length >= least - 2e-15 && path.length <= far + tip + 2e-15,
+            `${away} from the tip, ${angle} around: ${path.length}`,
+          );
+          least = path.length;
+        }
+      }
+    });
+});
+
 test('a cone as thin as a needle: as long as unrolled, on the side that is nearer', () => {
   const needle = surfpath.surface(definitionOf('.02v cos(u)', '.02v sin(u)', 'v', [0, 1]));
   const random = createRandom(19);
