@@ -3,10 +3,14 @@
  * path from one piece to another leads through the points between them. MATH.md, "Pieces".
  */
 
+import { isAtPole } from './domain.js';
 import { joinPieces } from './join.js';
 import { moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
+import { makePath } from './path.js';
 import { findGlobal, solveNear } from './routes.js';
+import { emptyPath } from './runtime/heap.js';
+import { CONVERGED } from './runtime/status.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./domain.js').Domain} Domain */
@@ -17,9 +21,23 @@ import { findGlobal, solveNear } from './routes.js';
 /** @typedef {'global' | Float64Array | null} Start how a path is looked for: by a search, near a polyline, or straight */
 /** @typedef {{ piece: Field, ends: number[][] }} Leg of a way, within a piece */
 
+/**
+ * The path of length 0 between two ends that are the same pole, from which nothing can tell where it leads; null if they are not.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
+ */
+function findPoint({ domain, positions }, ends, options) {
+  if (!domain?.poles.some((pole) => ends.every((end) => isAtPole(domain, end, pole)))) return null;
+  const parameters = Float64Array.from({ length: 2 * options.points + 4 }, (_, i) => ends[i > 2 * options.points + 1 ? 1 : 0][i & 1]);
+  const points = positions?.(parameters) ?? new Float64Array();
+  return makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
+}
+
 /** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
 const findIn = (field, ends, options, start) =>
-  start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start);
+  findPoint(field, ends, options) ?? (start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start));
+
+/** An end this near to a point between pieces, in parts of a piece, is that point. */
+const ROUNDING = 1e-14;
 
 /** @param {Path} path */
 const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
@@ -32,7 +50,7 @@ function follow({ domain }, legs, options, from) {
   const points = Math.max(options.points, 2 * legs.length - 1);
   const solve = (/** @type {number} */ i, /** @type {number} */ own) =>
     findGlobal(legs[i].piece, legs[i].ends, { ...options, points: own }, 1)[0];
-  const path = legs.length > 1 ? joinPieces(legs.length, points, solve, domain) : solve(0, points);
+  const path = joinPieces(legs.length, points, solve, domain);
   return placed(domain, points > options.points ? thinned(path, options.points + 2) : path, from);
 }
 
@@ -51,7 +69,7 @@ function thinned(path, count) {
   };
   return {
     ...path,
-    points: path.points.length > 0 ? pick(path.points, 3) : path.points,
+    points: pick(path.points, 3),
     parameters: path.parameters && pick(path.parameters, 2),
   };
 }
@@ -75,10 +93,12 @@ function boundOf({ domain, positions }, legs) {
 function into({ across, period }, { domain }, place) {
   const { lower, upper } = /** @type {Domain} */ (domain);
   const x = place[across];
-  const isHere = x >= lower[across] && x <= upper[across];
-  const lifted = period > 0 && !isHere ? x - period * Math.floor((x - lower[across]) / period) : x;
-  if (!(lifted >= lower[across] && lifted <= upper[across])) return null;
-  return place.map((own, j) => (j === across ? lifted : own));
+  const lifted = period > 0 ? x - period * Math.floor((x - lower[across]) / period) : x;
+  const edge = [lower, upper]
+    .map((corner) => corner[across])
+    .find((y) => Math.abs(lifted - y) <= ROUNDING * (upper[across] - lower[across]));
+  if (edge === undefined && !(lifted > lower[across] && lifted < upper[across])) return null;
+  return place.map((own, j) => (j === across ? (edge ?? lifted) : own));
 }
 
 /**
@@ -144,13 +164,17 @@ export function findPath(field, ends, options, start) {
   const near = isNear ? solve(ways[0]) : null;
   if (near && isPath(near)) return near;
   const open = (isNear ? ways.slice(1) : ways).map((legs) => ({ legs, bound: boundOf(field, legs) })).sort((a, b) => a.bound - b.bound);
-  const best = open.reduce((/** @type {Path | null} */ shortest, { legs, bound }) => {
-    if (shortest && bound >= mostOf(shortest)) return shortest;
+  let best = near;
+  let missed = Infinity;
+  for (const { legs, bound } of open) {
+    if (best && bound >= mostOf(best)) break;
     const path = solve(legs);
+    if (!(path.length >= 0)) missed = Math.min(missed, bound);
     /* One that is shorter tells, whatever its status: then no longer one is the shortest. */
-    return shortest && !(mostOf(path) < mostOf(shortest)) ? shortest : path;
-  }, near);
-  return /** @type {Path} */ (best);
+    if (!best || mostOf(path) < mostOf(best)) best = path;
+  }
+  const shortest = /** @type {Path} */ (best);
+  return isPath(shortest) && missed < shortest.length ? { ...shortest, status: 'stalled', converged: false } : shortest;
 }
 
 /**
@@ -159,8 +183,8 @@ export function findPath(field, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGeodesics(field, ends, options, most) {
-  if (field.pieces.length === 0) return findGlobal(field, ends, options, most);
-  const [nearest] = waysBetween(field, ends);
-  if (nearest.length > 1) return [findPath(field, ends, options, 'global')];
-  return findGlobal(nearest[0].piece, nearest[0].ends, options, most).map((path) => placed(field.domain, path, ends[0]));
+  const [nearest] = field.pieces.length > 0 ? waysBetween(field, ends) : [[{ piece: field, ends }]];
+  const [leg] = nearest;
+  if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findPath(field, ends, options, 'global')];
+  return findGlobal(leg.piece, leg.ends, options, most).map((path) => placed(field.domain, path, ends[0]));
 }

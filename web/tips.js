@@ -15,7 +15,7 @@ const SAME_POINT = 0.1;
 const FLAT = 1e-5;
 /** So near to a point, in parts of the range, and twice as far, a metric tells what it is at it. */
 const BESIDE = 1e-4;
-/** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of Newton's method find the place. */
+/** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of the secant method find the place. */
 const [SCANNED, SCANNED_LINES, BEGIN, SETTLING] = [48, [0.137, 0.611], 0.3183, 6];
 /** Beside a double zero one of the squared speeds is so many times that at the nearest place: 81 at least where it is one of a parabola. */
 const TOUCHING = 16;
@@ -77,7 +77,6 @@ export function findHole(jets, range, periodic, pole) {
  * @returns {number[]} it, ascending
  */
 export function findPinches(jets, range, across) {
-  const span = range.upper[across] - range.lower[across];
   const scan = Array.from({ length: SCANNED + 1 }, (_, i) => (i + BEGIN) / (SCANNED + 1));
   const speed = (/** @type {Float64Array} */ sampled, /** @type {number} */ i) => vector(sampled, i, across ? 3 : 6);
   /* Of each line, what the speeds at two of its places multiply to. */
@@ -96,13 +95,14 @@ export function findPinches(jets, range, across) {
       });
     return isLeast ? 2 : 0;
   };
-  /** Where the speed vanishes near a part of the range. @param {number} fraction @param {number} order of the zero */
-  const settle = (fraction, order) => {
-    let at = fraction;
+  /** Where three numbers of the jets vanish near two parts of the range, by the secant method. @param {number} before @param {number} at @param {number} offset */
+  const settle = (before, at, offset) => {
+    const numbers = (/** @type {number} */ x) => vector(jets(linePlaces(range, across, x, SCANNED_LINES)), 0, offset);
+    const along = numbers(at);
+    let last = dot(numbers(before), along);
     for (let step = 0; step < SETTLING; step++) {
-      const sampled = jets(linePlaces(range, across, at, SCANNED_LINES));
-      const change = vector(sampled, 0, 12);
-      at -= (order * dot(speed(sampled, 0), change)) / (dot(change, change) * span) || 0;
+      const value = dot(numbers(at), along);
+      [before, at, last] = [at, at - (value * (at - before)) / (value - last) || at, value];
     }
     return at;
   };
@@ -111,7 +111,8 @@ export function findPinches(jets, range, across) {
   for (let i = 0; i < SCANNED; i++) {
     const order = orderAt(i);
     if (order === 0) continue;
-    const at = settle(order === 1 ? (scan[i] + scan[i + 1]) / 2 : scan[i], order);
+    /* A double zero of the speed, which rounding blurs, is a simple one of its change. */
+    const at = order === 1 ? settle(scan[i], scan[i + 1], across ? 3 : 6) : settle(scan[i - 1], scan[i + 1], 12);
     const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction, FRACTIONS);
     const beside = scan[at < (scan[i] + scan[i + 1]) / 2 ? i + 1 : i];
     if (at > scan[0] && at < scan[SCANNED] && isOnePlace(jets)(place(at), place(beside)))
@@ -170,16 +171,16 @@ function isFlat(sampled, direction) {
 }
 
 /**
- * By how much the direction across turns along a line of the rectangle: radians, exact where it stays in a plane.
+ * By how much the direction across turns along a line of the rectangle: radians, to 1e-6 where it stays in a plane.
  * @param {Jets} jets @param {number[]} places @param {number} direction
  */
 export function turning(jets, places, direction) {
   const sampled = jets(places);
   const across = FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)).map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
   return across.slice(1).reduce((sum, x, i) => {
-    /* Twice the arcsine of half the chord, as in wasm/pole.c. */
+    /* Twice the arcsine of half the chord. */
     const [chord, square] = [gap(x, across[i]), gap(x, across[i]) ** 2];
-    return sum + chord * (1 + (square / 24) * (1 + ((9 * square) / 80) * (1 + (25 * square) / 168)));
+    return sum + chord * (1 + (square / 24) * (1 + (9 * square) / 80));
   }, 0);
 }
 

@@ -85,6 +85,13 @@ describe('a double cone', () => {
     }
   });
 
+  test('from the apex to itself, whatever the angle: a point', () => {
+    for (const path of [surface.shortestPath([1, 0], [2, 0]), ...surface.geodesics([1, 0], [1, 0])]) {
+      assert.deepEqual([path.status, path.length, path.lengthError, path.points.length], ['converged', 0, 0, 198]);
+      assert.ok(path.points.every((x) => x === 0));
+    }
+  });
+
   test('as many points as asked for, and the same however it is asked', () => {
     const [from, to] = [
       [1, -0.5],
@@ -266,3 +273,22 @@ describe('poles whose radius is zero up to rounding, on either side', () => {
     close(path.length, (2 * TURN) / 3);
   });
 });
+
+for (const low of [-Math.PI, -1, 0])
+  test(`a horn torus from v = ${low}: from its point, and from as near as can be told, never the long way round`, () => {
+    const surface = surfpath.parametric({
+      x: '(1 + cos(v)) cos(u)',
+      y: '(1 + cos(v)) sin(u)',
+      z: 'sin(v)',
+      u: [0, TURN],
+      v: [low, low + TURN],
+    });
+    for (const away of [0, 1e-15, -1e-15, 1e-13, 1e-9, 1e-6, -1e-6, 1e-4]) {
+      const v = Math.PI + away > low + TURN ? away - Math.PI : Math.PI + away;
+      const path = surface.shortestPath([0, v], [1, 1]);
+      /* Beside the point the radius is all rounding. */
+      assert.ok(path.converged || (away !== 0 && Math.abs(away) < 1e-5), `${away}: ${path.status}`);
+      if (path.converged) assert.ok(Math.abs(path.length - (Math.PI - 1 + away)) <= 1e-12, `${away}: ${path.length}`);
+    }
+    surface.dispose();
+  });

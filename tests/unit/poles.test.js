@@ -80,6 +80,20 @@ describe('from a pole, given any longitude', () => {
     });
 });
 
+test('from a pole to itself, whatever the longitude: a point', () => {
+  const plane = surfpath.metric({ E: 1, F: 0, G: 'u^2', u: [0, 1], v: [0, '2pi'], periodic: { v: true } });
+  for (const [surface, from, to] of /** @type {const} */ ([
+    [surfpath.surface(sphereByHeight), [1, 0], [4, 0]],
+    [surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 'v', u: [0, '2pi'], v: [0, 1] }), [0, 0], [0, 0]],
+    [plane, [0, 1], [0, 2]],
+  ]))
+    for (const start of /** @type {const} */ (['global', 'straight'])) {
+      const path = surface.shortestPath([...from], [...to], { start, points: 5 });
+      assert.deepEqual([path.status, path.length, path.lengthError, path.points.length], ['converged', 0, 0, surface === plane ? 0 : 21]);
+      assert.deepEqual([...(path.parameters ?? [])].slice(-4), [...from, ...to]);
+    }
+});
+
 describe('from beside an apex or the tip of a cusp, as near as can be', () => {
   for (const radius of [2, 0.5, 0.02])
     test(`cone of radius ${radius} at height 1: as long as unrolled, within what they say`, () => {
