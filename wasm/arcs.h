@@ -34,8 +34,9 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
 struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond, double period,
                               struct sp_arena *arena, struct sp_arcs *arcs);
 
-/* Solves a path around an edge that is almost a point: around a hole, whose middle lies `beyond` it. The end nodes of newton->system.line
- * tell from where to where, and on which side. SP_SINGULAR_METRIC where that fails, or the path passes beside the hole. */
+/* Solves a path close by an edge that is a point, or almost one, a hole, whose middle lies `beyond` it: around the hole where that is in
+ * the way; else past it, and arcs->count is 0 and newton->system the path. The end nodes of newton->system.line tell from where to where,
+ * and on which side. SP_SINGULAR_METRIC where that fails. */
 struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
                               struct sp_arena *arena, struct sp_arcs *arcs);
 

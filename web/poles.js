@@ -99,13 +99,10 @@ export function besidePoles(problem, options, ways, others) {
     const again = (/** @type {SolveOptions} */ wanted) => solveAt(problem, tip, false, to, null, wanted);
     const way = { to, again, path: again(asked) };
     if (way.path.status >= CONVERGED) found.push(way);
+    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
+    const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
     if (holds(way)) shortest = Math.min(shortest, way.path.length);
-    /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */ else if (
-      tip.smooth &&
-      bound > 0 &&
-      !(beyond > 0)
-    )
-      tip.path = tip.again(compared(options));
+    else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
   }
   return found;
 }
