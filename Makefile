@@ -162,7 +162,7 @@ define shrink
 @wasm-opt $(BINARYEN) $(1) -Oz -S $@ -o $@.wat
 @node wasm/shorten.js $@.wat
 @wasm-as $(BINARYEN) $(1) $@.wat -o $@
-@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --optimize-instructions --reorder-functions --generate-stack-ir --optimize-stack-ir $@ -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --reorder-functions --generate-stack-ir --optimize-stack-ir $@ -o $@
 @rm $@.wat
 endef
 
@@ -186,7 +186,7 @@ dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
-BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=3000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=2000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -202,7 +202,7 @@ dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=3000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
+	@$(BIN)/esbuild $< --bundle --minify --line-limit=2000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
 dist/types/index.d.ts: $(WEB) tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
