@@ -10,6 +10,7 @@ static const double BETWEEN = 1e-3;
 static const double STEP = 0.5;
 /* Part of the angles of both tangents from which on they are tried: where the surface is curved, or has a density, they are smaller. */
 static const double SURELY_BESIDE = 0.8;
+/* Between the ends, radians: at the tip of a cusp there is none, and the line would lead over it. */
 static const double LEAST_ANGLE = 1e-3, PI = 3.14159265358979323846;
 
 static double absolute(double x) { return x < 0 ? -x : x; }

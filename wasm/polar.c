@@ -5,6 +5,7 @@
 
 /* Of the first path: what is near a pole is small. */
 enum { POINTS = 129 };
+/* Radians: ends half a turn apart may be more than that to rounding, and by as much as a smooth surface may seem not to be one. */
 static const double TURN = 6.28318530717958647693, SLACK = 1e-5;
 /* Of the ends' distances: nearer than that derivatives lose more to rounding than they change, those of a tensor, divided by squares,
  * sooner. Of the range: what rounding leads outside. */
