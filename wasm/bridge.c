@@ -1,6 +1,7 @@
 /* Lengths of bridges, their derivatives by the crossings, and quasi-Newton steps (BFGS) on these. MATH.md, "Arcs". */
 #include "bridge.h"
 #include "metric.h"
+#include <string.h>
 
 static const double SLACK = 1e-14, ASIDE = 0.1;
 static const double FIRST_STEP = 0.25, LEAST_STEP = 1e-14; /* of a crossing's reach */
@@ -94,12 +95,10 @@ static int solve_arcs(struct sp_newton *newton, const struct sp_options *options
 
 int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_bridge *bridge,
                     struct sp_arena *arena) {
-    double slope[SP_CROSSINGS] = {0}, reach[SP_CROSSINGS] = {0};
-    for (int32_t i = 0; i < bridge->count; i++)
-        slope[i] = bridge->slope[i], reach[i] = bridge->reach[i];
+    double slope[SP_CROSSINGS], reach[SP_CROSSINGS];
+    memcpy(slope, bridge->slope, sizeof slope), memcpy(reach, bridge->reach, sizeof reach);
     if (solve_arcs(newton, options, checked, bridge, arena)) return 1;
-    for (int32_t i = 0; i < bridge->count; i++)
-        bridge->slope[i] = slope[i], bridge->reach[i] = reach[i];
+    memcpy(bridge->slope, slope, sizeof slope), memcpy(bridge->reach, reach, sizeof reach);
     return 0;
 }
 

@@ -1,6 +1,7 @@
 /* The closest point of a surface: Newton on half the squared distance, in the chart of the point so far. MATH.md, "Projection". */
 #include "chart.h"
 #include "surfpath.h"
+#include <string.h>
 
 enum { ROUNDS = 100, HALVINGS = 40 };
 static const double STATIONARY = 1e-10, ROUNDING = 1e-15;
@@ -65,10 +66,7 @@ static int go_down(const struct sp_surface *surface, struct sp_vector target, st
         if (!kind->move(surface, 1, place, chart, step, &bent, scale, moved)) continue;
         kind->charts(surface, 1, moved, next, NULL);
         if (!is_better(distance_at(next, target), before, root(sp_dot(target, target)[0]))) continue;
-        for (int j = 0; j < kind->dimension; j++)
-            place[j] = moved[j];
-        for (int j = 0; j < SP_CHART; j++)
-            chart[j] = next[j];
+        memcpy(place, moved, (size_t)kind->dimension * sizeof(sp_pair)), memcpy(chart, next, sizeof next);
         return 1;
     }
     return 0;

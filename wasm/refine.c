@@ -5,6 +5,7 @@
 #include "metric_check.h"
 #include "metric_elements.h"
 #include "sample.h"
+#include <string.h>
 
 struct rung {
     int32_t degree, count;
@@ -24,6 +25,11 @@ enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
 enum { LAST_RUNGS = 2 };
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
+
+/* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
+ * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
+static const double REACH = 0.03;
+enum { FINE = 7 };
 
 /* Why these: MATH.md, "The ladder". */
 static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
@@ -247,9 +253,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     struct sp_system before = *first;
     double last = first_length, change = first_length, moved = 0, error = 0, allowed = 0;
     double spread[SP_SPREAD + 1], *present = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
-    int follows = 0, uneven = first->elements.spread != NULL;
-    for (int k = 0; uneven && k <= SP_SPREAD; k++)
-        spread[k] = first->elements.spread[k];
+    int follows = 0, uneven = newton->system.elements.spread != NULL;
+    if (uneven) memcpy(spread, newton->system.elements.spread, sizeof spread);
     struct start start;
     struct sp_storage storage;
     if (!present || !sp_refine_take(&storage, newton, arena)) return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
@@ -265,8 +270,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         }
         aim(newton, options, r < rungs - (follows ? LAST_RUNGS : 1));
         struct rung rung = {ladder[r][0], ladder[r][1], NULL};
-        for (int k = 0; uneven && k <= SP_SPREAD; k++)
-            present[k] = spread[k], rung.spread = present;
+        if (uneven) rung.spread = memcpy(present, spread, sizeof spread);
         now = climb_guarded(newton, options, &before, first, first_length, rung, &start, arena);
         allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length);
@@ -354,6 +358,27 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
     }
 }
 
+struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
+                                 struct sp_arena *arena) {
+    struct rung rung = {from->elements.reference.degree, from->elements.count, from->elements.spread};
+    struct start start;
+    aim(newton, options, 0);
+    newton->decrement = larger(newton->decrement, 10 * options->tolerance);
+    if (!sp_reference_make(&newton->system.elements.reference, rung.degree, arena))
+        return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
+    return finish(newton, climb(newton, options, from, rung, &start, arena), 0);
+}
+
+/* Where elements meet that close in on both ends of a path, up to `least`: each longer than the one before by the same factor. */
+static void close_in(double least, double spread[SP_SPREAD + 1]) {
+    double ratio = 1 / least, far = 0.5 * least;
+    for (int k = SP_SPREAD / 2; k > 1; k /= 2)
+        ratio = root(ratio);
+    for (int k = 1; k <= SP_SPREAD / 2; k++)
+        far *= ratio, spread[k] = far, spread[SP_SPREAD - k] = 1 - far;
+    spread[0] = 0, spread[SP_SPREAD] = 1;
+}
+
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct sp_storage storage;
     if (!sp_refine_take(&storage, newton, arena)) return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
@@ -364,7 +389,21 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
     int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner / 2);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
-    return climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);
+    size_t used = arena->used;
+    struct sp_refined refined = climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);
+    double tolerance = tolerance_of(newton, options, refined.length);
+    if (refined.outcome.status < 0 || newton->system.line.kind->components ||
+        !(sp_sample_bend(&newton->system, newton->scale, REACH * root(tolerance)) > tolerance * refined.length))
+        return refined;
+    double spread[SP_SPREAD + 1];
+    close_in(tolerance, spread);
+    kept = sp_storage_keep(&storage, &newton->system), arena->used = used;
+    newton->system.elements.spread = spread, newton->system.elements.fixed = 1;
+    struct sp_refined closer = climb_all(newton, options, LADDER + FINE, RUNGS - FINE, &kept, NULL, refined.length, arena);
+    if (closer.outcome.status == SP_CONVERGED) return closer;
+    arena->used = used;
+    sp_refine_same(newton, options, &kept, arena);
+    return refined;
 }
 
 struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
@@ -374,18 +413,8 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
     const uint8_t(*ladder)[2] = graded ? GRADED : LADDER;
     int lowest = lowest_rung(ladder, rungs, from->elements.reference.degree * from->elements.count);
     struct sp_system first = *from;
+    newton->system.elements.spread = from->elements.spread;
     return climb_all(newton, options, ladder + lowest, rungs - lowest, &first, NULL, length, arena);
-}
-
-struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                 struct sp_arena *arena) {
-    struct rung rung = {from->elements.reference.degree, from->elements.count, from->elements.spread};
-    struct start start;
-    aim(newton, options, 0);
-    newton->decrement = larger(newton->decrement, 10 * options->tolerance);
-    if (!sp_reference_make(&newton->system.elements.reference, rung.degree, arena))
-        return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
-    return finish(newton, climb(newton, options, from, rung, &start, arena), 0);
 }
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,

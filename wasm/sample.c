@@ -1,5 +1,6 @@
 /* Interpolation along a path: elements by their Lagrange polynomials, polylines by cubics through four neighbours. MATH.md, "Elements". */
 #include "sample.h"
+#include <string.h>
 
 enum { BLOCK = 32 };
 
@@ -176,16 +177,14 @@ int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner
 
 struct sp_system sp_storage_keep(const struct sp_storage *storage, const struct sp_system *system) {
     struct sp_system kept = *system;
-    int32_t count = sp_fold_pairs(system->line.fold) * system->line.kind->dimension, degree = system->elements.reference.degree;
-    for (int32_t i = 0; i < count; i++)
-        storage->places[i] = system->line.nodes.places[i];
-    for (int32_t i = 0; degree > 1 && i <= degree; i++) {
-        storage->node[i] = system->elements.reference.node[i];
-        storage->barycentric[i] = system->elements.reference.barycentric[i];
+    const struct sp_reference *reference = &system->elements.reference;
+    size_t count = (size_t)sp_fold_pairs(system->line.fold) * (size_t)system->line.kind->dimension, degree = (size_t)reference->degree;
+    memcpy(storage->places, system->line.nodes.places, count * sizeof(sp_pair));
+    if (degree > 1) {
+        memcpy(storage->node, reference->node, (degree + 1) * sizeof(double));
+        memcpy(storage->barycentric, reference->barycentric, (degree + 1) * sizeof(double));
     }
-    for (int32_t k = 0; system->elements.spread && k <= SP_SPREAD; k++)
-        storage->spread[k] = system->elements.spread[k];
-    kept.elements.spread = system->elements.spread ? storage->spread : NULL;
+    if (system->elements.spread) kept.elements.spread = memcpy(storage->spread, system->elements.spread, (SP_SPREAD + 1) * sizeof(double));
     kept.line.nodes.places = storage->places;
     kept.elements.reference.node = storage->node, kept.elements.reference.barycentric = storage->barycentric;
     return kept;
@@ -234,24 +233,41 @@ static void write_nodes(const struct sp_system *system, int32_t k, struct sheet 
     write_pair(sheet, k, position, place);
 }
 
-/* Samples of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
-static void write_block(const struct sp_system *system, double scale, int32_t first, int32_t count, struct sheet *sheet) {
+/* The places of a path at `first`/last …, `count` of them, and as far from its end, put onto the surface. Returns where they lie:
+ * `positions`, unless NULL, or the places themselves. */
+static const sp_pair *put_onto(const struct sp_system *system, double scale, double last, int32_t first, int32_t count, sp_pair *places,
+                               sp_pair *positions) {
     const struct sp_surface *surface = system->line.surface;
     int32_t dimension = system->line.kind->dimension;
-    sp_pair places[3 * BLOCK], positions[SP_PARAMETRIC_VALUES * BLOCK], place[3];
+    sp_pair place[3];
     for (int32_t i = 0; i < count; i++) {
-        place_pair(system, (double)(first + i) / sheet->last, place);
+        place_pair(system, (first + i) / last, place);
         for (int32_t j = 0; j < dimension; j++)
             places[dimension * i + j] = place[j];
     }
-    if (surface->kind == SP_PARAMETRIC)
-        sp_parametric_clip(surface, count, places);
-    else
+    if (surface->kind == SP_IMPLICIT) {
         sp_implicit_settle(surface, count, places, scale);
-    if (surface->kind == SP_PARAMETRIC && sheet->points) sp_positions(surface, count, places, positions);
-    const sp_pair *written = surface->kind == SP_PARAMETRIC ? positions : places;
+        return places;
+    }
+    sp_parametric_clip(surface, count, places);
+    if (positions) sp_positions(surface, count, places, positions);
+    return positions;
+}
+
+/* Samples of places that are to be put onto the surface: block by block, as surfaces are evaluated. */
+static void write_block(const struct sp_system *system, double scale, int32_t first, int32_t count, struct sheet *sheet) {
+    sp_pair places[3 * BLOCK], positions[SP_PARAMETRIC_VALUES * BLOCK];
+    const sp_pair *written = put_onto(system, scale, sheet->last, first, count, places, sheet->points ? positions : NULL);
     for (int32_t i = 0; i < count; i++)
         write_pair(sheet, first + i, written + 3 * i, places + 2 * i);
+}
+
+double sp_sample_bend(const struct sp_system *system, double scale, double step) {
+    sp_pair places[9], positions[9];
+    const sp_pair *at = put_onto(system, scale, 1 / step, 0, 3, places, positions);
+    struct sp_vector middle = sp_load(at + 3), bend = sp_subtract(sp_subtract(sp_load(at + 6), middle), sp_subtract(middle, sp_load(at)));
+    sp_pair squared = sp_dot(bend, bend);
+    return root(squared[0] > squared[1] ? squared[0] : squared[1]);
 }
 
 int sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, int32_t reversed, double *points,

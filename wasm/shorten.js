@@ -57,6 +57,27 @@ function segment() {
   return `(data (i32.const ${POOL}) "${Array.from(bytes, (byte) => `\\${byte.toString(16).padStart(2, '0')}`).join('')}")`;
 }
 
+/** An index below takes one byte. */
+const SHORT = 128;
+
+/**
+ * Puts the functions that are called most often before the others. Within each group they stay as they were, those of a file together: sorted by calls alone
+ * the module compresses less well.
+ * @param {string} text
+ */
+function callFirst(text) {
+  const items = text.split(/^(?= \()/m);
+  const name = (/** @type {string} */ item) => /^ \(func (\S+)/.exec(item)?.[1] ?? '';
+  /** @type {Map<string, number>} */
+  const calls = new Map(items.map((item) => [name(item), 0]));
+  for (const [, called] of text.matchAll(/\bcall (\S+)/g)) calls.set(called, (calls.get(called) ?? 0) + 1);
+  const times = (/** @type {string} */ item) => calls.get(name(item)) ?? 0;
+  const functions = items.filter(name);
+  const often = new Set([...functions].sort((a, b) => times(b) - times(a)).slice(0, SHORT));
+  const ordered = [...functions.filter((item) => often.has(item)), ...functions.filter((item) => !often.has(item))];
+  return items.map((item) => (name(item) ? ordered.shift() : item)).join('');
+}
+
 const file = process.argv[2];
 const text = readFileSync(file, 'utf8');
 
@@ -72,4 +93,4 @@ rewrite(() => '', want);
 for (const { numbers, times } of [...wanted.values()].sort((a, b) => b.times - a.times))
   if ((times >= OFTEN || numbers.some((number) => inVectors.has(number))) && find(...numbers) < 0) pool.push(...numbers);
 const shortened = rewrite(load, (number) => (find(number) < 0 ? '' : load(number)));
-writeFileSync(file, shortened.replace(/\)\s*$/, ` ${segment()}\n)\n`));
+writeFileSync(file, callFirst(shortened).replace(/\)\s*$/, ` ${segment()}\n)\n`));

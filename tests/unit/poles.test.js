@@ -140,6 +140,32 @@ describe('from beside an apex or the tip of a cusp, as near as can be', () => {
     });
 });
 
+describe('from beside the apex of a cone within the surface, 1e-2 to 1e-8 away, where no node sees the path turn', () => {
+  const bounds = /** @type {[[number, number], [number, number], [number, number]]} */ ([-2, -2, -2].map((least) => [least, 2]));
+  for (const [name, surface, hasHeight, most] of /** @type {const} */ ([
+    ['a height field', surfpath.graph({ z: 'hypot(x - 1/3, y + .2)', x: [-2, 2], y: [-2, 2] }), false, Math.PI],
+    ['implicit, with a root', surfpath.implicit({ f: 'hypot(x - 1/3, y + .2) - z', bounds }), true, 2.2],
+    ['implicit, both halves', surfpath.implicit({ f: '(x - 1/3)^2 + (y + .2)^2 - z^2', bounds }), true, 2.2],
+  ]))
+    test(`${name}: as long as unrolled, to the tolerance`, () => {
+      const random = createRandom(31);
+      const place = (/** @type {number} */ away, /** @type {number} */ angle) => [
+        ...[1 / 3 + away * Math.cos(angle), away * Math.sin(angle) - 0.2],
+        ...(hasHeight ? [away] : []),
+      ];
+      for (let i = 0; i < PAIRS; i++) {
+        const [near, far] = [10 ** -random.between(2, 8), random.between(0.3, 1.3)];
+        const [angle, turned] = [random.between(0, TURN), random.between(-most, most)];
+        for (const tolerance of [1e-6, 1e-9, 1e-11]) {
+          const path = surface.shortestPath(place(near, angle), place(far, angle + turned), { tolerance });
+          const length = Math.SQRT2 * Math.hypot(near - far, 2 * Math.sqrt(near * far) * Math.sin(turned / Math.SQRT2 / 2));
+          assert.equal(path.status, 'converged', `${near}, ${turned} around`);
+          assert.ok(Math.abs(path.length / length - 1) <= tolerance, `${near}, ${turned} around: ${path.length}, not ${length}`);
+        }
+      }
+    });
+});
+
 test('a cone as thin as a needle: as long as unrolled, on the side that is nearer', () => {
   const needle = surfpath.surface(definitionOf('.02v cos(u)', '.02v sin(u)', 'v', [0, 1]));
   const random = createRandom(19);

@@ -4,21 +4,21 @@
  * other kinds, and still put it together.
  */
 
-/** Kinds: whatever else; opcodes and forms of instructions; indices of locals; constant integers; offsets of addresses. */
-const [OTHER, FORM, LOCAL, INTEGER, OFFSET] = [0, 1, 2, 3, 4];
-export const KINDS = 5;
+/** Kinds: whatever else; opcodes and forms of instructions; indices of locals; constant integers; offsets of addresses; functions called. */
+const [OTHER, FORM, LOCAL, INTEGER, OFFSET, CALLED] = [0, 1, 2, 3, 4, 5];
+export const KINDS = 6;
 
 const CODE_SECTION = 10;
 
 /** What follows an opcode: an integer of that kind (OFFSET: with an alignment before it); nothing; a number of 4 or 8 bytes; a vector instruction. */
-const [NOTHING, FLOAT, DOUBLE, VECTOR] = [5, 6, 7, 8];
+const [NOTHING, FLOAT, DOUBLE, VECTOR] = [6, 7, 8, 9];
 const operands = new Uint8Array(256).fill(NOTHING);
 for (const [operand, first, last] of [
   [FORM, 0x02, 0x04],
   [FORM, 0x0c, 0x0d],
-  [OTHER, 0x10, 0x11],
+  [CALLED, 0x10, 0x11],
   [LOCAL, 0x20, 0x22],
-  [OTHER, 0x23, 0x24],
+  [FORM, 0x23, 0x24],
   [OFFSET, 0x28, 0x3e],
   [OTHER, 0x3f, 0x42],
   [INTEGER, 0x41, 0x41],
