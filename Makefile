@@ -159,10 +159,10 @@ BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutabl
 
 # What the linker made, once more by wasm-opt, and its constants shortened. $(1): -g keeps names.
 define shrink
-@wasm-opt $(BINARYEN) $(1) --low-memory-unused --flatten --rereloop -Oz -Oz -S $@ -o $@.wat
+@wasm-opt $(BINARYEN) $(1) --low-memory-unused -Oz -S $@ -o $@.wat
 @node wasm/shorten.js $@.wat
 @wasm-as $(BINARYEN) $(1) $@.wat -o $@
-@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --generate-stack-ir --optimize-stack-ir $@ -o $@
+@wasm-opt $(BINARYEN) $(1) -ol 2 -s 2 --remove-unused-module-elements --generate-stack-ir --optimize-stack-ir $@ -o $@
 @rm $@.wat
 endef
 

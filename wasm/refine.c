@@ -13,7 +13,8 @@ struct rung {
 };
 
 /* Degrees and counts. */
-static const uint8_t LADDER[][2] = {{8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}, {16, 128}};
+static const uint8_t LADDER[][2] = {{8, 2},   {8, 4},   {8, 8},   {8, 16},   {12, 16}, {16, 16},
+                                    {24, 16}, {24, 32}, {24, 64}, {16, 128}, {24, 128}};
 /* Where the path ends on a singular curve. */
 static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}, {32, 32}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. Then
@@ -321,7 +322,7 @@ int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, s
 
 /* The largest matrices, those of the last rung but one; the most nodes, those of the last; two stored paths. */
 double sp_refine_bytes(void) {
-    const uint8_t *largest = LADDER[RUNGS - 2], *last = LADDER[RUNGS - 1];
+    const uint8_t *largest = LADDER[RUNGS - 1], *last = largest;
     double order = sp_elements_order(largest[0]), degree = largest[0], pairs = SP_REFINE_INNER / 2 + 3;
     double numbers = order * order * (largest[1] / 2) + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
     return 4 * sp_reference_bytes(largest[0]) + numbers * sizeof(sp_pair) + (last[1] / 2 + 1.0) * sizeof(struct sp_row) +
@@ -350,7 +351,7 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
         enum sp_status checked;
         *error = check_chords(newton, &now, &checked);
         if (checked < 0) now.outcome.status = checked;
-        int enough = line->kind->components == 0 || count > SP_REFINE_CHORDS || *error <= CHORD_ERROR * now.length;
+        int enough = count > SP_REFINE_CHORDS || *error <= CHORD_ERROR * now.length;
         if (now.outcome.status != SP_CONVERGED || enough) return now;
         struct sp_system before = sp_storage_keep(storage, &newton->system);
         now.outcome.status = carry_over(newton, &before, count);
@@ -387,7 +388,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     struct climbed first = find_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
     if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return finish(newton, first, error);
-    int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner / 2);
+    int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;
     struct sp_refined refined = climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);

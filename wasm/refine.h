@@ -6,7 +6,7 @@
 #include "sample.h"
 
 /* Most inner nodes of any rung; inner nodes of the first path of chords, and the most chords that one may be begun again with. */
-enum { SP_REFINE_INNER = 16 * 128 - 1, SP_REFINE_FIRST = 31, SP_REFINE_CHORDS = 2048 };
+enum { SP_REFINE_INNER = 24 * 128 - 1, SP_REFINE_FIRST = 31, SP_REFINE_CHORDS = 2048 };
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */
 struct sp_refined {

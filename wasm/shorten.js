@@ -1,4 +1,5 @@
-// Rewrites constants in the text of a WebAssembly module, in place, to what takes fewer bytes. A double takes 9, of which a small integer, converted,
+// Rewrites the text of a WebAssembly module, in place, to what takes fewer bytes: without the exports that the linker adds and nobody calls, functions in another
+// order, constants in other words. A double takes 9, of which a small integer, converted,
 // needs 3 and a float, promoted, 6; engines fold it when they compile. Loaded from a pool in memory it takes 5 or 6, and a vector so many instead of 18, which is
 // also faster: V8 rebuilds a constant in three or four instructions wherever it is used. The pool lies below the linker's data, where else nothing is.
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -78,6 +79,12 @@ function callFirst(text) {
   return items.map((item) => (name(item) ? ordered.shift() : item)).join('');
 }
 
+/** Leaves out the exports that are not ours. wasm-opt removes what only they were for. @param {string} text */
+function withoutOthers(text) {
+  const ours = readFileSync(new URL('surfpath.exports', import.meta.url), 'utf8').split('\n');
+  return text.replace(/^ \(export "(\w+)" \(func .*\n/gm, (line, name) => (ours.includes(name) ? line : ''));
+}
+
 const file = process.argv[2];
 const text = readFileSync(file, 'utf8');
 
@@ -93,4 +100,4 @@ rewrite(() => '', want);
 for (const { numbers, times } of [...wanted.values()].sort((a, b) => b.times - a.times))
   if ((times >= OFTEN || numbers.some((number) => inVectors.has(number))) && find(...numbers) < 0) pool.push(...numbers);
 const shortened = rewrite(load, (number) => (find(number) < 0 ? '' : load(number)));
-writeFileSync(file, callFirst(shortened).replace(/\)\s*$/, ` ${segment()}\n)\n`));
+writeFileSync(file, callFirst(withoutOthers(shortened)).replace(/\)\s*$/, ` ${segment()}\n)\n`));

@@ -8,6 +8,7 @@
 #include "sample.h"
 #include "start.h"
 #include "surfpath.h"
+#include <string.h>
 
 static double not_a_number(void) { return __builtin_nan(""); }
 
@@ -65,8 +66,7 @@ static enum sp_status write_points(const struct sp_newton *newton, const struct 
     else if (sp_sample_points(&newton->system, newton->scale, point_count, reversed, result->points, result->parameters))
         status = SP_CONVERGED;
     double *last = newton->record && result->points ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
-    for (int32_t i = 0; last && i < 3 * count; i++)
-        last[i] = result->points[i];
+    if (last) memcpy(last, result->points, 3 * (size_t)count * sizeof(double));
     return result->length - result->length == 0 && result->length_error - result->length_error == 0 ? status : SP_NOT_FINITE;
 }
 

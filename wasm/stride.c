@@ -1,6 +1,7 @@
 /* Single steps of a trace: their error, their length, and what lies in them: walls, conjugate points, singular points. MATH.md, "Tracing".
  */
 #include "trace.h"
+#include <string.h>
 
 enum { ROUNDS = 60 };
 static const double ROUNDING = 1e-15, EPSILON = 2.220446049250313e-16, SLACK = 1e-14, VANISHED = 1e-4, INFINITE = __builtin_inf();
@@ -45,8 +46,7 @@ static enum sp_status judge(const struct sp_trace *trace, double error, struct s
     double speed;
     if (!(error < INFINITE)) return SP_NOT_FINITE;
     if (error > 1) return SP_TOLERANCE_NOT_MET;
-    for (int i = 0; i < SP_STATE; i++)
-        stride->next.state[i] = stride->end[i];
+    memcpy(stride->next.state, stride->end, sizeof stride->end);
     enum sp_status status = sp_flow_arrive(trace->surface, trace->scale, &stride->next, &speed);
     if (status != SP_CONVERGED) return status == SP_OFF_SURFACE ? SP_SINGULAR_METRIC : status;
     const double *before = trace->here.normal, *after = stride->next.normal;

@@ -34,11 +34,13 @@ import {
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
-/** Inner points of the rough solves, until one holds. */
+/** Inner points of the rough solves, until one holds; and of one that must tell what elements did not. */
 const ROUGH = [31, 63, 127, 255];
+const FINEST = 1023;
+const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
 const CANDIDATE_POINTS = 65;
 /** Of the rough paths that may be the shortest so many are solved finely. */
-const MOST_FINE = 4;
+const MOST_FINE = 8;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
@@ -91,14 +93,15 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   );
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
+  /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
   const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
-    i < MOST_FINE && estimate(path) - doubt(path) <= estimate(rough[0].path) + doubt(rough[0].path);
+    i < MOST_FINE && estimate(path) - doubt(path) <= Math.max(estimate(rough[0].path) + doubt(rough[0].path), lengthOfShortest(usable));
   /** @type {Found[]} */
   let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
-  for (const found of most === 1 ? rough.filter(mayBeShortest) : rough) {
-    if (most > 1 && usable.length === most) break;
+  for (const [i, found] of rough.entries()) {
+    if (most > 1 ? usable.length === most : !mayBeShortest(found, i)) break;
     if (isAmong(passing, found) || (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path))) continue;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
@@ -112,7 +115,8 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const weak =
     most === 1 &&
     chosen.length > 0 &&
-    (failed.find((path) => isShorterAnyway(path, chosen[0].path, options)) ?? stalledBeside(problem, unknown, options, chosen[0].path));
+    (failed.find((path) => isShorterAnyway(problem, path, chosen[0].path, options)) ??
+      stalledBeside(problem, unknown, options, chosen[0].path));
   if (weak) return [weak];
   if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
@@ -180,11 +184,17 @@ function stalledBeside(problem, unknown, options, best) {
 }
 
 /**
- * Whether a path that was not solved to the tolerance (iteration-limit, tolerance-not-met) shows that the best of those that were is not the shortest: it is one on the surface, and shorter.
- * @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
+ * Whether a path that was not solved to the tolerance (iteration-limit, tolerance-not-met) may be shorter than the best of those that were: it is one on the surface.
+ * Where its error leaves that open, a fine polyline tells.
+ * @param {Problem} problem @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
  */
-const isShorterAnyway = ({ status, length, lengthError }, best, { tolerance }) =>
-  status > CONVERGED && status !== STALLED && length + lengthError < best.length * (1 - tolerance) - best.lengthError;
+function isShorterAnyway({ to, solve }, { status, length, lengthError, parameters, points }, best, { tolerance }) {
+  const least = best.length * (1 - tolerance) - best.lengthError;
+  if (status <= CONVERGED || status === STALLED || !(length < least)) return false;
+  if (length + lengthError < least) return true;
+  const finer = solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? points, { ...ROUGHLY, points: FINEST });
+  return !(holds({ path: finer }) && estimate(finer) >= least);
+}
 
 /**
  * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
@@ -229,8 +239,7 @@ const isOneOfMany = (one, path) => one.status === ILL_CONDITIONED && Math.abs(on
  * @returns {Tried}
  */
 function solveRoughly(problem, { to, start }, tried) {
-  const options = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
-  const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...options, points });
+  const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...ROUGHLY, points });
   const coarse = solve(ROUGH[0]);
   let path = coarse;
   const more = start && !isKnown(coarse, tried) ? ROUGH.slice(1) : [];

@@ -14,7 +14,6 @@ export function instantiate(path = BUILT) {
   const module = new WebAssembly.Module(readFileSync(path));
   const { exports } = new WebAssembly.Instance(module);
   const solver = /** @type {Record<string, any>} */ (exports);
-  solver._initialize?.();
   return {
     exports: solver,
     apply: /** @type {import('../../web/expression/graph.js').Apply} */ (solver.sp_apply_function),

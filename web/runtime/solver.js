@@ -149,8 +149,7 @@ export class Solver {
 
   #instantiate() {
     const exports = /** @type {any} */ (new WebAssembly.Instance(this.#module).exports);
-    if (!exports._initialize) throw new TypeError('load: options.wasm is not surfpath.wasm');
-    exports._initialize();
+    if (!exports.sp_solve_path) throw new TypeError('load: options.wasm is not surfpath.wasm');
     this.#freeSlots = [];
     return { exports, heap: new Heap(exports) };
   }
