@@ -205,10 +205,11 @@ $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@$(BIN)/esbuild $< --bundle --minify --line-limit=2000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
 	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
 
-dist/types/index.d.ts: $(WEB) tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
+dist/types/index.d.ts: $(WEB) web/view/globals.d.ts tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
 	@echo $(@D)
 	@rm -rf $(@D)
 	@$(BIN)/tsc -p .
+	@sed -n '/^declare/,$$p' web/view/globals.d.ts >>$(@D)/view/element.d.ts
 	@node tests/helpers/prune-types.js $(@D)
 	@touch $@
 

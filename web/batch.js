@@ -7,7 +7,7 @@ import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 
 /**
  * Options of paths that many pairs share.
- * @param {string} caller @param {import('./path.js').PathOptions | undefined} given
+ * @param {string} caller @param {import('./path.js').PairOptions | undefined} given
  * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' }}
  */
 export function readPairOptions(caller, given) {

@@ -129,7 +129,7 @@ export function checkBounds(caller, bounds) {
   for (const [i, range] of bounds.entries()) {
     checkRange(caller, range, `bounds[${i}]`);
     if (!range.every(Number.isFinite) || !(range[0] < range[1]))
-      throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${range}`);
+      throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${range.map(describe)}`);
     box.push(range[0], range[1]);
   }
   return box;

@@ -11,7 +11,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {number} [resolution] of the mesh, as for `mesh`
  * @property {boolean} [exact] true: the length of the shortest path to each vertex, as `shortestPath` finds it with its own defaults: to 1e-9, in about
  *   10 ms a vertex (0.3 ms where no curvature is positive); default false: of the shortest way through a graph:
- *   a few per cent too long at most, 0.5 % typically, more where a metric counts one direction much more than the other
+ *   a few per cent too long at most, 0.5 % typically, seldom too short by less, more where a metric counts one direction much more than the other
  */
 
 /**

@@ -151,6 +151,7 @@ function findStarts(problem, isAll, straight) {
   const flood = (/** @type {number} */ at) => problem.flood(at, most);
   for (const find of [problem.graph, flood]) {
     for (let graph = find(level); graph; graph = find(++level)) {
+      if (level === 0 && !problem.domain && !graph.resolved) continue;
       status = search(graph);
       if (status !== DISCONNECTED && status !== OFF_SURFACE) break;
       if (find === problem.graph) continue;

@@ -9,6 +9,7 @@ export const compileModule = makeCompile(() => unpack(text));
 export const load = makeLoad(compileModule);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
+/** @typedef {import('./instance.js').AnyDefinition} AnyDefinition */
 /** @typedef {import('./surface.js').Surface} Surface */
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
@@ -20,6 +21,8 @@ export const load = makeLoad(compileModule);
 /** @typedef {import('./shapes.js').SweepDefinition} SweepDefinition */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./path.js').PairOptions} PairOptions */
+/** @typedef {import('./path.js').GeodesicsOptions} GeodesicsOptions */
 /** @typedef {import('./path.js').Status} Status */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */

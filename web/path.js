@@ -45,6 +45,9 @@ import { STATUS } from './runtime/status.js';
  * @property {boolean} [record] keep every iterate's points in `history`
  */
 
+/** Options of paths that many pairs share. @typedef {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} PairOptions */
+/** Options of all geodesics between two points; max: at most this many, default 16. @typedef {Omit<PathOptions, 'start' | 'via'> & { start?: 'global', max?: number }} GeodesicsOptions */
+
 const ALGORITHMS = new Map([
   ['elements', 0],
   ['polyline', 1],
@@ -102,10 +105,11 @@ export function checkBoolean(caller, name, value) {
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
  * @param {PathOptions | undefined} given
+ * @param {string[]} [others] options that are the caller's own, and not read here
  * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path, via: unknown[] }}
  */
-export function readOptions(caller, given) {
-  const options = checkOptions(caller, given, KNOWN);
+export function readOptions(caller, given, others = []) {
+  const options = checkOptions(caller, given, [...KNOWN, ...others]);
   const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;

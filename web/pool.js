@@ -10,6 +10,8 @@ import { Pool } from './runtime/pool.js';
 /** @typedef {import('./instance.js').AnyDefinition} AnyDefinition */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./path.js').PairOptions} PairOptions */
+/** @typedef {import('./path.js').GeodesicsOptions} GeodesicsOptions */
 /** @typedef {import('./field.js').DistanceField} DistanceField */
 
 /**

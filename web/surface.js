@@ -21,6 +21,8 @@ import { passThrough } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
+/** @typedef {import('./path.js').PairOptions} PairOptions */
+/** @typedef {import('./path.js').GeodesicsOptions} GeodesicsOptions */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
 /** @typedef {import('./field.js').FieldOptions} FieldOptions */
@@ -29,11 +31,13 @@ import { passThrough } from './via.js';
 
 /** enum sp_surface_kind of wasm/surface.h. */
 const KIND = { parametric: 0, implicit: 1, metric: 0 };
-/** `project` without `near` starts from the nearest of this many points a direction. */
+/** `project` without `near` starts from the nearest vertex of a mesh of this resolution. */
 const SEARCH = 48;
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
+/** So far from an implicit surface, in parts of the diagonal of its bounds, a point is on it: as in wasm/start.c. */
+const FAR = 0.1;
 /** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
 const MOST_GEODESICS = 16;
 
@@ -143,13 +147,13 @@ export class Surface {
    * may be some.
    * @param {ArrayLike<number>} from as for {@link shortestPath}
    * @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number }} [options] max: at most this many, default 16; `start` must be 'global' or absent
+   * @param {GeodesicsOptions} [options]
    * @returns {Path[]}
    */
   geodesics(from, to, options) {
     const caller = Surface.#enter(this, 'geodesics');
-    const { max = MOST_GEODESICS, ...others } = options ?? {};
-    const { solve, start, via } = readOptions(caller, options && others);
+    const { solve, start, via } = readOptions(caller, options, ['max']);
+    const { max = MOST_GEODESICS } = options ?? {};
     if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
     if (!Number.isInteger(max) || max < 1)
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
@@ -161,7 +165,7 @@ export class Surface {
   /**
    * The lengths of the shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {PairOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Float64Array} a length a pair; NaN where there is no path, or a point is not finite or outside the rectangle
    */
   lengths(pairs, options) {
@@ -171,7 +175,7 @@ export class Surface {
   /**
    * The shortest paths of many pairs of points, to the bit those of {@link shortestPath}.
    * @param {ArrayLike<number>} pairs both points of each pair, one after the other: u v u v, or x y z x y z
-   * @param {PathOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
+   * @param {PairOptions} [options] as for shortestPath; `start` 'global' or 'straight', no `via`
    * @returns {Path[]} a path a pair; status `not-finite` where a number is not, `off-surface` where a point lies outside the rectangle
    */
   shortestPaths(pairs, options) {
@@ -191,6 +195,8 @@ export class Surface {
     const point = this.#readPoint(caller, 'from', from);
     const mesh = this.#mesh(caller, resolution);
     const place = this.#domain ? point : this.#projectOnto(`${caller}: from`, point, point);
+    if (!this.#domain && gap(place, point) > FAR * this.#extent)
+      throw new RangeError(`${caller}: from is farther from the surface than a tenth of its bounds; project it first`);
     return { mesh, distances: measureField(this.#field(), caller, place, mesh, exact) };
   }
 
@@ -231,20 +237,18 @@ export class Surface {
   /**
    * The point of the surface closest to a point of space.
    * @param {ArrayLike<number>} point x y z
-   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself)
+   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself and, where that leads nowhere,
+   *   the nearest vertex of a mesh inside the bounds)
    * @returns {number[]} u v, or x y z
    */
   project(point, near) {
     const caller = Surface.#enter(this, 'project');
     this.#checkPositions(caller);
     const target = readNumbers(caller, 'point', point, 3);
-    const place =
-      near === undefined
-        ? this.#nearest(target)
-        : this.#kind === 'parametric'
-          ? this.#readPoint(caller, 'near', near)
-          : readNumbers(caller, 'near', near, 3);
-    return this.#projectOnto(caller, target, place);
+    const isFree = near === undefined;
+    if (this.#domain)
+      return this.#projectOnto(caller, target, isFree ? this.#nearest(caller, target) : this.#readPoint(caller, 'near', near));
+    return this.#projectOnto(caller, target, isFree ? target : readNumbers(caller, 'near', near, 3), isFree && this.#box !== null);
   }
 
   /**
@@ -401,6 +405,12 @@ export class Surface {
     return /** @type {Installed} */ (this.#installed).record;
   }
 
+  /** Diagonal of the bounds; 0 without. */
+  get #extent() {
+    const box = this.#box;
+    return box ? gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) : 0;
+  }
+
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     if (this.#generation === this.#solver.generation) return;
@@ -490,9 +500,7 @@ export class Surface {
     const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
     const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
-    const box = this.#box;
-    const extent = box ? Math.sqrt((box[1] - box[0]) ** 2 + (box[3] - box[2]) ** 2 + (box[5] - box[4]) ** 2) : 0;
-    const shape = { kind: KIND[this.#kind], metric: METRIC.induced, jet, value, lower, upper, extent };
+    const shape = { kind: KIND[this.#kind], metric: METRIC.induced, jet, value, lower, upper, extent: this.#extent };
     const abstract = { ...shape, metric: METRIC.tensor, value: 0 };
     const metric = this.#metric && { ...shape, metric: this.#metric.code, jet: /** @type {Installed} */ (this.#installedMetric).jet };
     this.#solver.heap.writeSurface(this.#shapeRecord, shape);
@@ -530,10 +538,11 @@ export class Surface {
     for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(heap);
   }
 
-  /** @param {string} caller @param {number[]} target @param {number[]} place where to start */
-  #projectOnto(caller, target, place) {
+  /** @param {string} caller @param {number[]} target @param {number[]} place where to start @param {boolean} [isFree] a mesh may tell where else @returns {number[]} */
+  #projectOnto(caller, target, place, isFree = false) {
     const found = this.#run((heap) => heap.project(this.#shapeRecord, target, place));
     if (found.status >= CONVERGED) return found.place;
+    if (isFree) return this.#projectOnto(caller, target, this.#nearest(caller, target));
     throw new RangeError(
       `${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`,
     );
@@ -541,7 +550,7 @@ export class Surface {
 
   /**
    * The path of each pair, one by one.
-   * @param {string} caller @param {ArrayLike<number>} pairs @param {PathOptions} [options] @param {boolean} [shapeless] only lengths are wanted
+   * @param {string} caller @param {ArrayLike<number>} pairs @param {PairOptions} [options] @param {boolean} [shapeless] only lengths are wanted
    * @returns {Iterable<Path>}
    */
   *#solvePairs(caller, pairs, options, shapeless = false) {
@@ -555,16 +564,16 @@ export class Surface {
     }
   }
 
-  /** Where a projection starts. @param {number[]} target */
-  #nearest(target) {
-    if (!this.#domain) return target;
-    const grid = this.#meshRectangle(this.#domain, SEARCH);
-    let [best, least] = [0, Infinity];
-    for (let i = 0; i < grid.positions.length / 3; i++) {
-      const away = gap(grid.positions.subarray(3 * i), target);
+  /** The vertex of a mesh nearest to a point of space, as u v or x y z; without any, the point. @param {string} caller @param {number[]} target */
+  #nearest(caller, target) {
+    const { positions, parameters } = this.#mesh(caller, SEARCH);
+    let [best, least] = [-1, Infinity];
+    for (let i = 0; i < positions.length / 3; i++) {
+      const away = gap(positions.subarray(3 * i), target);
       if (away < least) [best, least] = [i, away];
     }
-    return Array.from(/** @type {Float64Array} */ (grid.parameters).subarray(2 * best, 2 * best + 2));
+    if (best < 0) return target;
+    return Array.from(parameters ? parameters.subarray(2 * best, 2 * best + 2) : positions.subarray(3 * best, 3 * best + 3));
   }
 }
 

@@ -78,7 +78,7 @@ export class Workshop {
 
 /** @param {Question['options']} options */
 const wanted = ({ algorithm, tolerance, points }) =>
-  /** @type {import('surfpath').PathOptions} */ (algorithm === 'elements' ? { algorithm, tolerance, points } : { algorithm, points });
+  /** @type {import('surfpath').PairOptions} */ (algorithm === 'elements' ? { algorithm, tolerance, points } : { algorithm, points });
 
 /** A path near an earlier one, while a slider moves. @param {Opened} opened @param {Question & { start?: Path }} question @returns {Path | null} */
 function warmPath({ surface }, { ends, via, options, start }) {
@@ -104,7 +104,7 @@ function solve(opened, { ends, via, options }) {
   const paths = several
     ? [shortest(starts.map((one) => surface.shortestPath(from, to, { ...asked, start: one })))]
     : options.task === 'all' && via.length === 0
-      ? surface.geodesics(from, to, { ...wanted(options), max: MOST_GEODESICS })
+      ? surface.geodesics(from, to, { ...wanted(options), start: 'global', max: MOST_GEODESICS })
       : [find()];
   if (paths.length === 0) paths.push(find());
   const films = starts.map((one) => iterates(opened, from, to, options, one)).filter((film) => film.length > 0);

@@ -7,7 +7,7 @@ import { quick, report, SEED, spread } from './bench.js';
 import { randomPairs } from './pairs.js';
 
 const ROUNDS = quick ? 1 : 9;
-/** @type {{ name: 'parametricTorus' | 'saddle', count: number, options: import('surfpath').PathOptions }[]} */
+/** @type {{ name: 'parametricTorus' | 'saddle', count: number, options: import('surfpath').PairOptions }[]} */
 const TASKS = [
   { name: 'parametricTorus', count: quick ? 200 : 10_000, options: { start: 'straight', tolerance: 1e-6 } },
   { name: 'parametricTorus', count: quick ? 20 : 400, options: {} },

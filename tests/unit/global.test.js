@@ -332,7 +332,7 @@ describe('via', () => {
       [{ via: [[1, 1]], start: [0, 0, 1, 1] }, /options.start must be/],
     ]))
       assert.throws(() => surface.shortestPath([0, 0], [1, 1], options), pattern);
-    assert.throws(() => surface.geodesics([0, 0], [1, 1], { via: [[1, 0]] }), /geodesics: options.via/);
+    assert.throws(() => surface.geodesics([0, 0], [1, 1], /** @type {any} */ ({ via: [[1, 0]] })), /geodesics: options.via/);
     surface.dispose();
   });
 });

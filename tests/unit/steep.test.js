@@ -115,3 +115,66 @@ test('a body of which every edge is sharp: its path is a geodesic', () => {
   assert.equal(path.status, 'converged');
   assert.deepEqual(verifyPath(/** @type {any} */ (definition), path, { lengthTolerance: 1e-3 }), []);
 });
+
+const manyWaves = '0.3*sin(3*x+1)*cos(2*y)+0.2*sin(7*x-2*y)+0.1*cos(5*y+3*x)+0.05*sin(11*y)';
+const strip = '0.16*sin(3.66*x+4.51)*cos(3.24*y+3.53)+0.36*sin(2.03*x+5.21)*cos(2.61*y+1.75)+0.25*sin(2.93*x+3.51)*cos(1.31*y+2.47)';
+
+test('where rough lengths are wrong by more than paths differ, it is the shortest of those that were solved', () => {
+  for (const [z, x, y, from, to, length] of /** @type {const} */ ([
+    [manyWaves, [-3, 3], [-3, 3], [-2.6317, 0.8479], [2.074, 0.221], 6.259647587],
+    [manyWaves, [-3, 3], [-3, 3], [-2.3771, -0.5774], [2.074, 0.221], 5.689741297],
+    [manyWaves, [-3, 3], [-3, 3], [-2.0057, 1.2822], [1.7174, -1.5751], 5.954437265],
+    ['2*sin(2*x)*sin(2*y)', [-4, 4], [-4, 4], [0.35, -3.72], [-2.37, 1.86], 8.580796217],
+    [strip, [0, 25], [0, 3], [22.183, 1.222], [4.485, 1.951], 18.679121201],
+    [strip, [0, 25], [0, 3], [22.856, 1.052], [5.721, 2.035], 18.174996939],
+  ])) {
+    const surface = surfpath.graph({ z, x, y });
+    const path = surface.shortestPath(from, to);
+    assert.equal(path.status, 'converged');
+    assert.ok(path.length < length + 1e-8, `${from} to ${to}: ${path.length}, there is one of ${length}`);
+    assert.equal(path.length, surface.geodesics(from, to)[0].length);
+    surface.dispose();
+  }
+});
+
+test('a way that looked shortest and is not solved does not stand before one that is, where a fine polyline tells that it is longer', () => {
+  const density = '2-1.8*exp(-40*(v-sin(u))^2)';
+  const surface = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [-3, 3], v: [-3, 3], density });
+  const path = surface.shortestPath([2.799579775, -2.073769796], [-0.987253825, -1.591489941]);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - 6.371262562) < 1e-8, `${path.length}`);
+});
+
+test('an implicit surface without bounds, with details smaller than the first cells: as short as its graph', () => {
+  for (const [z, from, to] of /** @type {const} */ ([
+    [manyWaves, [-2.7883, 0.3743, -0.335275322], [1.5748, -0.5249, -0.199912056]],
+    ['sin(2*x)*sin(2*y)', [-3.8, -0.1041, 0.200068132], [2.5687, -3.0179, -0.223084676]],
+  ])) {
+    const path = surfpath.implicit({ f: `z - (${z})` }).shortestPath(from, to);
+    const { length } = surfpath.graph({ z, x: [-4, 4], y: [-4, 4] }).shortestPath(from.slice(0, 2), to.slice(0, 2));
+    assert.ok(path.length < length + 1e-6, `${path.length}, not ${length}`);
+  }
+});
+
+test('corrugated iron, 26 waves with slopes of 4: what converges is as long as unrolled, and three of four do, seed 5', () => {
+  const surface = surfpath.graph({ z: '0.2*sin(20*x)', x: [-2, 2], y: [-2, 2] });
+  const parts = 4000;
+  /** Simpson's rule. @param {number} from @param {number} to */
+  const unrolled = (from, to) => {
+    const speed = (/** @type {number} */ i) => Math.hypot(1, 4 * Math.cos(20 * (from + ((to - from) * i) / parts)));
+    let sum = speed(0) + speed(parts);
+    for (let i = 1; i < parts; i++) sum += (i % 2 ? 4 : 2) * speed(i);
+    return (sum * (to - from)) / (3 * parts);
+  };
+  const random = createRandom(5);
+  let converged = 0;
+  for (let i = 0; i < 30; i++) {
+    const [a, b, c, d] = Array.from({ length: 4 }, () => random.between(-2, 2));
+    const path = surface.shortestPath([a, b], [c, d]);
+    if (!path.converged) continue;
+    converged++;
+    const length = Math.hypot(unrolled(a, c), d - b);
+    assert.ok(Math.abs(path.length / length - 1) < RIGHT, `${[a, b]} to ${[c, d]}: ${path.length}, not ${length}`);
+  }
+  assert.ok(converged >= 23, `${converged} of 30`);
+});

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
 import { allClose, anything, close, refuses } from '../helpers/refuses.js';
 
 const surfpath = await load();
@@ -150,10 +151,26 @@ describe('project', () => {
     refuses(() => sphere.project([1, 2]), RangeError, /project: point must be \[x, y, z\], 3 numbers, not 2/);
     refuses(() => saddle.project([0, 0, 0], [5, 5]), RangeError, /project: near\[0\] = 5 lies outside/);
     refuses(
-      () => sphere.project([0, 0, 0]),
+      () => surfpath.implicit({ f: 'x^2 + y^2 + z^2 - 1' }).project([0, 0, 0]),
       RangeError,
       /project: no point of the surface was found from there \(off-surface\); pass a point nearer/,
     );
+    refuses(() => surfpath.implicit({ f: 'x^2 + 1', bounds: gallery.torus.bounds }).project([0, 0, 0]), RangeError, /project: no point/);
+  });
+
+  test('implicit: where the point itself leads nowhere, from the nearest vertex of a mesh', () => {
+    close(Math.hypot(...sphere.project([0, 0, 0])), 1);
+    const surface = surfpath.surface(gallery.threeTori);
+    const random = createRandom(3);
+    const vertices = surface.mesh({ resolution: 32 }).positions;
+    for (let i = 0; i < 20; i++) {
+      const point = gallery.threeTori.bounds.map(([least, most]) => random.between(least, most));
+      const away = (/** @type {ArrayLike<number>} */ place) => Math.hypot(...point.map((x, j) => x - place[j]));
+      const found = surface.project(point);
+      const nearest = Math.min(...Array.from({ length: vertices.length / 3 }, (_, k) => away(vertices.subarray(3 * k))));
+      close(surface.evaluate(found)[0], 0, 1e-9);
+      assert.ok(away(found) <= 2 * nearest, `${point}: ${away(found)}, a vertex is ${nearest} away`);
+    }
   });
 });
 

@@ -109,7 +109,7 @@ function read(source, scope, name) {
   if (typeof source === 'string') return parse(source, scope, name);
   if (typeof source === 'number' && Number.isFinite(source)) return [{ kind: 'number', name: '', value: source, index: 0 }];
   throw new TypeError(
-    `${name || 'the expression'} must be a string or a finite number, not ${typeof source === 'number' ? source : typeof source}`,
+    `${name || 'the expression'} must be a string or a finite number, not ${typeof source === 'number' ? source : source === null ? 'null' : typeof source}`,
   );
 }
 

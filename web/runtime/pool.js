@@ -12,6 +12,8 @@ import { unpackError, writeDefinition } from './wire.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../path.js').PathOptions} PathOptions */
+/** @typedef {import('../path.js').PairOptions} PairOptions */
+/** @typedef {import('../path.js').GeodesicsOptions} GeodesicsOptions */
 /** @typedef {import('../field.js').FieldOptions} FieldOptions */
 /** @typedef {import('../field.js').DistanceField} DistanceField */
 /** @typedef {import('../instance.js').AnyDefinition} AnyDefinition */
@@ -85,7 +87,7 @@ export class Pool {
    * The lengths of the shortest paths of many pairs of points.
    * @param {AnyDefinition} definition as for `surfpath.surface`
    * @param {ArrayLike<number>} pairs u v u v, or x y z x y z; copied at once
-   * @param {PathOptions & Cancellable & Progress} [options]
+   * @param {PairOptions & Cancellable & Progress} [options]
    * @returns {Promise<Float64Array>} in the order of the pairs; NaN for a pair without a path, and for one that two workers died of
    */
   async lengths(definition, pairs, options) {
@@ -95,7 +97,7 @@ export class Pool {
 
   /**
    * The shortest paths of many pairs of points.
-   * @param {AnyDefinition} definition @param {ArrayLike<number>} pairs @param {PathOptions & Cancellable & Progress} [options]
+   * @param {AnyDefinition} definition @param {ArrayLike<number>} pairs @param {PairOptions & Cancellable & Progress} [options]
    * @returns {Promise<Path[]>} in the order of the pairs; status `worker-died`: two workers ended while they solved this pair
    */
   async shortestPaths(definition, pairs, options) {
@@ -116,7 +118,7 @@ export class Pool {
   /**
    * All locally shortest paths between two points that a graph search finds.
    * @param {AnyDefinition} definition @param {ArrayLike<number>} from @param {ArrayLike<number>} to
-   * @param {PathOptions & { max?: number } & Cancellable} [options]
+   * @param {GeodesicsOptions & Cancellable} [options]
    * @returns {Promise<Path[]>}
    */
   async geodesics(definition, from, to, options) {

@@ -77,7 +77,7 @@ export class SurfacePathElement extends Base {
     return this.#given ?? readDefinition((name) => this.getAttribute(name));
   }
 
-  /** Takes the place of all attributes of the surface; null gives it back to them. */
+  /** @param {AnyDefinition | null} definition takes the place of all attributes of the surface; null gives it back to them */
   set definition(definition) {
     this.#given = definition;
     this.#renew(SURFACE);
