@@ -2,9 +2,10 @@
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
 #include "contact.h"
 #include "metric.h"
+#include <string.h>
 
 static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
-enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256 };
+enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
@@ -250,8 +251,7 @@ static void drop_shortest(struct run *runs, int32_t count) {
     int32_t shortest = 0;
     for (int32_t r = 1; r < count; r++)
         if (runs[r].last - runs[r].first < runs[shortest].last - runs[shortest].first) shortest = r;
-    for (int32_t r = shortest + 1; r < count; r++)
-        runs[r - 1] = runs[r];
+    memmove(runs + shortest, runs + shortest + 1, (size_t)(count - shortest - 1) * sizeof *runs);
 }
 
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
@@ -280,6 +280,8 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     int32_t touching = find_runs(&walled.line, runs), lone = 0, fits;
     touching = without_lone_ends(&walled.line, runs, touching);
     size_t bottom = arena->used;
+    int32_t kept = newton->steps_left / KEPT;
+    newton->steps_left -= kept;
     for (;; arena->used = bottom) {
         contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
@@ -294,6 +296,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         else
             touching = 0;
     }
+    newton->steps_left += kept;
     *arcs = contact.arcs;
     refined.outcome.active = touching > 0;
     /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */

@@ -4,6 +4,7 @@
 #include "graph_build.h"
 #include "metric.h"
 #include "normal.h"
+#include <string.h>
 
 enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
@@ -188,8 +189,8 @@ static void write_vertices(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
     for (int32_t i = 0; i < graph->count[0]; i++)
         for (int32_t j = 0; j < graph->count[1]; j++)
-            for (int32_t c = 0; c < graph->width; c++)
-                graph->samples[(size_t)graph->width * vertex_at(grid, i, j) + (size_t)c] = sample_at(grid, 2 * i, 2 * j)[c];
+            memcpy(graph->samples + (size_t)graph->width * vertex_at(grid, i, j), sample_at(grid, 2 * i, 2 * j),
+                   (size_t)graph->width * sizeof(double));
     for (int d = 0; d < 2; d++)
         for (int32_t i = 0; i <= grid->cells[d]; i++)
             graph->lines[d][i] = grid->lines[d][2 * i];

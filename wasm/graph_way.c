@@ -31,9 +31,7 @@ static int take_line(struct line *line, const struct sp_way *way, struct sp_aren
 }
 
 static void append(struct line *line, const double *place) {
-    for (int32_t j = 0; j < line->dimension; j++)
-        /* No dimension is above 3. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
-        line->places[line->dimension * line->count + j] = place[j];
+    memcpy(line->places + line->dimension * line->count, place, (size_t)line->dimension * sizeof(double));
     line->count++;
 }
 

@@ -21,6 +21,8 @@ static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, 
  * this part of their widths stays even, so that none is without width. */
 static const double UNEVEN = 3, EVENLY = 1e-6;
 enum { SPREAD_NODES = 64 };
+/* Of more chords projected Newton frees about one a step from a wall. */
+enum { WALLED_CHORDS = 256 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
@@ -351,7 +353,7 @@ static struct climbed find_first(struct sp_newton *newton, const struct sp_optio
         enum sp_status checked;
         *error = check_chords(newton, &now, &checked);
         if (checked < 0) now.outcome.status = checked;
-        int enough = count > SP_REFINE_CHORDS || *error <= CHORD_ERROR * now.length;
+        int enough = count > (now.outcome.active ? WALLED_CHORDS : SP_REFINE_CHORDS) || *error <= CHORD_ERROR * now.length;
         if (now.outcome.status != SP_CONVERGED || enough) return now;
         struct sp_system before = sp_storage_keep(storage, &newton->system);
         now.outcome.status = carry_over(newton, &before, count);
