@@ -14,7 +14,7 @@ struct sp_fold {
     int32_t odd; /* 1: n is odd */
 };
 
-static inline struct sp_fold sp_fold_of(int32_t inner) { return (struct sp_fold){inner, inner / 2, inner % 2}; }
+static inline struct sp_fold sp_fold_of(int32_t inner) { return (struct sp_fold){inner, inner >> 1, inner & 1}; }
 
 /* Pairs that are stored: 0 … both + 1. */
 static inline int32_t sp_fold_pairs(struct sp_fold fold) { return fold.both + 2; }

@@ -13,8 +13,8 @@ struct rung {
 };
 
 /* Degrees and counts. */
-static const uint8_t LADDER[][2] = {{8, 2},   {8, 4},   {8, 8},   {8, 16},   {12, 16}, {16, 16},
-                                    {24, 16}, {24, 32}, {24, 64}, {16, 128}, {24, 128}};
+static const uint8_t LADDER[][2] = {
+    {8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}, {16, 128}, {SP_REFINE_DEGREE, SP_REFINE_COUNT}};
 /* Where the path ends on a singular curve. */
 static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}, {32, 32}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. Then
@@ -32,7 +32,7 @@ enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED)
 /* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
 static const double REACH = 0.03;
-enum { FINE = 7 };
+enum { FINE = 7 /* (24, 32) */ };
 
 /* Why these: MATH.md, "The ladder". */
 static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
@@ -322,13 +322,12 @@ int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, s
     return sp_storage_take(storage, newton->system.line.kind->dimension, SP_REFINE_INNER, arena);
 }
 
-/* The largest matrices, those of the last rung but one; the most nodes, those of the last; two stored paths. */
+/* The last rung; two stored paths. */
 double sp_refine_bytes(void) {
-    const uint8_t *largest = LADDER[RUNGS - 1], *last = largest;
-    double order = sp_elements_order(largest[0]), degree = largest[0], pairs = SP_REFINE_INNER / 2 + 3;
-    double numbers = order * order * (largest[1] / 2) + 3 * (degree + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
-    return 4 * sp_reference_bytes(largest[0]) + numbers * sizeof(sp_pair) + (last[1] / 2 + 1.0) * sizeof(struct sp_row) +
-           4 * (degree + 1) * sizeof(double) + 20 * 16;
+    double order = sp_elements_order(SP_REFINE_DEGREE), pairs = SP_REFINE_INNER / 2 + 3;
+    double numbers = order * order * (SP_REFINE_COUNT / 2) + 3 * (SP_REFINE_DEGREE + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
+    return 4 * sp_reference_bytes(SP_REFINE_DEGREE) + numbers * sizeof(sp_pair) + (SP_REFINE_COUNT / 2 + 1.0) * sizeof(struct sp_row) +
+           4 * (SP_REFINE_DEGREE + 1.0) * sizeof(double) + 20 * 16;
 }
 
 /* What chords are wrong by in length, and whether they may be trusted. */
@@ -338,8 +337,9 @@ static double check_chords(const struct sp_newton *newton, const struct climbed 
     return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
 }
 
-/* The path of chords, as it was checked, and what its length is wrong by. Where a metric turns quickly 32 chords are wrong by more than the
- * guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are not. */
+/* The path of chords, as it was checked, and what its length is wrong by. Where a surface has many waves, or a metric turns quickly, 32
+ * chords are wrong by more than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are
+ * not. */
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                  double *error) {
     struct sp_polyline *line = &newton->system.line;
@@ -382,6 +382,21 @@ static void close_in(double least, double spread[SP_SPREAD + 1]) {
     spread[0] = 0, spread[SP_SPREAD] = 1;
 }
 
+/* Whether the surface bends aside just beyond an end of the path by more than a smooth one does. MATH.md, "The ladder". */
+static int bends_aside(const struct sp_newton *newton, double tolerance, double length) {
+    const struct sp_system *system = &newton->system;
+    return system->line.kind->components == 0 && sp_sample_bend(system, newton->scale, REACH * root(tolerance)) > tolerance * length;
+}
+
+/* The path again, on elements that close in on its ends. */
+static struct sp_refined climb_closer(struct sp_newton *newton, const struct sp_options *options, struct sp_system *from, double tolerance,
+                                      double length, struct sp_arena *arena) {
+    double spread[SP_SPREAD + 1];
+    close_in(tolerance, spread);
+    newton->system.elements.spread = spread, newton->system.elements.fixed = 1;
+    return climb_all(newton, options, LADDER + FINE, RUNGS - FINE, from, NULL, length, arena);
+}
+
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct sp_storage storage;
     if (!sp_refine_take(&storage, newton, arena)) return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
@@ -395,17 +410,13 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     size_t used = arena->used;
     struct sp_refined refined = climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);
     double tolerance = tolerance_of(newton, options, refined.length);
-    if (refined.outcome.status < 0 || newton->system.line.kind->components ||
-        !(sp_sample_bend(&newton->system, newton->scale, REACH * root(tolerance)) > tolerance * refined.length))
-        return refined;
-    double spread[SP_SPREAD + 1];
-    close_in(tolerance, spread);
+    if (refined.outcome.status < 0 || !bends_aside(newton, tolerance, refined.length)) return refined;
     kept = sp_storage_keep(&storage, &newton->system), arena->used = used;
-    newton->system.elements.spread = spread, newton->system.elements.fixed = 1;
-    struct sp_refined closer = climb_all(newton, options, LADDER + FINE, RUNGS - FINE, &kept, NULL, refined.length, arena);
+    struct sp_refined closer = climb_closer(newton, options, &kept, tolerance, refined.length, arena);
     if (closer.outcome.status == SP_CONVERGED) return closer;
     arena->used = used;
-    sp_refine_same(newton, options, &kept, arena);
+    closer = sp_refine_same(newton, options, &kept, arena);
+    if (closer.outcome.status < 0) refined.outcome.status = closer.outcome.status;
     return refined;
 }
 

@@ -5,8 +5,15 @@
 #include "newton.h"
 #include "sample.h"
 
-/* Most inner nodes of any rung; inner nodes of the first path of chords, and the most chords that one may be begun again with. */
-enum { SP_REFINE_INNER = 24 * 128 - 1, SP_REFINE_FIRST = 31, SP_REFINE_CHORDS = 2048 };
+/* The last rung, which has the largest matrices, and its inner nodes; inner nodes of the first path of chords, and the most chords that one
+ * may be begun again with. */
+enum {
+    SP_REFINE_DEGREE = 24,
+    SP_REFINE_COUNT = 128,
+    SP_REFINE_INNER = SP_REFINE_DEGREE * SP_REFINE_COUNT - 1,
+    SP_REFINE_FIRST = 31,
+    SP_REFINE_CHORDS = 2048
+};
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */
 struct sp_refined {
