@@ -287,7 +287,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = sp_contact_solve(newton, options, &contact, arena, &refined);
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
-        int may_try = contact.made >= 0 && 2 * newton->steps_left > options->max_iterations;
+        int may_try = contact.made >= 0 && 2 * (newton->steps_left + kept) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
         if (touching == 0)
             touching = find_runs(&walled.line, runs), lone = 1;
