@@ -1,7 +1,8 @@
 # Builds dist/ from wasm/ (C, by emcc) and web/ (JavaScript, by esbuild), and checks it. Tools that are missing are installed first.
 # `make help` lists the targets.
 
-MAKEFLAGS += --no-builtin-rules --no-print-directory
+CORES := $(shell nproc 2>/dev/null || echo 1)
+MAKEFLAGS += --no-builtin-rules --no-print-directory -j$(CORES)
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -25,7 +26,7 @@ EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -
     -mbulk-memory -DNDEBUG
 HOT := -mllvm -inline-threshold=5
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
-SANITIZED := gcc $(CFLAGS) -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+SANITIZED := gcc $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
 FUZZED := clang $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined -fno-sanitize=pointer-overflow \
     -fno-sanitize-recover=all
@@ -68,7 +69,8 @@ SECONDS ?= 60
 all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.js) dist/types/index.d.ts ## build dist/ (the default)
 
 test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
-	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests -name "*.test.js" | sort)
+	@node --test --test-reporter=spec --test-timeout=300000 --test-concurrency=$(CORES) $$(find tests -name "*.test.js" ! -path "tests/browser/*" | sort)
+	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests/browser -name "*.test.js" | sort)
 
 browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
 	@EVERY_RELEASE=1 node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)

@@ -6,7 +6,6 @@
 import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
 import { challenge } from './challenge.js';
 import { distinct, estimate, isAmong, isSame } from './distinct.js';
-import { isAtPole } from './domain.js';
 import { neighbours } from './lifts.js';
 import { besidePoles, overPoles, refine, shorterOverPole } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
@@ -211,13 +210,8 @@ function asTheyAre({ solve }, options, unfollowed, most) {
   return found;
 }
 
-/**
- * Whether an end is a pole or an apex, and no other place singular: ways that turn around it are singular there, and lead across nothing.
- * @param {Problem} problem
- */
-function isPointed({ from, to, domain, graph }) {
-  return !!domain?.poles.some((pole) => [from, to].some((end) => isAtPole(domain, end, pole))) && !graph(0)?.singular;
-}
+/** Whether no other places are singular than poles and apices: a path that is singular there leads across nothing, and ways over them are solved as such. @param {Problem} problem */
+const isPointed = ({ domain, graph }) => !!domain?.poles.length && !graph(0)?.singular;
 
 /**
  * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds.

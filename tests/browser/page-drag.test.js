@@ -1,14 +1,14 @@
 // The ends of the path in the page are moved by mouse, finger and keys, in the view and in the plane, and the path follows at once.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 
 before(async () => {
-  ({ browser, page, complaints } = await openSettled([], { hasTouch: true }));
+  ({ browser, page, complaints } = await openSettled([], { ...COARSE, hasTouch: true }));
 });
 after(() => browser?.close());
 

@@ -2,14 +2,14 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { allowance } from '../helpers/allowance.js';
-import { openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 
 before(async () => {
-  ({ browser, page, complaints } = await openSettled());
+  ({ browser, page, complaints } = await openSettled([], COARSE));
 });
 after(() => browser?.close());
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { allowance } from '../helpers/allowance.js';
-import { nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
+import { COARSE, nextFrame, openBrowser, openEntry, openPage, settled } from '../helpers/page.js';
 import { watchTasks } from '../helpers/pace.js';
 
 /** Milliseconds of the processor that a script may keep the page, on one that is not slow. */
@@ -12,7 +12,7 @@ const MOST = 50;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 before(async () => {
-  browser = await openBrowser();
+  browser = await openBrowser([], COARSE);
   ({ page, complaints } = await openPage(browser.context, 'about:blank'));
 });
 after(() => browser?.close());

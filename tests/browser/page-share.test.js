@@ -4,14 +4,14 @@ import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fromHash, toHash } from '../../demo/state/link.js';
 import { sketchOf } from '../../demo/state/sketch.js';
-import { openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
 /** @type {string[]} */ let complaints;
 
 before(async () => {
-  ({ browser, page, complaints } = await openSettled());
+  ({ browser, page, complaints } = await openSettled([], COARSE));
 });
 after(() => browser?.close());
 

@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test';
 import { KINDS } from '../../demo/state/kinds.js';
 import { describeStatus } from '../../demo/panels/words.js';
 import { STATUS } from '../../web/runtime/status.js';
-import { measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
+import { COARSE, measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -24,7 +24,7 @@ async function doing(act) {
 }
 
 before(async () => {
-  ({ browser, page, complaints } = await openSettled());
+  ({ browser, page, complaints } = await openSettled([], COARSE));
 });
 
 after(() => browser?.close());
@@ -375,7 +375,7 @@ test('without WebGL the page says so, and still computes', async () => {
 });
 
 test('without WebAssembly the page says so', async () => {
-  const own = await openBrowser();
+  const own = await openBrowser([], COARSE);
   const plain = await own.context.newPage();
   await plain.addInitScript(() => {
     // @ts-expect-error a browser without it

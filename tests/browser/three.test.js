@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdir, readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
+import { COARSE, measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
 import { RELEASES, scenePage } from '../helpers/scene.js';
 import { serveSite } from '../helpers/site.js';
 
@@ -31,7 +31,7 @@ for (const [title, name] of TESTED)
     /** @type {string[]} */ let complaints;
 
     before(async () => {
-      browser = await openBrowser();
+      browser = await openBrowser([], COARSE);
       ({ page, complaints } = await openPage(browser.context, `${site.address}/${name}`));
       await page.waitForFunction(() => /** @type {any} */ (window).view);
     });
@@ -476,7 +476,7 @@ test('the page of README.md draws its path, and moves it with its end', async ()
   const html = [...readme.matchAll(/^```html\n(.*?)^```$/gms)].map(([, text]) => text).find((text) => text.includes('surfpath/three'));
   assert.ok(html);
   const served = await serveSite({ 'page.html': html });
-  const browser = await openBrowser();
+  const browser = await openBrowser([], COARSE);
   try {
     const { page, complaints } = await openPage(browser.context, `${served.address}/page.html`);
     const length = () => page.title();

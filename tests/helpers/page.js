@@ -17,6 +17,9 @@ export const ARGUMENTS = [
   '--disable-sync',
 ];
 
+/** Where nobody looks at a picture it has a quarter of the pixels: drawing in software takes most of the time. `make browsers` draws them all. */
+export const COARSE = process.env.EVERY_RELEASE ? {} : { deviceScaleFactor: 0.5 };
+
 /** Taking a screenshot reads the canvas back: the software renderer remarks on that, and nothing else, as the driver. */
 const OF_THE_SCREENSHOT = /GL Driver Message .*GPU stall due to ReadPixels/;
 
@@ -119,7 +122,7 @@ export async function nextFrame(page) {
  * Measures a picture, in the browser, which can decode it.
  * @param {import('playwright-core').Page} page @param {Buffer} picture PNG
  * @returns {Promise<{ lit: number, deviation: number, warm: number, darkest: number }>} lit: share of pixels unlike the corner's; deviation: of the
- *   brightness of these, 0 … 255; warm: number of pixels in the path's colour; darkest: brightness
+ *   brightness of these, 0 … 255; warm: number of pixels in the path's colour, as many as there would be at a scale of 1; darkest: brightness
  */
 export async function measurePicture(page, picture) {
   return page.evaluate(async (text) => {
@@ -140,6 +143,6 @@ export async function measurePicture(page, picture) {
       squares += brightness * brightness;
     }
     const deviation = Math.sqrt(Math.max(squares / lit - (sum / lit) ** 2, 0));
-    return { lit: (4 * lit) / data.length, deviation, warm, darkest };
+    return { lit: (4 * lit) / data.length, deviation, warm: warm / devicePixelRatio ** 2, darkest };
   }, picture.toString('base64'));
 }
