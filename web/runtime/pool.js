@@ -47,7 +47,8 @@ function readScript(caller, worker) {
   try {
     if (typeof text === 'string') return new URL(text, globalThis.location?.href);
   } catch {}
-  throw new TypeError(`${caller}: options.worker must be the URL of worker.js, not ${describe(worker)}`);
+  const advice = text && !globalThis.location ? `; of a path make one with new URL(${describe(text)}, import.meta.url)` : '';
+  throw new TypeError(`${caller}: options.worker must be the URL of worker.js, not ${describe(worker)}${advice}`);
 }
 
 /**
@@ -67,10 +68,18 @@ function readCall(caller, given, isBatch) {
   return { signal, onProgress, options };
 }
 
+/** How to end the calls that share a signal: one listener for all, as Node.js takes more than ten on one signal for a leak, and says so. @extends {Set<() => void>} */
+class Calls extends Set {
+  handleEvent() {
+    for (const abort of this) abort();
+  }
+}
+
 /** Made by `createPool`. Every method answers as the surface's method of the same name does on the main thread, to the bit, and rejects with what that throws. */
 export class Pool {
   #entry;
   #crew;
+  /** @type {WeakMap<AbortSignal, Calls>} */ #calls = new WeakMap();
   #disposed = false;
 
   /** @param {Entry} entry @param {PoolSettings} [settings] */
@@ -158,7 +167,7 @@ export class Pool {
    * @returns {Promise<Results>}
    */
   async #solvePairs(method, { definition, pairs, options: given }, make, lost) {
-    this.#checkAlive(method);
+    this.#check(method, definition);
     const { signal, onProgress, options } = readCall(method, given, true);
     readPairOptions(method, options);
     const variables = definition?.kind === 'implicit' ? ['x', 'y', 'z'] : ['u', 'v'];
@@ -183,7 +192,7 @@ export class Pool {
 
   /** One question that is not cut into pieces. @param {Method} method @param {AnyDefinition} definition @param {unknown[]} places @param {any} given options */
   async #ask(method, definition, places, given) {
-    this.#checkAlive(method);
+    this.#check(method, definition);
     const { signal, options } = readCall(method, given, false);
     /** @type {any} */ let value;
     return this.#run({ method, definition, args: [...places, options], signal }, (text, args) => ({
@@ -216,13 +225,27 @@ export class Pool {
       job.reject(signal?.reason);
       this.#crew.drop(job);
     };
-    signal?.addEventListener('abort', abort, { once: true });
+    const forget = signal && this.#listen(signal, abort);
     this.#crew.add(job);
     try {
       return await job.promise;
     } finally {
-      signal?.removeEventListener('abort', abort);
+      forget?.();
     }
+  }
+
+  /** @param {AbortSignal} signal @param {() => void} abort @returns {() => void} listens no more */
+  #listen(signal, abort) {
+    const calls = this.#calls.get(signal) ?? new Calls();
+    if (calls.size === 0) {
+      this.#calls.set(signal, calls);
+      signal.addEventListener('abort', calls);
+    }
+    calls.add(abort);
+    return () => {
+      calls.delete(abort);
+      if (calls.size === 0) signal.removeEventListener('abort', calls);
+    };
   }
 
   /** @param {Method} method @param {AnyDefinition} definition @param {any[]} args */
@@ -235,9 +258,11 @@ export class Pool {
     }
   }
 
-  /** @param {string} caller */
-  #checkAlive(caller) {
+  /** @param {string} caller @param {any} definition */
+  #check(caller, definition) {
     if (this.#disposed) throw new Error(`${caller}: this pool was disposed`);
+    if (typeof definition?.shortestPath === 'function')
+      throw new TypeError(`${caller}: workers make their surfaces themselves: pass the definition, not a Surface`);
   }
 }
 

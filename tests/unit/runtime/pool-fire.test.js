@@ -1,5 +1,6 @@
 // The pool under fire: workers killed at random times, calls aborted at every stage, pairs that kill. No pair is lost, none is double, the pool goes on.
 import assert from 'node:assert/strict';
+import { getEventListeners } from 'node:events';
 import { after, before, describe, test } from 'node:test';
 import threads from 'node:worker_threads';
 import { gallery } from '../../../web/gallery.js';
@@ -158,6 +159,21 @@ describe(`calls that are aborted, seed ${SEED}`, () => {
       assert.deepEqual(await other, expected.slice(0, 100));
       assert.equal(calls, calledBefore);
     });
+
+  test('all at once, by one signal: with one listener, and none that stays', async () => {
+    for (const isAborted of [true, false]) {
+      const controller = new AbortController();
+      const { signal } = controller;
+      const settled = Promise.allSettled(
+        Array.from({ length: 20 }, () => pool.lengths(definition, pairs.slice(0, 40), { ...OPTIONS, signal })),
+      );
+      assert.equal(getEventListeners(signal, 'abort').length, 1);
+      if (isAborted) controller.abort();
+      for (const { status } of await settled) assert.equal(status, isAborted ? 'rejected' : 'fulfilled');
+      assert.equal(getEventListeners(signal, 'abort').length, 0);
+    }
+    await works(pool);
+  });
 
   describe('a long question', () => {
     /** @type {import('../../../web/runtime/pool.js').Pool} */ let single;

@@ -252,6 +252,10 @@ test('settings, signals and listeners are checked', async () => {
   assert.throws(() => createPool(anything({ threads: 2 })), /there is no option 'threads'; the options are workers, worker/);
   for (const worker of [5, '', 'not a URL', null])
     assert.throws(() => createPool(anything({ worker })), { name: 'TypeError', message: /^createPool: options.worker must be the URL/ });
+  assert.throws(() => createPool({ worker: './worker.js' }), /of a path make one with new URL\('\.\/worker\.js', import\.meta\.url\)/);
+  const surface = surfpath.surface(gallery.saddle);
+  await assert.rejects(pool.lengths(anything(surface), []), /lengths: .* pass the definition, not a Surface/);
+  surface.dispose();
   for (const workers of [0, 1.5, 257, Number.NaN]) assert.throws(() => createPool({ workers }), RangeError);
   await assert.rejects(pool.lengths(gallery.saddle, [], { signal: anything(1) }), /lengths: options.signal must be an AbortSignal, not 1/);
   await assert.rejects(
