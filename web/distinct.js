@@ -12,26 +12,29 @@ const SAMPLES = 16;
 /** The length of the geodesic under a rough polyline, to fourth order. @param {RawPath} path */
 export const estimate = (path) => path.length + path.lengthError;
 
-/** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */
-export function distinct(found) {
-  const sorted = [...found].sort((a, b) => estimate(a.path) - estimate(b.path));
-  return sorted.filter(({ path }, i) => !sorted.slice(0, i).some((other) => isSame(other.path, path)));
-}
+/** Each path once: the first of those that are the same. @template {{ path: RawPath }} T @param {T[]} list @returns {T[]} */
+export const firsts = (list) => list.filter((found, i) => !isAmong(list.slice(0, i), found));
 
-/** @param {RawPath} a @param {RawPath} b */
-export function isSame(a, b) {
-  if (Math.abs(estimate(a) - estimate(b)) > APART * estimate(a)) return false;
+/** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */
+export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.path) - estimate(b.path)));
+
+/** @param {RawPath} a @param {RawPath} b @param {number} [apart] in place of 0.01 of the length */
+export function isSame(a, b, apart = APART) {
+  if (Math.abs(estimate(a) - estimate(b)) > apart * estimate(a)) return false;
   const [p, q] = [samplesOf(a), samplesOf(b)];
   let [away, size] = [0, 0];
   for (let i = 0; i < SAMPLES; i++) {
     away = Math.max(away, gap(p[i], q[i]));
     size += gap(p[i], p[i + 1]);
   }
-  return away <= APART * size;
+  return away <= apart * size;
 }
 
-/** Whether a path is one of these. @param {{ path: RawPath }[]} list @param {{ path: RawPath }} found */
-export const isAmong = (list, { path }) => list.some((other) => isSame(other.path, path));
+/** Whether a path is one of these. @param {{ path: RawPath }[]} list @param {{ path: RawPath }} found @param {number} [apart] as for `isSame` */
+export const isAmong = (list, { path }, apart) => list.some((other) => isSame(other.path, path, apart));
+
+/** Whether a path comes so near to a place that a rough one may cut its corner there, and be shorter than any. @param {RawPath} path @param {Float64Array | null} at */
+export const comesNear = (path, at) => !!at && samplesOf(path).some((point) => gap(point, at) < path.length / SAMPLES);
 
 /** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {RawPath} path @returns {number[][]} */
 function samplesOf({ points, parameters }) {

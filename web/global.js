@@ -5,9 +5,9 @@
 
 import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
 import { challenge } from './challenge.js';
-import { distinct, estimate, isAmong, isSame } from './distinct.js';
+import { comesNear, distinct, estimate, firsts, isAmong, isSame } from './distinct.js';
 import { neighbours } from './lifts.js';
-import { besidePoles, overPoles, refine, shorterOverPole } from './poles.js';
+import { besidePoles, overPoles, refine } from './poles.js';
 import { emptyPath } from './runtime/heap.js';
 import {
   CONVERGED,
@@ -42,6 +42,8 @@ const CANDIDATE_POINTS = 65;
 const MOST_FINE = 8;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
+/** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
+const BESIDE = 0.1;
 /** Rough paths at rest at the same places are equally long up to this part of it. */
 const AT_REST = 1e-9;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
@@ -83,10 +85,12 @@ export function findPaths(problem, options, most) {
 function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const beside = besidePoles(problem, options, ways, rough);
   /* Charts around two poles may lead to the same path: the first one tells, whatever the last bits say. */
-  const passing = beside.filter((found, i) => holds(found) && !isAmong(beside.slice(0, i).filter(holds), found));
-  const fine = [...passing, ...ways.filter(holds)];
-  const unknown = tried.filter((one) => !isKnown(one.coarse, tried) && !isAmong(fine, one) && !leaps(problem, one.path));
-  const shortest = lengthOfShortest([...rough, ...fine]);
+  const passing = firsts(beside.filter(holds));
+  const over = ways.filter(holds);
+  const unknown = tried.filter(
+    (one) => !isKnown(one.coarse, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
+  );
+  const shortest = lengthOfShortest([...rough, ...passing, ...over]);
   const unfollowed = unknown.filter(
     ({ start, path }) => start && (path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > shortest)),
   );
@@ -101,7 +105,16 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const failed = [];
   for (const [i, found] of rough.entries()) {
     if (most > 1 ? usable.length === most : !mayBeShortest(found, i)) break;
-    if (isAmong(passing, found) || (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path))) continue;
+    if (
+      isAmong(passing, found) ||
+      isAmong(
+        over.filter(({ at }) => comesNear(found.path, at)),
+        found,
+        BESIDE,
+      ) ||
+      (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path))
+    )
+      continue;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
@@ -109,7 +122,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   for (const followed of asTheyAre(problem, options, unfollowed, usable.length > 0 ? LEAST_UNFOLLOWED : MOST_UNFOLLOWED))
     if (holds(followed)) usable.push(followed);
     else failed.push(followed.path);
-  usable.push(...shorterOverPole(ways, usable));
+  usable.push(...over.filter(({ path }) => path.length < lengthOfShortest(usable) - path.lengthError).slice(0, 1));
   const chosen = distinct(usable);
   const weak =
     most === 1 &&

@@ -4,7 +4,7 @@
  */
 
 import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
-import { estimate } from './distinct.js';
+import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
 import { gap } from './rectangle.js';
@@ -42,7 +42,7 @@ export function overPoles(problem, options, tried, rough) {
     .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
     .filter((tip) => tip.beyond > 0 || ![from, tip.to].some((end) => isAtPole(domain, end, tip.pole)))
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
-    .filter(({ bound }) => !(rough.length > 0 && bound > (1 + MARGIN) * estimate(rough[0].path)))
+    .filter(({ bound, at }) => bound <= (1 + MARGIN) * lengthOfShortest(rough) || comesNear(rough[0].path, at))
     .map((tip) => {
       const again = (/** @type {SolveOptions} */ asked) => solveAt(problem, tip, true, tip.to, null, asked);
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
@@ -65,12 +65,6 @@ export function passPoles(problem, options, near) {
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1)
     .map((found) => asAsked(found, options));
-}
-
-/** Of these ways the shortest without a corner, if it is shorter than all others. @param {Way[]} ways @param {Found[]} others */
-export function shorterOverPole(ways, others) {
-  const shortest = lengthOfShortest(others);
-  return ways.filter((way) => holds(way) && way.path.length < shortest - way.path.lengthError).slice(0, 1);
 }
 
 /**

@@ -516,6 +516,7 @@ describe('cones of more than a full turn around the apex: through it, or past it
   for (const [name, height, slope, period] of /** @type {[string, (u: number) => number, (u: number) => number, number][]} */ ([
     ['cos(2*u)', (u) => Math.cos(2 * u), (u) => -2 * Math.sin(2 * u), 2 * Math.PI],
     ['2*cos(3*u)', (u) => 2 * Math.cos(3 * u), (u) => -6 * Math.sin(3 * u), 2 * Math.PI],
+    ['0.5*sin(5*u)', (u) => 0.5 * Math.sin(5 * u), (u) => 2.5 * Math.cos(5 * u), 2 * Math.PI],
     ['0.3*sin(u/2)', (u) => 0.3 * Math.sin(u / 2), (u) => 0.15 * Math.cos(u / 2), 4 * Math.PI],
   ]))
     test(`z = v ${name}`, () => {
