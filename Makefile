@@ -3,6 +3,10 @@
 
 CORES := $(shell nproc 2>/dev/null || echo 1)
 MAKEFLAGS += --no-builtin-rules --no-print-directory -j$(CORES)
+# Several goals one after the other: `make clean test`.
+ifneq ($(word 2,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
