@@ -288,14 +288,19 @@ test('removed elements leave nothing behind: no context, no element', async () =
   });
   assert.equal(drawn, 4, 'a context each time that elements come back');
   const session = await other.context().newCDPSession(other);
-  await session.send('HeapProfiler.collectGarbage');
-  const left = await other.evaluate(() => {
-    const { contexts, elements } = /** @type {any} */ (window).seen;
-    return [
-      contexts.filter((/** @type {any} */ context) => !context.isContextLost()).length,
-      elements.filter((/** @type {WeakRef<Element>} */ element) => element.deref()).length,
-    ];
-  });
+  const countLeft = async () => {
+    await session.send('HeapProfiler.collectGarbage');
+    return other.evaluate(() => {
+      const { contexts, elements } = /** @type {any} */ (window).seen;
+      return [
+        contexts.filter((/** @type {any} */ context) => !context.isContextLost()).length,
+        elements.filter((/** @type {WeakRef<Element>} */ element) => element.deref()).length,
+      ];
+    });
+  };
+  let left = await countLeft();
+  // An engine that compiles beside may hold what it saw for a while: a leak is what never goes.
+  for (let turn = 0; turn < 50 && left.some(Boolean); turn++) left = await countLeft();
   await own.close();
   assert.deepEqual(left, [0, 0]);
 });
