@@ -170,7 +170,8 @@ function findStarts(problem, isAll, straight) {
       if (graph.vertices === FLOOD_CELLS) return { starts, status: OFF_SURFACE };
       status = DISCONNECTED;
     }
-    if (status !== OFF_SURFACE) break;
+    /* What only hangs together outside the bounds: the straight start's path proves that it does, not that none is shorter. */
+    if (status !== OFF_SURFACE && !(status === DISCONNECTED && straight && holds(straight))) break;
     level = 0;
   }
   return { starts, status };

@@ -74,3 +74,17 @@ test('pieces that lie within each other, a cell apart, are still two', () => {
   assert.equal(surface.shortestPath([0, 0, 1.2166683], [0.0208436, 0.0500302, -0.8539475]).status, 'disconnected');
   surface.dispose();
 });
+
+test('pieces of what is inside the bounds that hang together outside: the shortest way there, not any', () => {
+  const f = 'cos(x)*cos(y)*cos(z) - sin(x)*sin(y)*sin(z)';
+  const [narrow, wide] = [2.5, 4].map((half) => surfpath.implicit({ f, bounds: box([half, half, half]) }));
+  const ends = /** @type {const} */ ([
+    [-1.62, 0.18, 0.26],
+    [2.34, 2.3, -2.42],
+  ]);
+  const [path, shortest] = [narrow, wide].map((surface) => surface.shortestPath(...ends));
+  assert.ok(path.converged && Math.max(...path.points.map(Math.abs)) > 2.5);
+  assert.ok(Math.abs(path.length / shortest.length - 1) <= 1e-9, `${path.length}, ${shortest.length}`);
+  assert.ok(narrow.geodesics(...ends).length > 1);
+  for (const surface of [narrow, wide]) surface.dispose();
+});
