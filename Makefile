@@ -192,7 +192,9 @@ dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
-BUNDLE = $(BIN)/esbuild $< --bundle --minify --line-limit=2000 --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
+# Once more, in 3 % fewer bytes; the module's text stays in front, where it compresses best.
+SHORTEN = $(BIN)/terser $@ --module --ecma 2022 --compress passes=2,evaluate=false --mangle --format max_line_len=2000 --output $@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -200,16 +202,19 @@ dist/pool.js: BUNDLE += '--external:./index.*'
 $(ENTRIES:%=dist/%.js): dist/%.js: web/%.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BUNDLE)
+	@$(SHORTEN)
 
 dist/worker.js: web/runtime/worker.js $(WEB) dist/wasm.js Makefile $(NPM)
 	@echo $@
 	@$(BUNDLE)
+	@$(SHORTEN)
 
 # Used with the reader's own three.js; and the element with the entries beside it in dist/, which a page has once whoever imports them.
 $(VIEWS:%=dist/%.js): dist/%.js: web/view/%.js $(WEB) Makefile $(NPM)
 	@echo $@
-	@$(BIN)/esbuild $< --bundle --minify --line-limit=2000 --format=esm --target=es2022 --external:three '--external:*/index.js' \
-	'--external:*/gallery.js' '--external:*/three.js' --log-level=warning | sed -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' >$@
+	@$(BUNDLE) --external:three '--external:*/index.js' '--external:*/gallery.js' '--external:*/three.js'
+	@sed -i -E 's#"(\.\./)+(index|gallery|three)\.js"#"./\2.js"#g' $@
+	@$(SHORTEN)
 
 dist/types/index.d.ts: $(WEB) web/view/globals.d.ts tsconfig.json tests/helpers/prune-types.js dist/wasm.d.ts $(NPM)
 	@echo $(@D)

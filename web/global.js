@@ -44,8 +44,8 @@ const MOST_FINE = 8;
 const AGREEMENT = 1e-6;
 /** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
 const BESIDE = 0.1;
-/** Rough paths at rest at the same places are equally long up to this part of it. */
-const AT_REST = 1e-9;
+/** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
+const [AT_REST, NEAR_REST] = [1e-9, 1e-4];
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
@@ -88,7 +88,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const passing = firsts(beside.filter(holds));
   const over = ways.filter(holds);
   const unknown = tried.filter(
-    (one) => !isKnown(one.coarse, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
+    (one) => !isKnown(problem, one.coarse, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
   );
   const shortest = lengthOfShortest([...rough, ...passing, ...over]);
   const unfollowed = unknown.filter(
@@ -229,14 +229,16 @@ const isPointed = ({ domain, graph }) => !!domain?.poles.length && !graph(0)?.si
 
 /**
  * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds.
- * @param {RawPath} coarse @param {Tried[]} tried
+ * @param {Problem} problem @param {RawPath} coarse @param {Tried[]} tried
  */
-const isKnown = (coarse, tried) =>
+const isKnown = ({ domain }, coarse, tried) =>
   coarse.status === STALLED &&
   tried.some(
     (other) =>
       holds(other) &&
-      (isOneOfMany(other.coarse, coarse) || (Math.abs(other.coarse.length / coarse.length - 1) <= AT_REST && isSame(other.coarse, coarse))),
+      (isOneOfMany(other.coarse, coarse) ||
+        (Math.abs(other.coarse.length / coarse.length - 1) <= (domain?.poles.length ? NEAR_REST : AT_REST) &&
+          isSame(other.coarse, coarse))),
   );
 
 /** Whether a path is as long as one that is one of many: between the poles of a surface of revolution each meridian is as good. @param {RawPath} one @param {RawPath} path */
@@ -251,7 +253,7 @@ function solveRoughly(problem, { to, start }, tried) {
   const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...ROUGHLY, points });
   const coarse = solve(ROUGH[0]);
   let path = coarse;
-  const more = start && !isKnown(coarse, tried) ? ROUGH.slice(1) : [];
+  const more = start && !isKnown(problem, coarse, tried) ? ROUGH.slice(1) : [];
   for (const points of more) if (isTooCoarse(path)) path = solve(points);
   return { to, start, path, coarse };
 }
