@@ -17,9 +17,15 @@ describe('load', () => {
       load(anything({ wasm: 5 })),
       /load: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module/,
     );
-    await assert.rejects(load({ wasm: new Uint8Array(4) }), WebAssembly.CompileError);
     const empty = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
-    await assert.rejects(load({ wasm: empty }), { name: 'TypeError', message: 'load: options.wasm is not surfpath.wasm' });
+    for (const wasm of [new Uint8Array(4), empty])
+      await assert.rejects(load({ wasm }), { name: 'TypeError', message: 'load: options.wasm is not surfpath.wasm' });
+    const page = new Response('<!doctype html>');
+    Object.defineProperty(page, 'url', { value: 'http://localhost/surfpath.wasm' });
+    await assert.rejects(load({ wasm: page }), {
+      name: 'TypeError',
+      message: 'load: http://localhost/surfpath.wasm is not surfpath.wasm',
+    });
   });
 
   test('takes the module as bytes, a file: URL, or compiled', async () => {

@@ -122,6 +122,7 @@ class Parser {
 
   /** @param {string} name @param {string} rest the text after it */
   #readFunction(name, rest) {
+    if (/^(⁻¹|\^ ?\(?-1)/.test(rest) && functions.has(`a${name}`)) this.#fail(`for the inverse function write a${name}(…)`);
     if (/^(\^|\*\*|[⁻⁰¹²³⁴-⁹])/.test(rest)) this.#fail(`write the power after the brackets, as in ${name}(…)^2`);
     if (rest[0] !== '(') this.#fail(`${name} is a function; write ${name}(…) with brackets`);
     const start = this.#index;

@@ -36,6 +36,13 @@ async function open(url) {
   return files ? files.readFile(new URL(target)) : fetch(target);
 }
 
+/** @param {BufferSource} bytes @param {string} name of what they are @returns {Promise<WebAssembly.Module>} */
+const compile = (bytes, name) =>
+  WebAssembly.compile(bytes).catch((error) => {
+    // A policy may forbid it, too. A server that answers every address with its start page does not.
+    throw WebAssembly.validate(bytes) ? error : new TypeError(`${name} is not surfpath.wasm`);
+  });
+
 /**
  * Compiles the solver's module.
  * @param {WasmSource | Promise<WasmSource>} given the module, its bytes, or where they are
@@ -47,11 +54,11 @@ export async function compileSolver(given) {
   if (source instanceof WebAssembly.Module) return source;
   const found = typeof source === 'string' || source instanceof URL ? await open(source) : source;
   // Bytes first: to name Response takes Node.js 10 ms of a cold process.
-  if (found instanceof ArrayBuffer || ArrayBuffer.isView(found)) return WebAssembly.compile(/** @type {BufferSource} */ (found));
+  if (found instanceof ArrayBuffer || ArrayBuffer.isView(found)) return compile(/** @type {BufferSource} */ (found), 'load: options.wasm');
   if (typeof Response !== 'function' || !(found instanceof Response))
     throw new TypeError('load: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module');
   if (!found.ok) throw new Error(`surfpath: ${found.url} answered ${found.status}; it should be the file surfpath.wasm`);
-  return WebAssembly.compile(await found.arrayBuffer());
+  return compile(await found.arrayBuffer(), `load: ${found.url}`);
 }
 
 /** What a compiled surface needs from the solver: table slots, the addresses of its data and of a struct sp_surface, and where: see `generation`. @typedef {{ jet: number, value: number, data: number, record: number, generation: number }} Slots */
