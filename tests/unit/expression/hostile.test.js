@@ -21,6 +21,14 @@ function leastTime(call, times = 40, enough = 0) {
   return least;
 }
 
+/** Milliseconds of the processor that a call takes, whatever else the machine does. @param {() => void} call */
+function processorTime(call) {
+  const start = process.cpuUsage();
+  call();
+  const { user, system } = process.cpuUsage(start);
+  return (user + system) / 1000;
+}
+
 /** @type {Record<string, [string, Record<string, number>?]>} */
 const HOSTILE = {
   '5,000 nested brackets': [`${'('.repeat(5000)}u${')'.repeat(5000)}`],
@@ -64,9 +72,16 @@ describe('hostile texts are refused in a millisecond', () => {
 
 test('the time grows with the text, not faster', () => {
   const text = (/** @type {number} */ terms) => Array.from({ length: terms }, (_, i) => `sin(${i}u)`).join('+');
-  const [short, long] = [40, 320].map((terms) => leastTime(() => build(text(terms)), 100));
-  // Eight times the text: twice that for caches and tables that grow.
-  assert.ok(long <= 16 * short, `${short} and ${long} ms`);
+  const texts = [40, 320].map(text);
+  const least = [Infinity, Infinity];
+  // Eight times the text: twice that for caches and tables that grow. Each in the other's company, and as long as the machine's other work makes them differ.
+  for (let i = 0; i < 400 && !(i >= 40 && least[1] <= 16 * least[0]); i++)
+    for (const [k, source] of texts.entries())
+      least[k] = Math.min(
+        least[k],
+        processorTime(() => build(source)),
+      );
+  assert.ok(least[1] <= 16 * least[0], `${least.join(' and ')} ms`);
 });
 
 /** Texts of so many like parts, which derivatives could multiply. @type {Record<string, (count: number) => string>} */
