@@ -132,9 +132,9 @@ double sp_trace_bytes(int32_t kind, const struct sp_trace_options *options);
  *
  * `result` is always filled; its arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED (length as asked),
  * SP_EDGE_REACHED (a wall of the rectangle came first: the path ends on it), SP_ITERATION_LIMIT (max_steps), SP_TOLERANCE_NOT_MET (steps
- * vanish in rounding) with the path so far; SP_SINGULAR_METRIC (the metric or grad f vanishes ahead, or at the start), SP_OFF_SURFACE,
- * SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range are clamped. Cost: about 13 evaluations a step, and 4 more in each with a
- * point to write; twice that where the path ends early. */
+ * vanish in rounding, or are kept short by it) with the path so far; SP_SINGULAR_METRIC (the metric or grad f vanishes ahead, or at the
+ * start), SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range are clamped. Cost: about 13 evaluations a step, and
+ * 4 more in each with a point to write; twice that where the path ends early. */
 int32_t sp_trace_path(const struct sp_surface *surface, const struct sp_trace_request *request, const struct sp_trace_options *options,
                       struct sp_arena *arena, struct sp_trace_result *result);
 

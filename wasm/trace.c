@@ -5,6 +5,9 @@
 
 /* No step is longer than this part of the length, so that a short feature on a flat surface is not jumped over. */
 static const double LONGEST_STEP = 0.125;
+/* Steps that are still shorter than this part of the coordinates after so many are kept so by rounding, as where f has no gradient. */
+static const double SHORTEST_STEP = 1e-6;
+enum { PATIENCE = 511 /* all bits of a number below 2^9 */ };
 /* A direction whose tangent part is smaller than this is normal to the surface. */
 static const double NORMAL = 1e-10;
 static const double ROUNDING = 1e-15;
@@ -75,6 +78,7 @@ static enum sp_status run(struct sp_trace *trace, struct samples *samples) {
     while (trace->travelled < trace->length) {
         double left = trace->length - trace->travelled;
         if (trace->tried++ == trace->max_steps) return SP_ITERATION_LIMIT;
+        if (!(trace->tried & PATIENCE) && trace->walls && trace->step < SHORTEST_STEP * trace->scale) return sp_trace_verdict(trace);
         if (trace->step > LONGEST_STEP * trace->length) trace->step = LONGEST_STEP * trace->length;
         stride.h = trace->step < left ? trace->step : left;
         if (!sp_trace_attempt(trace, &stride)) {
@@ -189,7 +193,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     if (status < 0) return status;
     if (status != SP_CONVERGED) {
         trace.walls = 0, trace.max_steps *= 2;
-        if (travel(&trace, &start, trace.travelled, &samples) != SP_CONVERGED) return SP_NOT_FINITE;
+        if (travel(&trace, &start, trace.travelled, &samples) != SP_CONVERGED && status != SP_TOLERANCE_NOT_MET) return SP_NOT_FINITE;
     }
     while (samples.done < samples.count)
         add_sample(&samples, trace.here.state);

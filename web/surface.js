@@ -13,7 +13,7 @@ import { checkOptions, describe, makePath, readOptions, readStart } from './path
 import { gap } from './rectangle.js';
 import { ReferenceFinder } from './reference.js';
 import { emptyPath } from './runtime/heap.js';
-import { CONVERGED, NOT_FINITE, OFF_SURFACE, STATUS } from './runtime/status.js';
+import { CONVERGED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STATUS, TOLERANCE_NOT_MET } from './runtime/status.js';
 import { findGeodesics, findPath, placed, placeIn } from './pieces.js';
 import { readShape } from './shapes.js';
 import { readTrace, readTraceOptions } from './trace.js';
@@ -38,6 +38,9 @@ const RESOLUTION = { parametric: 96, implicit: 64 };
 const FINER = 96;
 /** So far from an implicit surface, in parts of the diagonal of its bounds, a point is on it: as in wasm/start.c. */
 const FAR = 0.1;
+/** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
+const MAY_CROSS = [TOLERANCE_NOT_MET, SINGULAR_METRIC];
+const [LOOSER, LOOSEST] = [100, 1e-5];
 /** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
 const MOST_GEODESICS = 16;
 
@@ -216,7 +219,15 @@ export class Surface {
     const { domain, place } = placeIn(this.#field(), start);
     const request = { kind: KIND[this.#kind], from: place, ...asked };
     const wanted = readTraceOptions(caller, options);
-    const path = this.#run((heap) => heap.trace(this.#record, request, wanted), domain);
+    let { tolerance } = wanted;
+    const run = () => this.#run((heap) => heap.trace(this.#record, request, { ...wanted, tolerance }), domain);
+    let path = run();
+    /* Near a curve where an implicit surface's gradient vanishes rounding keeps steps short, and turns them: longer ones lead across. */
+    while (this.#kind === 'implicit' && path && MAY_CROSS.includes(path.status) && tolerance < LOOSEST) {
+      tolerance *= LOOSER;
+      path = run();
+    }
+    if (path?.status === CONVERGED && tolerance > wanted.tolerance) path.status = TOLERANCE_NOT_MET;
     if (path) return place === start ? makePath(path) : placed(this.#domain, makePath(path), start);
     throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
   }

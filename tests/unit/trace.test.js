@@ -110,11 +110,39 @@ test('a trace of length 0 stays', () => {
   assert.deepEqual([path.status, path.length, ...path.points], ['converged', 0, ...Array(4).fill([0.5, 0.25, 0.1875]).flat()]);
 });
 
+test('across a curve where the gradient vanishes: at once, within the error that is told', () => {
+  // The unit sphere, each of whose points on the equator has no gradient.
+  const ball = surfpath.implicit({ f: '(x^2+y^2+z^2-1)*((x^2+y^2+z^2-1)^2+z^2)' });
+  for (let i = 0; i < 8; i++) {
+    const [c, s] = [Math.cos(i), Math.sin(i)];
+    const [from, forward, aside] = [
+      [0.6 * c, 0.6 * s, 0.8],
+      [0.8 * c, 0.8 * s, -0.6],
+      [-s, c, 0],
+    ];
+    const direction = forward.map((x, k) => x * Math.cos(0.1 * i) + aside[k] * Math.sin(0.1 * i));
+    const path = ball.trace(from, direction, 2);
+    assert.equal(path.status, 'tolerance-not-met');
+    const end = from.map((x, k) => x * Math.cos(2) + direction[k] * Math.sin(2));
+    const error = norm(subtract(end, pointOf(path, -1)));
+    assert.ok(
+      error <= path.lengthError && error <= 1e-7 && path.iterations < 1000,
+      `${i}: ${error}, ${path.lengthError}, ${path.iterations} steps`,
+    );
+  }
+  // Taubin's heart, whose middle is such a curve.
+  const heart = surfpath.implicit({ f: '(x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3' });
+  const path = heart.trace([-0.56, 0.56, 0.025], [0.5, -0.1, -0.8], 1);
+  assert.deepEqual([path.status, path.length], ['tolerance-not-met', 1]);
+  for (const surface of [ball, heart]) surface.dispose();
+});
+
 test('what cannot be traced has a status and no path', () => {
-  const cone = surfpath.implicit({ f: 'x^2+y^2-z^2' });
+  const [cone, blunt] = ['z^2', '25*z^2'].map((square) => surfpath.implicit({ f: `x^2+y^2-${square}` }));
   const root = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(u)', u: [-1, 1], v: [-1, 1] });
   for (const [path, status] of /** @type {const} */ ([
     [cone.trace([3, 4, 5], [-3, -4, -5], 20), 'singular-metric'],
+    [blunt.trace([3, 4, 1], [-3, -4, -1], 20), 'singular-metric'],
     [root.trace([-0.5, 0], [1, 0], 1), 'not-finite'],
     [sphere.trace([2.5, 0, 0], [0, 1, 0], 1), 'off-surface'],
   ])) {

@@ -2,6 +2,7 @@
 
 export const CONVERGED = 0;
 export const STALLED = 2;
+export const TOLERANCE_NOT_MET = 3;
 export const ILL_CONDITIONED = 4;
 export const DISCONNECTED = -1;
 export const SINGULAR_METRIC = -2;
@@ -15,7 +16,7 @@ export const STATUS = new Map([
   [CONVERGED, 'converged'],
   [1, 'iteration-limit'],
   [STALLED, 'stalled'],
-  [3, 'tolerance-not-met'],
+  [TOLERANCE_NOT_MET, 'tolerance-not-met'],
   [ILL_CONDITIONED, 'ill-conditioned'],
   [5, 'saddle'],
   [6, 'edge-reached'],
