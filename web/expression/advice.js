@@ -68,7 +68,8 @@ export function unknown(name, isCall, known) {
   const near = takeApart(name, isCall, known) || suggest(name, isCall ? [...functions.keys()] : [...known, ...functions.keys()]);
   const listed = (isCall ? [...functions.keys()] : known).join(', ');
   const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
-  return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : `the ${kind}s here are ${listed}`}`;
+  const others = `the ${kind}s here are ${listed}${isCall ? '' : '; or give it a value in parameters'}`;
+  return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : others}`;
 }
 
 /**
@@ -102,7 +103,8 @@ function suggest(name, known) {
   let nearest = '';
   let least = name.length === 1 ? 1 : name.length <= 3 ? 2 : 3;
   for (const candidate of known) {
-    const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
+    // Of two that are as near the one that was gone beyond: sinn is sin, not sign.
+    const distance = editDistance(name.toLowerCase(), candidate.toLowerCase()) - (name.startsWith(candidate) ? 0.5 : 0);
     if (distance >= Math.min(least, candidate.length)) continue;
     nearest = candidate;
     least = distance;

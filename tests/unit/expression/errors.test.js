@@ -85,6 +85,8 @@ const MISTAKES = [
   ['u = v', 2, /for an equation a = b write a - \(b\)/],
   ['u\u200b+v', 1, /invisible character, U\+200B; remove it/],
   ['sine(u)', 0, /unknown function sine; did you mean sin\?/],
+  ['sinn(u)', 0, /unknown function sinn; did you mean sin\?/],
+  ['2radius', 1, /unknown name radius; the names here are u, v, pi, e, tau; or give it a value in parameters/],
   ['u – v', 2, /a dash is no minus sign; write -$/],
   ['1+sec(u)', 2, /unknown function sec; write 1\/cos\(…\)$/],
   ['Math.sin(u)', 0, /unknown name Math; write the name alone, as in sin\(…\)$/],
