@@ -225,7 +225,8 @@ export class Surface {
     /* Near a curve where an implicit surface's gradient vanishes rounding keeps steps short, and turns them: longer ones lead across. */
     while (this.#kind === 'implicit' && path && MAY_CROSS.includes(path.status) && tolerance < LOOSEST) {
       tolerance *= LOOSER;
-      path = run();
+      const next = run();
+      if (next && next.status >= CONVERGED) path = next;
     }
     if (path?.status === CONVERGED && tolerance > wanted.tolerance) path.status = TOLERANCE_NOT_MET;
     if (path) return place === start ? makePath(path) : placed(this.#domain, makePath(path), start);

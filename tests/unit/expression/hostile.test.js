@@ -10,8 +10,8 @@ const apply = () => Number.NaN;
 /** @param {string} source @param {Record<string, number>} [parameters] */
 const build = (source, parameters) => compile({ outputs: [source], names: ['f'], variables: ['u', 'v'], parameters, apply });
 
-/** Milliseconds that a call takes: the least of many, if it must be. @param {() => void} call @param {number} [times] @param {number} [enough] no call is needed after one that took no more */
-function leastTime(call, times = 40, enough = 0) {
+/** Milliseconds that a call takes: the least of many, if it must be. @param {() => void} call @param {number} times @param {number} enough no call is needed after one that took no more */
+function leastTime(call, times, enough) {
   let least = Infinity;
   for (let i = 0; i < times && !(least <= enough); i++) {
     const start = performance.now();
