@@ -6,8 +6,9 @@
 /* Implicit, measured: 2 to 9 N^2 cells with a change of sign, 40 to 60 edges each. */
 enum { PARAMETRIC_EDGES = 32, IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
 
-/* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it; how many may be. */
-static const double BENT = 1.02, MOST_BENT = 0.01;
+/* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it, or a metric that changes as much along it; how
+ * many may be. */
+static const double BENT = 0.02, MOST_BENT = 0.01;
 
 static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
@@ -23,22 +24,10 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     return cells * (vertex + 16 + IMPLICIT_EDGES * edge) + lookup * sizeof(int32_t) + 4096;
 }
 
-/* Whether edges follow the surface: few are much longer than their chords. */
-static int is_resolved(const struct sp_graph *graph) {
-    int32_t bent = 0;
-    for (int32_t i = 0; i < graph->vertex_count; i++)
-        for (int32_t e = graph->first[i]; e < graph->first[i + 1]; e++) {
-            const double *from = graph->samples + (size_t)graph->width * (size_t)i;
-            const double *to = graph->samples + (size_t)graph->width * (size_t)graph->edges[e].to;
-            bent += (double)graph->edges[e].length > BENT * sp_distance3(from, to);
-        }
-    return bent <= MOST_BENT * graph->edge_count;
-}
-
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph) {
     struct sp_graph_options clean = *options;
-    struct sp_builder builder = {surface, &clean, arena, graph, 0};
+    struct sp_builder builder = {surface, &clean, arena, graph, 0, 0};
     clean.resolution = clamp(clean.resolution, 8, SP_GRAPH_MAX_RESOLUTION);
     arena->used = 0;
     *graph = (struct sp_graph){.kind = surface->kind, .width = sp_graph_width(surface)};
@@ -48,7 +37,7 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
         if (!(side > 0 || clean.cell > 0) || !sp_is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
-    graph->resolved = status == SP_CONVERGED && surface->metric == SP_INDUCED && is_resolved(graph);
+    graph->resolved = status == SP_CONVERGED && builder.bent <= MOST_BENT * graph->edge_count;
     return status;
 }
 
@@ -67,10 +56,12 @@ int sp_builder_take(struct sp_builder *builder) {
     return graph->samples && graph->lines[0] && graph->lines[1] && (graph->normals || graph->kind != SP_IMPLICIT) && graph->first;
 }
 
-int sp_builder_edge(struct sp_builder *builder, int32_t to, double length) {
+int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
     if (!sp_is_finite(length)) return 1;
     if (graph->edge_count == builder->edge_capacity) return 0;
+    double excess = length - chord;
+    builder->bent += !((excess < 0 ? -excess : excess) <= BENT * chord);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
     return 1;
 }

@@ -44,7 +44,7 @@ struct sp_graph {
     int32_t collapsed[4]; /* the edges u = min, u = max, v = min, v = max of the rectangle that are points: poles, apexes */
     int32_t count[2], wraps[2];
     int32_t width;
-    int32_t resolved; /* 1: nearly all edges are about as long as their chords: few details are smaller than they are. 0 with a metric */
+    int32_t resolved; /* 1: few details are smaller than edges. 0 with a metric on an implicit surface */
 };
 
 /* What a search found. */

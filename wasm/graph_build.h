@@ -12,7 +12,7 @@ struct sp_builder {
     const struct sp_graph_options *options;
     struct sp_arena *arena;
     struct sp_graph *graph;
-    int32_t edge_capacity;
+    int32_t edge_capacity, bent; /* bent: edges that are not about as long as their chords */
 };
 
 int32_t sp_graph_build_parametric(struct sp_builder *builder);
@@ -21,8 +21,9 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder);
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 
-/* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. */
-int sp_builder_edge(struct sp_builder *builder, int32_t to, double length);
+/* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. chord: what it would be if
+ * the surface were flat and its metric linear; 0: not known. */
+int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord);
 
 /* Points put and got one by one, evaluated together: `capacity` of them. The lane without a point repeats the last. */
 struct sp_block {

@@ -291,6 +291,7 @@ static int passes(const struct cell *from, const struct cell *to) {
 
 static int join_around(const struct cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
+    const struct sp_surface *surface = cells->builder->surface;
     const int32_t *center = cells->list[vertex].at;
     double normal[3], other[3];
     read_vertex(graph, vertex, normal);
@@ -300,11 +301,13 @@ static int join_around(const struct cells *cells, int32_t vertex) {
                 int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k}, to = *find_slot(cells, at);
                 if (to < 0 || to == vertex) continue;
                 read_vertex(graph, to, other);
-                double length =
-                    sp_graph_sheet_length(cells->builder->surface, sample_at(graph, vertex), normal, sample_at(graph, to), other);
+                const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
+                double length = sp_graph_sheet_length(surface, here, normal, there, other);
                 if (cells->builder->options->loose && !sp_is_finite(length) && passes(cells->list + vertex, cells->list + to))
-                    length = LOOSE * sp_graph_chord(cells->builder->surface, sample_at(graph, vertex), sample_at(graph, to), NULL);
-                if (!sp_builder_edge(cells->builder, to, length)) return 0;
+                    length = LOOSE * sp_graph_chord(surface, here, there, NULL);
+                /* Between the ends a metric was not looked at. */
+                double chord = surface->metric == SP_INDUCED ? sp_distance3(here, there) : 0;
+                if (!sp_builder_edge(cells->builder, to, length, chord)) return 0;
             }
     return 1;
 }

@@ -159,9 +159,10 @@ static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32
     size_t there = vertex_at(grid, to_i, to_j);
     const double *middle = sample_at(grid, (2 * i + du + grid->count[0]) % grid->count[0], (2 * j + dv + grid->count[1]) % grid->count[1]);
     double by[2] = {place_of(grid, 0, 2 * (i + du)) - place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * (j + dv)) - place_of(grid, 1, 2 * j)};
-    double length =
-        sp_graph_segment(grid->builder->surface, sample_at(grid, 2 * i, 2 * j), middle, sample_at(grid, 2 * to_i, 2 * to_j), by);
-    return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)there, length);
+    const double *from = sample_at(grid, 2 * i, 2 * j), *to = sample_at(grid, 2 * to_i, 2 * to_j);
+    const struct sp_surface *surface = grid->builder->surface;
+    double length = sp_graph_segment(surface, from, middle, to, by), chord = sp_graph_chord(surface, from, to, by);
+    return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)there, length, chord);
 }
 
 static int is_coprime(int32_t a, int32_t b) {

@@ -29,12 +29,25 @@ static void two_spheres_value(int32_t count, const sp_pair *in, sp_pair *out) {
     }
 }
 
+/* A plane whose E = G = (1.5 + sin(stripes u))^2; of the derivatives, which tell its curvature, none. */
+static double stripes;
+
+static void striped_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 2, out += SP_PARAMETRIC_TENSOR_JET) {
+        sp_pair cosine, density = 1.5 + sp_sincos(stripes * in[0], &cosine);
+        for (int j = 0; j < SP_PARAMETRIC_TENSOR_JET; j++)
+            out[j] = j == 0 || j == 2 ? density * density : sp_splat(0.0);
+    }
+}
+
 COMPILED(cylinder, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 
 #define WRAPPED -INFINITY
 static const struct sp_surface round_cylinder = {cylinder_jet, cylinder_value, SP_PARAMETRIC, 0, {WRAPPED, -1}, {INFINITY, 1}, 0};
 static const struct sp_surface cut_cylinder = {cylinder_jet, cylinder_value, SP_PARAMETRIC, 0, {0, -1}, {2 * 3.14159265358979323846, 1}, 0};
 static const struct sp_surface two_spheres = {NULL, two_spheres_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 7};
+
+static const struct sp_surface striped = {striped_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-1, -1}, {1, 1}, 0};
 
 static const struct sp_graph_options round_box = {{0, 6.28318530717958647692, -1, 1}, 0, 64, 0, 0};
 static const struct sp_graph_options square_box = {{-1, 1, -1, 1}, 0, 64, 0, 0};
@@ -120,6 +133,19 @@ static void test_plane_like(void) {
     check_distance(&fixture, (double[3]){0.1, -0.9}, (double[3]){6.1, 0.7}, hypot(6, 1.6), 0.02, "cut cylinder");
     check_distance(&fixture, (double[3]){1.234, -0.3}, (double[3]){1.321, -0.211}, hypot(0.087, 0.089), 0.2, "close ends");
     drop(&fixture);
+}
+
+/* Resolved are surfaces, and metrics, that change little along an edge. */
+static void test_resolved(void) {
+    struct fixture fixture = make(&saddle_surface, &saddle_box);
+    CHECK(fixture.graph.resolved == 1, "a saddle is smooth");
+    drop(&fixture);
+    for (int fine = 0; fine < 2; fine++) {
+        stripes = fine ? 30 : 1;
+        fixture = make(&striped, &square_box);
+        CHECK(fixture.graph.resolved == !fine, "%g stripes: %d", stripes, fixture.graph.resolved);
+        drop(&fixture);
+    }
 }
 
 static void test_seam(void) {
@@ -247,6 +273,7 @@ static void test_tiny_arenas(void) {
 
 int main(void) {
     test_plane_like();
+    test_resolved();
     test_seam();
     test_poles();
     test_cusp();
