@@ -48,6 +48,10 @@ export const asAsked = ({ path, again }, options) =>
 /** Infinite where there is none. @param {Found[]} list */
 export const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => estimate(path) || Infinity));
 
+/** Solves from a path that was found. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
+export const solveFrom = ({ solve }, { to, path: { parameters, points } }, options) =>
+  solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? points, options);
+
 /**
  * Whether a polyline jumps over a pole, a hole or a slit. One that passes a pole nearer than its nodes are apart turns by about half a turn in a chord.
  * @param {Problem} problem @param {RawPath} path

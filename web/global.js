@@ -3,7 +3,7 @@
  * stages and what counts as the same path; the mathematics is in wasm/graph.h and in the solver.
  */
 
-import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
+import { asAsked, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, solveFrom } from './candidates.js';
 import { challenge } from './challenge.js';
 import { comesNear, distinct, estimate, firsts, isAmong, isSame } from './distinct.js';
 import { neighbours } from './lifts.js';
@@ -35,9 +35,12 @@ const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 const FLOOD_CELLS = 40_000;
 /** Inner points of the rough solves, until one holds; and of one that must tell what elements did not. */
 const ROUGH = [31, 63, 127, 255];
+const MOST_ROUGH = 255;
 const FINEST = 1023;
 const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
 const CANDIDATE_POINTS = 65;
+/** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
+const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 8;
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
@@ -97,14 +100,18 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   /* In space the error is known by its sign, in a metric by its size only. */
   const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
-  const mayBeShortest = (/** @type {Found} */ { path }, /** @type {number} */ i) =>
-    i < MOST_FINE && estimate(path) - doubt(path) <= Math.max(estimate(rough[0].path) + doubt(rough[0].path), lengthOfShortest(usable));
+  const mayBeShortest = (/** @type {Found} */ { path }) =>
+    solved < MOST_FINE &&
+    estimate(path) - doubt(path) <= Math.max(estimate(rough[0].path) + doubt(rough[0].path), lengthOfShortest(usable));
   /** @type {Found[]} */
   let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
-  for (const [i, found] of rough.entries()) {
-    if (most > 1 ? usable.length === most : !mayBeShortest(found, i)) break;
+  let solved = 0;
+  for (let queue = rough; queue.length > 0; ) {
+    const [found, ...rest] = queue;
+    queue = rest;
+    if (most > 1 ? usable.length === most : !mayBeShortest(found)) break;
     if (
       isAmong(passing, found) ||
       isAmong(
@@ -115,6 +122,12 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
       (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path))
     )
       continue;
+    const sharper = sharpen(problem, found);
+    if (sharper) {
+      if (!isAmong(usable, sharper)) queue = distinct([sharper, ...rest]);
+      continue;
+    }
+    solved++;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
@@ -202,11 +215,12 @@ function stalledBeside(problem, unknown, options, best) {
  * Where its error leaves that open, a fine polyline tells.
  * @param {Problem} problem @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
  */
-function isShorterAnyway({ to, solve }, { status, length, lengthError, parameters, points }, best, { tolerance }) {
+function isShorterAnyway(problem, path, best, { tolerance }) {
+  const { status, length, lengthError } = path;
   const least = best.length * (1 - tolerance) - best.lengthError;
   if (status <= CONVERGED || status === STALLED || !(length < least)) return false;
   if (length + lengthError < least) return true;
-  const finer = solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? points, { ...ROUGHLY, points: FINEST });
+  const finer = solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST });
   return !(holds({ path: finer }) && estimate(finer) >= least);
 }
 
@@ -256,6 +270,18 @@ function solveRoughly(problem, { to, start }, tried) {
   const more = start && !isKnown(problem, coarse, tried) ? ROUGH.slice(1) : [];
   for (const points of more) if (isTooCoarse(path)) path = solve(points);
   return { to, start, path, coarse };
+}
+
+/**
+ * The path under a rough one that is too coarse to be judged, or to be compared, with twice the points; null where no more are needed, or they lead nowhere.
+ * @param {Problem} problem @param {Found} found @returns {Found | null}
+ */
+function sharpen(problem, { to, path }) {
+  const [least, error] = problem.isPlain ? JUDGED.space : JUDGED.metric;
+  const inner = (path.parameters ? path.parameters.length / 2 : path.points.length / 3) - 2;
+  if (inner >= MOST_ROUGH || (inner >= least && !(path.lengthError > error * path.length))) return null;
+  const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * inner + 1 }) };
+  return holds(sharper) && !leaps(problem, sharper.path) ? sharper : null;
 }
 
 /** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */

@@ -3,7 +3,7 @@
  * Knows which ones are worth a solve; the solver knows how.
  */
 
-import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN } from './candidates.js';
+import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, solveFrom } from './candidates.js';
 import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
@@ -103,12 +103,12 @@ export function besidePoles(problem, options, ways, others) {
 
 /** Solves from a path found roughly; past a pole of a metric as beside one. @param {Problem} problem @param {Found} found @param {SolveOptions} options */
 export function refine(problem, { to, path }, options) {
-  const { domain, solve } = problem;
+  const { domain } = problem;
   const parameters = path.parameters && domain ? unwound(domain, path.parameters) : path.parameters;
   const tip = domain && parameters && options.algorithm === ELEMENTS && passedTip(domain, parameters, SHARP);
   const beside = tip && !tip.at && solveAt(problem, tip, false, to, parameters, options);
   if (beside && holds({ path: beside })) return beside;
-  return solve(parameters ? Array.from(parameters.subarray(-2)) : to, parameters ?? path.points, options);
+  return solveFrom(problem, { to, path: { ...path, parameters } }, options);
 }
 
 /**

@@ -147,3 +147,36 @@ describe('metrics around a pole, by distance and angle', () => {
     });
   }
 });
+
+/** Surfaces, ends, and the length of the shortest path, which 4,000 chords confirm. @type {[string, any, number[], number[], number][]} */
+const rapid = [
+  [
+    'torus',
+    {
+      ...{ kind: 'parametric', x: '(3 + cos(v))*cos(u)', y: '(3 + cos(v))*sin(u)', z: 'sin(v)', u: [0, '2pi'], v: [0, '2pi'] },
+      density: 'exp(0.639*cos(3y + 3.154)*cos(3x + 3.425) + 0.358*sin(3y + 5.115)*sin(2x + 0.53) + 0.018*cos(2x + 5.111))',
+    },
+    [4.297468938168053, 5.919727353891232],
+    [1.3960545307034065, 0.4398590533236951],
+    8.37169743365267,
+  ],
+  [
+    'waves',
+    {
+      ...{ kind: 'graph', z: '0.089*sin(3y + 1.792) - 0.041*cos(y + 2.308)*cos(2x + 2.868)', x: [-2, 2], y: [-2, 2] },
+      density: 'exp(0.783*sin(3x + 1.196) - 0.965*sin(4y + 5.803)*cos(4y + 5.74) - 0.877*sin(5y + 1.122))',
+    },
+    [-0.8973391745239496, -0.9036158425733447],
+    [0.8070816798135638, 0.940281892195344],
+    2.208465501565118,
+  ],
+];
+
+for (const [name, definition, from, to, length] of rapid)
+  test(`a density that changes between the nodes of a rough polyline, which misjudges it: ${name}`, () => {
+    const surface = make(definition);
+    const path = surface.shortestPath(from, to);
+    assert.ok(path.converged && Math.abs(path.length / length - 1) < 1e-9, `${path.status} ${path.length}`);
+    const chords = surface.shortestPath(from, to, { algorithm: 'polyline', points: 4000, start: path });
+    assert.ok(Math.abs(chords.length / length - 1) < 1e-5, `${chords.status} ${chords.length}`);
+  });
