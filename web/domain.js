@@ -87,7 +87,7 @@ function describeEdges(glued, written, surface) {
 
 /**
  * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction.
- * @param {Domain} domain @param {number[]} point @param {string} name for messages
+ * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages
  */
 export function enterDomain({ lower, upper, periodic }, point, name) {
   return point.map((x, j) => {

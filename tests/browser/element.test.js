@@ -187,6 +187,23 @@ describe('attributes', () => {
   });
 });
 
+test('a look that is wrong is said, and what is right again mends it', async () => {
+  for (const [name, wrong, right] of [
+    ['colour', 'blue', 'none'],
+    ['resolution', 'abc', '48'],
+    ['camera', '0,0,0', '1,-1,1'],
+  ]) {
+    const [, type, message] = await change('torus', name, wrong);
+    assert.deepEqual([type, message.includes(`surface-path: ${name} must be`)], ['error', true], message);
+    assert.match((await words('torus')) ?? '', new RegExp(name));
+    await page.$eval('#torus', (element, [key, text]) => element.setAttribute(key, text), [name, right]);
+    await page.waitForFunction(() => /^Length/.test(document.querySelector('#torus')?.shadowRoot?.querySelector('p')?.textContent ?? ''));
+  }
+  await page.$eval('#torus', (element) => {
+    for (const name of ['colour', 'resolution', 'camera']) element.removeAttribute(name);
+  });
+});
+
 describe('with controls', () => {
   const handle = () => page.locator('#torus').getByRole('button', { name: 'End of the path' });
 
@@ -206,6 +223,37 @@ describe('with controls', () => {
     assert.notDeepEqual(await page.$eval('#torus', (element) => /** @type {any} */ (element).to), to);
     const moved = await handle().boundingBox();
     assert.ok(moved && Math.abs(moved.x - box.x - 30) < 1.5 && Math.abs(moved.y - box.y - 10) < 1.5);
+  });
+
+  test('where it was dragged it stays, whatever else changes, until another place or surface is asked for', async () => {
+    const to = () => page.$eval('#torus', (element) => /** @type {any} */ (element).to);
+    const dragged = await to();
+    await change('torus', 'parameters', 'a=1.4');
+    await change('torus', 'points', '20');
+    await change('torus', 'from', '0.5,0.7');
+    assert.deepEqual(await to(), dragged);
+    await page.$eval('#torus', (element) => element.parentElement?.prepend(element));
+    await nextFrame(page);
+    assert.deepEqual(await to(), dragged);
+    for (const [name, value] of [
+      ['parameters', null],
+      ['points', null],
+      ['from', '0.5,0.6'],
+    ])
+      await change('torus', String(name), value);
+    const asked = await page.$eval('#torus', (element) => {
+      const torus = /** @type {any} */ (element);
+      torus.to = torus.getAttribute('to');
+      return torus.getAttribute('to');
+    });
+    await page.waitForFunction((text) => String(/** @type {any} */ (document.querySelector('#torus')).to) === text, asked);
+  });
+
+  test('while the surface is none, nothing can be dragged on the last one', async () => {
+    assert.equal((await change('torus', 'surface', 'nope'))[1], 'error');
+    assert.equal(await handle().count(), 0);
+    assert.equal((await change('torus', 'surface', 'parametricTorus'))[1], 'path');
+    await handle().waitFor();
   });
 
   test('and moved by keys; the other element has no handles', async () => {
@@ -256,10 +304,9 @@ test('it follows the theme of the reader and the colours of the page', async () 
     assert.ok((await warmth('torus')) > 60);
   }
   await page.evaluate(() => document.documentElement.style.setProperty('--surfpath-line', '#0000ff'));
-  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.waitForTimeout(50);
   await nextFrame(page);
   assert.equal(await warmth('torus'), 0);
-  await page.emulateMedia({ colorScheme: 'light' });
 });
 
 test('removed elements leave nothing behind: no context, no element', async () => {

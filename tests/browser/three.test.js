@@ -218,6 +218,22 @@ for (const [title, name] of TESTED)
         assert.deepEqual((await where()).point, end.point);
       });
 
+      test('follows it on a canvas that the page shows smaller than it is drawn', async () => {
+        await page.evaluate(() =>
+          Object.assign(/** @type {any} */ (document.getElementById('canvas')).style, { width: '50%', height: 'auto' }),
+        );
+        await begin([5, 0.9]);
+        const start = await where();
+        assert.ok(Math.hypot(start.button.x - start.screen.x, start.button.y - start.screen.y) < 1);
+        await page.mouse.move(start.screen.x, start.screen.y);
+        await page.mouse.down();
+        await page.mouse.move(start.screen.x + 30, start.screen.y + 15, { steps: 3 });
+        const end = await where();
+        await page.mouse.up();
+        assert.ok(Math.hypot(end.screen.x - start.screen.x - 30, end.screen.y - start.screen.y - 15) < 1);
+        await page.evaluate(() => document.getElementById('canvas')?.removeAttribute('style'));
+      });
+
       test('goes to the nearest place where the pointer leaves the surface', async () => {
         await begin([5.5, 0.2]);
         const start = await where();
@@ -310,6 +326,28 @@ for (const [title, name] of TESTED)
           last = now;
         }
         assert.deepEqual([last.calls.drag, last.calls.end], [5, 5]);
+      });
+
+      test('refuses a place beyond a wall, and a line what is no number', async () => {
+        const messages = await page.evaluate(() => {
+          const { draw, gallery, surfpath, camera, renderer } = /** @type {any} */ (window).view;
+          const helicoid = surfpath.surface(gallery.helicoid);
+          const told = [
+            () => new draw.DragHandle(helicoid, [99, 0], { camera, domElement: renderer.domElement }),
+            () => new draw.GeodesicLine([0, 0, 0, NaN, 1, 1]),
+          ];
+          return told.map((make) => {
+            try {
+              make();
+              return '';
+            } catch (error) {
+              return String(error);
+            }
+          });
+        });
+        assert.match(messages[0], /^RangeError: DragHandle: point\[0\] = 99 lies outside the range of u/);
+        assert.match(messages[1], /^RangeError: GeodesicLine: path must hold finite numbers/);
+        assert.equal(await page.locator('.surfpath-handle').count(), 1, 'a handle that is refused leaves no button');
       });
 
       test('stays on an implicit surface', async () => {

@@ -43,8 +43,8 @@ export const scenePage = (three) => `<!doctype html>
   const place = (point) => {
     camera.updateMatrixWorld();
     const seen = new THREE.Vector3(...point).project(camera);
-    const { left, top } = canvas.getBoundingClientRect();
-    return { x: left + 320 * (seen.x + 1), y: top + 240 * (1 - seen.y) };
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    return { x: left + (width / 2) * (seen.x + 1), y: top + (height / 2) * (1 - seen.y) };
   };
   window.view = { THREE, draw, gallery, surfpath: await load(), renderer, camera, controls, scene, render, place };
 </script>`;

@@ -131,7 +131,8 @@ export class HandleButton {
   /** @param {number} x in CSS pixels from the canvas's corner @param {number} y @param {boolean} seen whether that is inside the view */
   place(x, y, seen) {
     const { style } = this.element;
-    const [left, top] = [this.#canvas.offsetLeft + x - this.#size / 2, this.#canvas.offsetTop + y - this.#size / 2];
+    const { offsetLeft, offsetTop, clientLeft, clientTop } = this.#canvas;
+    const [left, top] = [offsetLeft + clientLeft + x - this.#size / 2, offsetTop + clientTop + y - this.#size / 2];
     style.visibility = seen || this.#pointer !== null ? 'visible' : 'hidden';
     if (seen) style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
   }

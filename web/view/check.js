@@ -33,5 +33,6 @@ export function readPoints(caller, given) {
     throw new TypeError(`${caller}: the path has no points: a metric without positions has none; draw its parameters in the plane`);
   }
   if (points.length < 6 || points.length % 3) throw new RangeError(`${caller}: path must hold x y z of two points or more`);
+  if (!Array.prototype.every.call(points, Number.isFinite)) throw new RangeError(`${caller}: path must hold finite numbers`);
   return points;
 }

@@ -42,6 +42,7 @@ export class SurfacePathElement extends Base {
   /** @type {Surface | null} */ #surface = null;
   /** @type {Path | null} */ #path = null;
   /** @type {number[][]} */ #ends = [];
+  /** The ends that were asked for: they may have been dragged since. @type {number[][]} */ #asked = [];
   #title = 'Surface';
   /** The definition of the surface, but for the values of its parameters: where only these change, it is not compiled anew. */
   #built = '';
@@ -90,7 +91,7 @@ export class SurfacePathElement extends Base {
 
   /** @param {ArrayLike<number> | string} point as the attribute, or numbers */
   set from(point) {
-    this.setAttribute('from', typeof point === 'string' ? point : Array.from(point).join(','));
+    this.#setEnd(0, point);
   }
 
   /** Where it ends. @returns {number[]} */
@@ -100,7 +101,14 @@ export class SurfacePathElement extends Base {
 
   /** @param {ArrayLike<number> | string} point */
   set to(point) {
-    this.setAttribute('to', typeof point === 'string' ? point : Array.from(point).join(','));
+    this.#setEnd(1, point);
+  }
+
+  /** Also where the attribute says so already, but the reader has dragged it away. @param {0 | 1} end @param {ArrayLike<number> | string} point */
+  #setEnd(end, point) {
+    this.setAttribute(['from', 'to'][end], typeof point === 'string' ? point : Array.from(point).join(','));
+    delete this.#asked[end];
+    this.#renew(PATH);
   }
 
   connectedCallback() {
@@ -148,7 +156,7 @@ export class SurfacePathElement extends Base {
       what = this.#stale;
       this.#stale = 0;
       if (what === SURFACE) this.#build(surfpath);
-      if (what >= PATH) this.#ends = readEnds((name) => this.getAttribute(name), this.definition);
+      if (what >= PATH) this.#placeEnds();
       if (what >= PATH) this.#solve();
       this.#isUndrawn = true;
       this.#isUnplayed = what >= PATH;
@@ -157,8 +165,24 @@ export class SurfacePathElement extends Base {
       this.#isQueued = false;
       this.#stale = Math.max(this.#stale, what);
       this.#path = null;
+      this.#stage?.setPath(null);
+      if (this.#stale === SURFACE) this.#dropSurface();
       if (this.#connection) this.#complain(error);
     }
+  }
+
+  /** The picture stays until there is another one, but nothing moves on it. */
+  #dropSurface() {
+    if (this.#surface) this.#stage?.setEnds(this.#surface, [], null);
+    this.#surface?.dispose();
+    this.#surface = null;
+  }
+
+  /** Where a reader has dragged an end it stays, until another place is asked for. */
+  #placeEnds() {
+    const asked = readEnds((name) => this.getAttribute(name), this.definition);
+    this.#ends = asked.map((point, i) => (String(point) === String(this.#asked[i]) ? this.#ends[i] : point));
+    this.#asked = asked;
   }
 
   /** @param {Surfpath} surfpath */
@@ -170,6 +194,7 @@ export class SurfacePathElement extends Base {
     const surface = surfpath.surface(definition);
     this.#surface?.dispose();
     this.#surface = surface;
+    if (built !== this.#built) this.#asked = [];
     this.#built = built;
     this.#title = definition.title ?? 'Surface';
   }
@@ -183,7 +208,7 @@ export class SurfacePathElement extends Base {
       const [from, to] = this.#ends;
       this.#path = this.#surface.shortestPath(from, to, start && !options.via ? { ...options, start } : options);
     }
-    this.#say(this.#path ? describePath(this.#path) : '');
+    this.#tell();
     if (this.#path) this.dispatchEvent(new CustomEvent('path', { detail: this.#path }));
   }
 
@@ -200,6 +225,7 @@ export class SurfacePathElement extends Base {
     this.#isUndrawn = false;
     try {
       this.#draw(this.#surface);
+      this.#tell();
     } catch (error) {
       this.#complain(error);
     }
@@ -241,9 +267,14 @@ export class SurfacePathElement extends Base {
     }
   }
 
+  /** In place of any complaint. */
+  #tell() {
+    this.#say(this.#path ? describePath(this.#path) : '');
+  }
+
   /** @param {string} words */
   #say(words) {
-    this.#words.textContent = words;
+    if (words !== this.#words.textContent) this.#words.textContent = words;
     this.#canvas.setAttribute('aria-label', words ? `${this.#title}. ${words}` : this.#title);
   }
 

@@ -42,7 +42,7 @@ function check(camera, geometry, towards, margin) {
   checkGeometry(caller, geometry);
   const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
   if (!(length > 0 && Number.isFinite(length)))
-    throw new TypeError(`${caller}: towards must be a direction x y z, not ${describe(towards)}`);
+    throw new TypeError(`${caller}: towards must be a direction x y z, none of length 0, not ${describe(towards)}`);
   if (!(margin >= 0 && margin < 1)) throw new RangeError(`${caller}: margin must be in [0, 1), not ${describe(margin)}`);
 }
 

@@ -1,6 +1,7 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
+import { enterDomain } from '../domain.js';
 import { checkOptions } from '../path.js';
 import { HandleButton } from './button.js';
 import { checkDrawable } from './check.js';
@@ -37,6 +38,7 @@ const raycaster = new Raycaster();
 const pointer = new Vector2();
 const frame = new Matrix4();
 const projected = new Vector3();
+const drawn = new Vector2();
 
 /** Add it beside the surface's mesh, in whose coordinates it is placed. */
 export class DragHandle extends Group {
@@ -49,6 +51,8 @@ export class DragHandle extends Group {
   /** Whether it is behind the surface: then it is dragged there. */
   #isHidden = false;
   #wereEnabled = true;
+  /** Where the view was drawn last, in CSS pixels from the corner of the canvas; nowhere at first. */
+  #view = { left: 0, top: 0, width: 0, height: 0 };
 
   /**
    * @param {Surface} surface parametric or implicit; TypeError if it has no positions
@@ -63,9 +67,10 @@ export class DragHandle extends Group {
     this.#options = { label: 'Point', radius: 6, step: 8, ...options };
     this.#surface = surface;
     this.add(this.#marker);
-    this.#marker.onDraw = (camera, viewport) => this.#follow(camera, viewport);
+    this.#marker.onDraw = (camera, viewport, renderer) => this.#follow(camera, viewport, renderer);
     this.setColours(options);
     this.#highlight(false);
+    this.setPoint(point);
     this.#button = new HandleButton(options.domElement, this.#options.label, {
       press: (x, y) => this.#begin(x, y),
       move: (x, y) => this.#moveTo(x, y),
@@ -73,7 +78,6 @@ export class DragHandle extends Group {
       nudge: (right, up) => this.#nudge(right, up),
       highlight: (on) => this.#highlight(on),
     });
-    this.setPoint(point);
   }
 
   /** Where it is: u v, or x y z; a copy. */
@@ -88,11 +92,11 @@ export class DragHandle extends Group {
 
   /** Moves it, without calling `onDrag`. Throws what `project` throws. @param {ArrayLike<number>} point as for the constructor */
   setPoint(point) {
-    const { kind } = this.#surface;
+    const surface = this.#surface;
     const given = Array.from(point);
-    const place = kind === 'implicit' ? this.#surface.project(given) : given;
-    const position = kind === 'implicit' ? place : this.#surface.evaluate(place);
-    if (place.length !== (kind === 'implicit' ? 3 : 2) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
+    const place = surface.domain ? inside(surface.domain, given) : surface.project(given);
+    const position = surface.domain ? surface.evaluate(place) : place;
+    if (place.length !== (surface.domain ? 2 : 3) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
       throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
     this.#point = place;
     this.position.set(position[0], position[1], position[2]);
@@ -134,14 +138,32 @@ export class DragHandle extends Group {
     this.#options.onChange?.();
   }
 
-  /** Keeps the button over the point. @param {import('three').Camera} camera @param {import('three').Vector4} viewport */
-  #follow(camera, { x, y, z: width, w: height }) {
+  /**
+   * Keeps the button over the point. A canvas of the renderer's own may be shown larger or smaller than it is drawn.
+   * @param {import('three').Camera} camera @param {import('three').Vector4} viewport @param {import('three').WebGLRenderer} renderer
+   */
+  #follow(camera, viewport, renderer) {
+    const { domElement } = this.#options;
     if (camera !== this.#options.camera) return;
+    const isOwn = renderer.domElement === domElement;
+    const { x: across, y: down } = isOwn ? renderer.getSize(drawn) : { x: domElement.clientWidth, y: domElement.clientHeight };
+    const [wide, high] = [domElement.clientWidth / across, domElement.clientHeight / down];
+    const [width, height] = [viewport.z * wide, viewport.w * high];
+    this.#view = { left: viewport.x * wide, top: domElement.clientHeight - viewport.y * high - height, width, height };
     projected.setFromMatrixPosition(this.matrixWorld).project(camera);
     const seen = Math.abs(projected.x) <= 1 && Math.abs(projected.y) <= 1 && Math.abs(projected.z) <= 1;
+    this.#button.place(this.#view.left + ((projected.x + 1) / 2) * width, this.#view.top + ((1 - projected.y) / 2) * height, seen);
+  }
+
+  /** Where the view is in the window, as the page has placed and scaled it, in CSS pixels. */
+  #window() {
     const { domElement } = this.#options;
-    const top = domElement.clientHeight - y - height;
-    this.#button.place(x + ((projected.x + 1) / 2) * width, top + ((1 - projected.y) / 2) * height, seen);
+    const box = domElement.getBoundingClientRect();
+    const { left, top, width, height } = this.#view;
+    if (!(width > 0)) return box;
+    const scale = box.width / domElement.offsetWidth;
+    const [x, y] = [domElement.clientLeft + left, domElement.clientTop + top];
+    return { left: box.left + scale * x, top: box.top + scale * y, width: scale * width, height: scale * height };
   }
 
   /** @returns {Matrix4} from the surface's coordinates to the scene's */
@@ -152,7 +174,7 @@ export class DragHandle extends Group {
 
   /** The crossings of the surface are asked for through a point of the canvas. @param {number} x in CSS pixels of the window @param {number} y */
   #aim(x, y) {
-    const { left, top, width, height } = this.#options.domElement.getBoundingClientRect();
+    const { left, top, width, height } = this.#window();
     pointer.set((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height);
     this.#options.camera.updateMatrixWorld();
     raycaster.setFromCamera(pointer, this.#options.camera);
@@ -165,8 +187,8 @@ export class DragHandle extends Group {
 
   /** @param {number} x @param {number} y @returns {[number, number]} from there to the middle of the point, in pixels */
   #begin(x, y) {
-    const { controls, domElement, camera, onDragStart } = this.#options;
-    const { left, top, width, height } = domElement.getBoundingClientRect();
+    const { controls, camera, onDragStart } = this.#options;
+    const { left, top, width, height } = this.#window();
     projected.copy(this.position).applyMatrix4(this.#frame()).project(camera);
     const offset = /** @type {[number, number]} */ ([
       left + ((projected.x + 1) / 2) * width - x,
@@ -198,10 +220,10 @@ export class DragHandle extends Group {
 
   /** @param {number} right steps @param {number} up */
   #nudge(right, up) {
-    const { camera, domElement, step } = this.#options;
+    const { camera, step } = this.#options;
     camera.updateMatrixWorld();
     const pixels = /** @type {[number, number]} */ ([step * right, step * up]);
-    this.#accept(stepAlong(this.#surface, this.#point, this.position, this.#frame(), camera, pixels, domElement.clientHeight));
+    this.#accept(stepAlong(this.#surface, this.#point, this.position, this.#frame(), camera, pixels, this.#window().height));
   }
 
   /** @param {number[] | null} point */
@@ -217,3 +239,7 @@ export class DragHandle extends Group {
     onDragEnd?.(this);
   }
 }
+
+/** A place of the rectangle; throws RangeError for one beyond its walls. @param {NonNullable<Surface['domain']>} domain @param {number[]} place */
+const inside = ({ u, v, periodic }, place) =>
+  enterDomain({ lower: [u[0], v[0]], upper: [u[1], v[1]], periodic: [periodic.u, periodic.v] }, place, 'DragHandle: point');

@@ -50,7 +50,7 @@ export class Marker extends Group {
   #resolution = new Vector2(1, 1);
   #colours = { fill: new Color(COLOUR), ring: new Color(RING) };
   #materials;
-  /** Called each time it is drawn, with the camera and the viewport. @type {(camera: import('three').Camera, viewport: Vector4) => void} */ onDraw =
+  /** Called each time it is drawn. @type {(camera: import('three').Camera, viewport: Vector4, renderer: import('three').WebGLRenderer) => void} */ onDraw =
     () => {};
 
   constructor() {
@@ -83,7 +83,7 @@ export class Marker extends Group {
   #follow(renderer, camera) {
     renderer.getViewport(viewport);
     this.#resolution.set(viewport.z, viewport.w);
-    this.onDraw(camera, viewport);
+    this.onDraw(camera, viewport, renderer);
   }
 
   /** @param {number} radius of the ball, in CSS pixels @param {number} ring width of the ring around it */

@@ -125,16 +125,18 @@ export function readDefinition(attribute) {
 }
 
 /**
- * Both ends: the attributes, else the pair that the gallery suggests; none: the surface alone.
+ * Both ends: the attributes, else the pair that the gallery suggests. The first alone: where distances are measured from; none: the surface alone.
  * @param {Attributes} attribute @param {Record<string, any>} definition
  * @returns {number[][]}
  */
 export function readEnds(attribute, definition) {
-  return ['from', 'to'].flatMap((name) => {
+  const [from, to] = ['from', 'to'].map((name) => {
     const text = attribute(name);
     const point = text === null ? definition[name] : readNumbers(name, text);
-    return point ? [Array.from(point)] : [];
+    return point && Array.from(point);
   });
+  if (to && !from) throw new TypeError('surface-path: a path needs both ends; from is missing');
+  return [from, to].filter(Boolean);
 }
 
 /** Options for `shortestPath`; only those that are given. @param {Attributes} attribute @returns {import('../../path.js').PathOptions} */
@@ -165,10 +167,13 @@ export function readLook(attribute, definition, from) {
     throw new RangeError(
       `surface-path: colour must be one of ${COLOURS.join(', ')}, not ${describe(colour)}; the surface's own is the custom property --surfpath-surface`,
     );
+  const towards = camera === null ? definition.camera : readNumbers('camera', camera);
+  if (towards && !(towards.length === 3 && towards.some((/** @type {number} */ x) => x !== 0)))
+    throw new RangeError(`surface-path: camera must be a direction x, y, z to look from, not ${describe(camera)}`);
   return {
     colour: /** @type {any} */ (colour ?? 'none'),
     ...(colour === 'distance' ? { from } : {}),
     ...(resolution === null ? {} : { resolution: readNumbers('resolution', resolution)[0] }),
-    camera: camera === null ? definition.camera : readNumbers('camera', camera),
+    camera: towards,
   };
 }

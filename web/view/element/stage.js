@@ -113,7 +113,7 @@ export class Stage {
       for (const end of this.#ends) end.dispose();
       this.#ends = [];
       this.#ends = points.map((point, i) => (onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point)));
-      this.#scene.add(...this.#ends);
+      for (const end of this.#ends) this.#scene.add(end);
     }
     this.#paint();
   }

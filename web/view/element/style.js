@@ -18,10 +18,14 @@ const CSS = /* css */ `
   background: var(--paper);
   color: var(--ink);
   font: 14px/1.4 system-ui, sans-serif;
+  /* That one has ended tells that a page has changed a colour. */
+  transition: --surface 1ms, --line 1ms, --start 1ms, --halo 1ms;
+  transition-behavior: allow-discrete;
 }
 :host([hidden]) { display: none; }
 canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
 p {
+  box-sizing: border-box;
   position: absolute;
   left: 12px;
   bottom: 10px;

@@ -1,4 +1,4 @@
-/** What happens to an element from outside: it comes on screen, it is resized, the reader's colours change. */
+/** What happens to an element from outside: it comes on screen, it is resized, the reader's colours or the page's change. */
 
 /**
  * Calls back until the signal is aborted, the first time soon.
@@ -11,5 +11,6 @@ export function watch(element, signal, { see, resize, repaint }) {
     observer.observe(element);
     signal.addEventListener('abort', () => observer.disconnect());
   }
+  element.addEventListener('transitionend', repaint, { signal });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal });
 }
