@@ -154,7 +154,7 @@ COLD := arcs arena bridge contact crossing cusp ends flow functions graph graph_
     metric newton normal piece polar pole project refine solve start system trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 # As fast as with -Os, and shorter.
-build/wasm/graph_implicit.o build/wasm/memory.o build/wasm/mesh.o build/wasm/trace.o: HOT := -Oz
+build/wasm/graph_implicit.o build/wasm/memory.o build/wasm/mesh.o build/wasm/system.o build/wasm/trace.o: HOT := -Oz
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)

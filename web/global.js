@@ -91,7 +91,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const passing = firsts(beside.filter(holds));
   const over = ways.filter(holds);
   const unknown = tried.filter(
-    (one) => !isKnown(problem, one.coarse, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
+    (one) => !isKnown(problem, one, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
   );
   const shortest = lengthOfShortest([...rough, ...passing, ...over]);
   const unfollowed = unknown.filter(
@@ -218,7 +218,7 @@ function stalledBeside(problem, unknown, options, best) {
 function isShorterAnyway(problem, path, best, { tolerance }) {
   const { status, length, lengthError } = path;
   const least = best.length * (1 - tolerance) - best.lengthError;
-  if (status <= CONVERGED || status === STALLED || !(length < least)) return false;
+  if (status <= CONVERGED || status === STALLED || !(length - Math.min(lengthError, MARGIN * length) < least)) return false;
   if (length + lengthError < least) return true;
   const finer = solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST });
   return !(holds({ path: finer }) && estimate(finer) >= least);
@@ -242,16 +242,18 @@ function asTheyAre({ solve }, options, unfollowed, most) {
 const isPointed = ({ domain, graph }) => !!domain?.poles.length && !graph(0)?.singular;
 
 /**
- * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds.
- * @param {Problem} problem @param {RawPath} coarse @param {Tried[]} tried
+ * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds. At a hole, which chords jump over, so look the ways on both
+ * sides of it; at a pole they are one.
+ * @param {Problem} problem @param {{ to: number[], coarse: RawPath }} one @param {Tried[]} tried
  */
-const isKnown = ({ domain }, coarse, tried) =>
+const isKnown = ({ domain }, { to, coarse }, tried) =>
   coarse.status === STALLED &&
   tried.some(
     (other) =>
       holds(other) &&
       (isOneOfMany(other.coarse, coarse) ||
         (Math.abs(other.coarse.length / coarse.length - 1) <= (domain?.poles.length ? NEAR_REST : AT_REST) &&
+          (!domain || domain.poles.length > 0 || other.to.every((x, j) => 2 * Math.abs(x - to[j]) < domain.upper[j] - domain.lower[j])) &&
           isSame(other.coarse, coarse))),
   );
 
@@ -267,7 +269,7 @@ function solveRoughly(problem, { to, start }, tried) {
   const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...ROUGHLY, points });
   const coarse = solve(ROUGH[0]);
   let path = coarse;
-  const more = start && !isKnown(problem, coarse, tried) ? ROUGH.slice(1) : [];
+  const more = start && !isKnown(problem, { to, coarse }, tried) ? ROUGH.slice(1) : [];
   for (const points of more) if (isTooCoarse(path)) path = solve(points);
   return { to, start, path, coarse };
 }
