@@ -56,7 +56,7 @@ struct sp_iterate {
 };
 
 struct sp_result {
-    double length;              /* sum of the chords; NaN without a path */
+    double length;              /* SP_ELEMENTS: of the curve; else the sum of the chords; NaN without a path */
     double length_error;        /* estimate of |length - length of the geodesic|, never below 4e-15 length */
     double energy;              /* Eq. 19 */
     double gradient_norm;       /* |grad E| over all free unknowns */
@@ -83,8 +83,8 @@ double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options 
  * Minimises E = (n + 1) sum |X_i+1 - X_i|^2 over n = K points on the surface by Newton's method (MATH.md); where length has a
  * metric of its own (surface.h), E = sum of its chords' squares by the trapezoidal rule. `result` is always filled; its
  * arrays lie in `arena`, which is reset first. Returns result->status: SP_CONVERGED, SP_ITERATION_LIMIT, SP_STALLED, SP_ILL_CONDITIONED,
- * SP_SADDLE with a path; SP_SINGULAR_METRIC, SP_SHEET_JUMP, SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without. Options out of range
- * are the caller's mistake and are clamped. Cost: O(K) a step. */
+ * SP_SADDLE, SP_TOLERANCE_NOT_MET with a path; SP_SINGULAR_METRIC, SP_SHEET_JUMP, SP_OFF_SURFACE, SP_NOT_FINITE, SP_OUT_OF_MEMORY without.
+ * Options out of range are the caller's mistake and are clamped. Cost: O(K) a step. */
 int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                       struct sp_arena *arena, struct sp_result *result);
 
@@ -138,10 +138,10 @@ double sp_trace_bytes(int32_t kind, const struct sp_trace_options *options);
 int32_t sp_trace_path(const struct sp_surface *surface, const struct sp_trace_request *request, const struct sp_trace_options *options,
                       struct sp_arena *arena, struct sp_trace_result *result);
 
-/* Sizes and offsets in WebAssembly, mirrored in web/runtime/heap.js; a test compares the two. */
+/* Sizes and offsets in WebAssembly, mirrored in web/runtime/layout.js; a test compares the two. */
 #ifdef __wasm__
-#define SP_SIZE(name, bytes) _Static_assert(sizeof(struct name) == (bytes), "mirrored in heap.js")
-#define SP_AT(name, field, offset) _Static_assert(offsetof(struct name, field) == (offset), "mirrored in heap.js")
+#define SP_SIZE(name, bytes) _Static_assert(sizeof(struct name) == (bytes), "mirrored in layout.js")
+#define SP_AT(name, field, offset) _Static_assert(offsetof(struct name, field) == (offset), "mirrored in layout.js")
 SP_SIZE(sp_surface, 56);
 SP_AT(sp_surface, jet, 0);
 SP_AT(sp_surface, value, 4);

@@ -19,12 +19,12 @@ const [MOST_MEASURED, MOST_PARTS] = [8, 512];
  * @returns {RawPath}
  */
 export function challenge(problem, options, best, tried) {
-  const { positions, solve } = problem;
+  const { isPlain, positions, solve } = problem;
   let path = best;
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
-  for (const { to, start } of positions ? open.slice(0, MOST_MEASURED) : []) {
+  for (const { to, start } of isPlain && positions ? open.slice(0, MOST_MEASURED) : []) {
     let length = 0;
     // Fewer chords are shorter.
     for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)

@@ -148,7 +148,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   if (failed.length === 0 && beside.length > 0) return [asAsked(beside[0], options)];
   /* A path that is none of the best is better than none, if what is shorter can be told. */
   const weakest = failed.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length)[0];
-  if (weakest || (failed.length > 0 && !problem.positions)) return [weakest ?? failed[0]];
+  if (weakest || (failed.length > 0 && !(problem.isPlain && problem.domain))) return [weakest ?? failed[0]];
   const last = apart ? emptyPath(status) : solveWeakly(problem, tried, options);
   return [last.length > 0 ? last : (failed[0] ?? last)];
 }
@@ -221,7 +221,7 @@ function isShorterAnyway(problem, path, best, { tolerance }) {
   if (status <= CONVERGED || status === STALLED || !(length - Math.min(lengthError, MARGIN * length) < least)) return false;
   if (length + lengthError < least) return true;
   const finer = solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST });
-  return !(holds({ path: finer }) && estimate(finer) >= least);
+  return holds({ path: finer }) ? estimate(finer) < least : length < least;
 }
 
 /**

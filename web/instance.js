@@ -114,24 +114,24 @@ export class Surfpath {
   }
 }
 
-/** @type {Map<unknown, Promise<WebAssembly.Module>>} modules compiled so far, by where they came from */
+/** @type {Map<unknown, Promise<WebAssembly.Module>>} modules compiled so far, by their addresses, or the entry whose own they are */
 const compiled = new Map();
+
+/** @typedef {{ wasm?: WasmSource }} LoadOptions wasm: another place to take the module from */
 
 /**
  * Makes `compileModule` for an entry.
  * @param {() => WasmSource | Promise<WasmSource>} inlined the entry's own module
+ * @returns {(options?: LoadOptions) => Promise<WebAssembly.Module>}
  */
 export function makeCompile(inlined) {
-  /**
-   * The solver's module, compiled: it can be posted to a worker, and loaded there by `load({ wasm: module })`. Cached.
-   * @param {{ wasm?: WasmSource }} [options] as for `load`
-   * @returns {Promise<WebAssembly.Module>}
-   */
   return async function compileModule(options) {
     const { wasm } = checkOptions('load', options, ['wasm']);
     const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
+    /* Bytes are the caller's, and an answer is read once. */
+    if (typeof key === 'object') return compileSolver(key);
     let module = compiled.get(key);
-    if (!module || (typeof Response === 'function' && wasm instanceof Response)) {
+    if (!module) {
       module = compileSolver(wasm ?? inlined());
       compiled.set(key, module);
       module.catch(() => compiled.delete(key));
@@ -142,14 +142,10 @@ export function makeCompile(inlined) {
 
 /**
  * Makes `load` for an entry.
- * @param {(options?: { wasm?: WasmSource }) => Promise<WebAssembly.Module>} compileModule the entry's own
+ * @param {(options?: LoadOptions) => Promise<WebAssembly.Module>} compileModule the entry's own
+ * @returns {(options?: LoadOptions) => Promise<Surfpath>}
  */
 export function makeLoad(compileModule) {
-  /**
-   * Loads the solver. Each call gives a new, independent instance; the compiled module is cached.
-   * @param {{ wasm?: WasmSource }} [options] wasm: another place to take the module from
-   * @returns {Promise<Surfpath>} rejects, in words, without WebAssembly SIMD
-   */
   return async function load(options) {
     return new Surfpath(await compileModule(options));
   };

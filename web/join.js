@@ -4,6 +4,7 @@ import { moveNear } from './lifts.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./seams.js').Glued} Glued */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
  * Shares inner points out among pieces in proportion to their lengths, the points where they meet left out: at least one each.
@@ -50,7 +51,7 @@ function joinParameters(pieces, glued) {
  * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
  * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
  */
-export function joinPaths(pieces, glued) {
+function joinPaths(pieces, glued) {
   const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
@@ -82,14 +83,15 @@ const ROUGH = 31;
 
 /**
  * So many pieces, one after the other: first roughly, to share out the points, then as asked.
- * @param {number} count @param {number} points inner points of the whole, at least 2 count − 1 @param {(piece: number, points: number) => Path} solve
+ * @param {number} count @param {SolveOptions} options inner points of the whole, at least 2 count − 1 @param {(piece: number, options: SolveOptions) => Path} solve
  * @param {Glued | null} glued the rectangle, if they have parameters
  * @returns {Path}
  */
-export function joinPieces(count, points, solve, glued) {
-  const rough = Array.from({ length: count }, (_, i) => solve(i, Math.max(ROUGH, Math.ceil(points / count))).length || 0);
+export function joinPieces(count, options, solve, glued) {
+  const least = { ...options, points: Math.max(ROUGH, Math.ceil(options.points / count)), record: false };
+  const rough = Array.from({ length: count }, (_, i) => solve(i, least).length || 0);
   return joinPaths(
-    shareOut(rough, points).map((own, i) => solve(i, own)),
+    shareOut(rough, options.points).map((points, i) => solve(i, { ...options, points })),
     glued,
   );
 }

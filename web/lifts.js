@@ -85,19 +85,17 @@ function move(glued, parameters, turns, by) {
   }
 }
 
-/**
- * Moves u v pairs so that this point of them comes to lie exactly where another is, the same point of the surface.
- * @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} from u v @param {number[]} to
- */
-export function moveOnto(glued, parameters, from, to) {
-  const turns = turnsTo(glued, from, to);
-  const first = turnOn(glued, [from[0], from[1]], turns);
+/** Moves u v pairs so that the first of them is exactly this, the same point of the surface. @param {Glued} glued @param {Float64Array} parameters @param {number[]} to u v */
+export function moveOnto(glued, parameters, to) {
+  const turns = turnsTo(glued, parameters, to);
+  const first = turnOn(glued, [parameters[0], parameters[1]], turns);
   move(
     glued,
     parameters,
     turns,
     [0, 1].map((j) => (glued.periodic[j] ? to[j] - first[j] : 0)),
   );
+  parameters.set(to);
 }
 
 /** Moves u v pairs so that the first of them comes to lie next to a place. @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} near u v */

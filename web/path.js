@@ -113,13 +113,13 @@ export function readOptions(caller, given, others = []) {
   const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
+  const code = ALGORITHMS.get(algorithm);
+  if (code === undefined)
+    throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
   if (options.tolerance !== undefined && algorithm !== 'elements')
     throw new RangeError(
       `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
     );
-  const code = ALGORITHMS.get(algorithm);
-  if (code === undefined)
-    throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
   if (gradientTolerance !== undefined && algorithm === 'elements')
     throw new RangeError(
       `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,

@@ -8,7 +8,7 @@ import { joinPieces } from './join.js';
 import { moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
 import { makePath } from './path.js';
-import { findGlobal, solveNear } from './routes.js';
+import { findGlobal, isAfter, reverse, solveNear } from './routes.js';
 import { emptyPath } from './runtime/heap.js';
 import { CONVERGED } from './runtime/status.js';
 
@@ -48,9 +48,8 @@ const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : p
 /** The path with these legs, in the caller's turn of the parameters. @param {Field} field @param {Leg[]} legs @param {SolveOptions} options @param {number[]} from @returns {Path} */
 function follow({ domain }, legs, options, from) {
   const points = Math.max(options.points, 2 * legs.length - 1);
-  const solve = (/** @type {number} */ i, /** @type {number} */ own) =>
-    findGlobal(legs[i].piece, legs[i].ends, { ...options, points: own }, 1)[0];
-  const path = joinPieces(legs.length, points, solve, domain);
+  const solve = (/** @type {number} */ i, /** @type {SolveOptions} */ asked) => findGlobal(legs[i].piece, legs[i].ends, asked, 1)[0];
+  const path = joinPieces(legs.length, { ...options, points }, solve, domain);
   return placed(domain, points > options.points ? thinned(path, options.points + 2) : path, from);
 }
 
@@ -75,8 +74,8 @@ function thinned(path, count) {
 }
 
 /** What no path with these legs is shorter than: their chords, and what it takes to cross the surface between their ends. @param {Field} field @param {Leg[]} legs */
-function boundOf({ domain, positions }, legs) {
-  if (!positions) return 0;
+function boundOf({ domain, isPlain, positions }, legs) {
+  if (!positions || !isPlain) return 0;
   const across = domain?.pinches?.across ?? 0;
   return legs.reduce((sum, { piece, ends }) => {
     const points = positions(ends.flat());
@@ -154,7 +153,19 @@ export function placeIn({ domain, pieces }, place) {
  * @returns {Path}
  */
 export function findPath(field, ends, options, start) {
-  if (field.pieces.length === 0) return findIn(field, ends, options, start);
+  const { domain, pieces } = field;
+  if (pieces.length === 0) return findIn(field, ends, options, start);
+  const isTurned = (!start || start === 'global') && isAfter(ends[0], ends[1]);
+  const path = findAcross(field, isTurned ? [ends[1], ends[0]] : ends, options, start);
+  return isTurned ? placed(domain, reverse(path), ends[0]) : path;
+}
+
+/**
+ * The shortest of the paths from piece to piece, and of those within one.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start
+ * @returns {Path}
+ */
+function findAcross(field, ends, options, start) {
   const ways = waysBetween(field, ends);
   const solve = (/** @type {Leg[]} */ legs) =>
     legs.length > 1

@@ -22,7 +22,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {number[] | null} box of an implicit surface
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
- * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface where it is
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
  */
 
@@ -62,7 +62,7 @@ export function solveNear(field, ends, options, start) {
   }
   if (passing) return passing;
   const path = makePath(near);
-  if (domain && path.parameters) moveOnto(domain, path.parameters, lifted[0], faced[0]);
+  if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
   return path;
 }
 
@@ -81,8 +81,7 @@ export function findGlobal(field, ends, options, most) {
  * @returns {Path[]}
  */
 function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {
-  const different = from.findIndex((x, j) => x !== to[j]);
-  const swap = different >= 0 && from[different] > to[different];
+  const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   let exhausted = false;
@@ -109,12 +108,18 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
   const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
   return raw.map((one) => {
     const path = makePath(swap ? reverse(one) : one);
-    if (domain && path.parameters) moveOnto(domain, path.parameters, path.parameters, swap ? b : a);
+    if (domain && path.parameters) moveOnto(domain, path.parameters, swap ? b : a);
     return path;
   });
 }
 
-/** Turns a path round. @param {RawPath} path @returns {RawPath} */
+/** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
+export function isAfter(a, b) {
+  const different = a.findIndex((x, j) => x !== b[j]);
+  return different >= 0 && a[different] > b[different];
+}
+
+/** Turns a path round. @template {RawPath | Path} T @param {T} path @returns {T} */
 export function reverse(path) {
   const turned = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
     const result = new Float64Array(numbers.length);

@@ -43,6 +43,8 @@ const MAY_CROSS = [TOLERANCE_NOT_MET, SINGULAR_METRIC];
 const [LOOSER, LOOSEST] = [100, 1e-5];
 /** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
 const MOST_GEODESICS = 16;
+/** Statuses of what is no geodesic yet. */
+const AT_NO_REST = ['stalled', 'iteration-limit'];
 
 /** What the kinds differ in. */
 const SHAPE = {
@@ -162,7 +164,9 @@ export class Surface {
       throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#readPoint(caller, 'from', from), this.#readPoint(caller, 'to', to)];
-    return findGeodesics(this.#field(), ends, solve, max).filter(({ index, status }) => index === 0 || status === 'out-of-memory');
+    return findGeodesics(this.#field(), ends, solve, max).filter(
+      ({ index, status }) => (index === 0 && !AT_NO_REST.includes(status)) || status === 'out-of-memory',
+    );
   }
 
   /**
@@ -535,7 +539,7 @@ export class Surface {
       box: this.#box,
       graphs,
       isPlain,
-      positions: isPlain && domain ? (places) => this.#evaluate('value', places) : null,
+      positions: this.#kind !== 'metric' && domain ? (places) => this.#evaluate('value', places) : null,
       run: (call) => this.#run((heap) => call(heap, this.#record), domain),
       pieces: pieces.map((piece, i) => {
         this.#graphsOfPieces[i] ??= new Graphs(KIND[this.#kind]);

@@ -1,10 +1,13 @@
 /** Paths through given points: the shortest path from each to the next. */
 
 import { joinPieces } from './join.js';
-import { findPath } from './pieces.js';
+import { findPath, placed } from './pieces.js';
+import { isAfter, reverse } from './routes.js';
+
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
- * @param {import('./routes.js').Field} field @param {string} caller @param {number[][]} places @param {import('./runtime/heap.js').SolveOptions} options @param {unknown} start
+ * @param {import('./routes.js').Field} field @param {string} caller @param {number[][]} places @param {SolveOptions} options @param {unknown} start
  * @returns {import('./path.js').Path}
  */
 export function passThrough(field, caller, places, options, start) {
@@ -14,7 +17,10 @@ export function passThrough(field, caller, places, options, start) {
   const least = 2 * count - 1;
   if (options.points < least)
     throw new RangeError(`${caller}: options.points must be at least ${least} where options.via has ${count - 1}, not ${options.points}`);
-  const solve = (/** @type {number} */ i, /** @type {number} */ points) =>
-    findPath(field, places.slice(i, i + 2), { ...options, points }, start === 'global' ? start : null);
-  return joinPieces(count, options.points, solve, field.domain);
+  const isTurned = isAfter(places.flat(), [...places].reverse().flat());
+  const legs = isTurned ? [...places].reverse() : places;
+  const solve = (/** @type {number} */ i, /** @type {SolveOptions} */ asked) =>
+    findPath(field, legs.slice(i, i + 2), asked, start === 'global' ? start : null);
+  const path = joinPieces(count, options, solve, field.domain);
+  return isTurned ? placed(field.domain, reverse(path), places[0]) : path;
 }

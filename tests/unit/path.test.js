@@ -4,6 +4,7 @@ import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { POLYLINE, STRAIGHT } from '../helpers/options.js';
+import { createRandom } from '../helpers/random.js';
 import { anything, close, refuses } from '../helpers/refuses.js';
 
 const surfpath = await load();
@@ -27,6 +28,7 @@ describe('options', () => {
     [null, TypeError, /options must be an object, not null/],
     ['fast', TypeError, /options must be an object, not 'fast'/],
     [{ pionts: 3 }, TypeError, /there is no option 'pionts'; the options are algorithm, points/],
+    [{ algorithm: 'fast', tolerance: 1e-6 }, RangeError, /options.algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
     [{ algorithm: 'elements', gradientTolerance: 1e-6 }, RangeError, /'elements' takes tolerance/],
     [{ algorithm: 'fast' }, RangeError, /algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
     [{ start: 'curved' }, TypeError, /start must be 'global', 'straight', a polyline .* not 'curved'/],
@@ -294,18 +296,41 @@ describe('results', () => {
   });
 
   test('exchanging the ends reverses the path to the bit', () => {
-    for (const [surface, a, b] of /** @type {const} */ ([
-      [ring, [0.5, 0.6], [2.6, 1.2]],
-      [sphere, [1, 0, 0], [0, 0.6, 0.8]],
+    const cone = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 'v', u: [0, '2pi'], v: [-1, 1] });
+    const via = [
+      [5.4, 3.2],
+      [1.2, 4.9],
+    ];
+    for (const [surface, a, b, through] of /** @type {const} */ ([
+      [ring, [0.5, 0.6], [2.6, 1.2], null],
+      [sphere, [1, 0, 0], [0, 0.6, 0.8], null],
+      [cone, [1, -0.5], [2, 0.5], null],
+      [ring, [0.5, 0.6], [2.6, 1.2], via],
     ])) {
       for (const options of [STRAIGHT, {}]) {
-        const [there, back] = [surface.shortestPath(a, b, options), surface.shortestPath(b, a, options)];
+        const [forth, round] = through ? [{ via: [...through] }, { via: [...through].reverse() }] : [{}, {}];
+        const [there, back] = [surface.shortestPath(a, b, { ...options, ...forth }), surface.shortestPath(b, a, { ...options, ...round })];
         assert.equal(back.length, there.length);
         const turned = Array.from({ length: 66 }, (_, i) => Array.from(back.points.subarray(3 * (65 - i), 3 * (66 - i)))).flat();
         assert.deepEqual(turned, Array.from(there.points));
       }
     }
   });
+});
+
+test('parameters begin exactly at the first end, however many turns away', () => {
+  const random = createRandom(17);
+  const turn = () => random.between(-20, 20);
+  for (let i = 0; i < 40; i++) {
+    const from = [turn(), turn()];
+    assert.deepEqual(Array.from(ring.shortestPath(from, [turn(), turn()]).parameters?.subarray(0, 2) ?? []), from);
+  }
+});
+
+test('geodesics gives paths at rest only', () => {
+  const crease = surfpath.graph({ z: 'abs(x) + abs(y)', x: [-1, 1], y: [-1, 1] });
+  for (const { status } of crease.geodesics([-0.5, -0.4], [0.6, 0.3])) assert.ok(!/stalled|iteration-limit/.test(status), status);
+  assert.deepEqual(saddle.geodesics([-0.9, 0.1], [0.8, -0.4], { maxIterations: 1 }), []);
 });
 
 test('gradientNorm of a polyline is that of its energy, by differences', () => {

@@ -252,7 +252,10 @@ export class Pool {
   async #answerHere(method, definition, args) {
     const surfpath = await this.#entry.load();
     try {
-      return /** @type {any} */ (surfpath.surface(definition))[method](...args);
+      const surface = surfpath.surface(definition);
+      /* What it ignores cannot be posted either: better refused than computed here, where the page waits for it. */
+      writeDefinition(definition);
+      return /** @type {any} */ (surface)[method](...args);
     } finally {
       surfpath.dispose();
     }

@@ -14,7 +14,7 @@ export function writeDefinition(definition) {
     if (typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)))
       return { [MARK]: Object.is(value, -0) ? '-0' : String(value) };
     if (typeof value === 'function' || typeof value === 'symbol' || (value === undefined && Array.isArray(this)))
-      throw new TypeError(`${name} cannot be written down`);
+      throw new TypeError(`the definition's ${name} cannot be posted to a worker; leave it out`);
     return value;
   });
 }

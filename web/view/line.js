@@ -73,6 +73,8 @@ export class GeodesicLine extends Group {
   #body = new Group();
   #lift = { value: 0 };
   #passes;
+  /** Whether what is hidden has a colour of its own; else that of the line. */
+  #isHiddenOwn = false;
 
   /**
    * @param {Path | ArrayLike<number> | null} path a path of a surface with positions, or x y z …; null: nothing to draw yet
@@ -97,6 +99,7 @@ export class GeodesicLine extends Group {
       halo: this.#makePass(halo ?? HALO, width + 2 * border, {}, border > 0),
       line: this.#makePass(colour, width, {}, true),
     };
+    this.#isHiddenOwn = options.hiddenColour !== undefined;
     this.setPath(path);
   }
 
@@ -122,12 +125,14 @@ export class GeodesicLine extends Group {
 
   /**
    * Recolours the line; what is not named stays.
-   * @param {{ colour?: Colour, halo?: Colour, hiddenColour?: Colour }} colours hiddenColour: default, as colour
+   * @param {{ colour?: Colour, halo?: Colour, hiddenColour?: Colour }} colours hiddenColour: as colour until it is named once
    */
-  setColours({ colour, halo, hiddenColour = colour }) {
+  setColours({ colour, halo, hiddenColour }) {
     const { hidden, line, halo: border } = this.#passes;
+    this.#isHiddenOwn ||= hiddenColour !== undefined;
+    const behind = this.#isHiddenOwn ? hiddenColour : colour;
     if (colour !== undefined) line.material.color.set(colour);
-    if (hiddenColour !== undefined) hidden.material.color.set(hiddenColour);
+    if (behind !== undefined) hidden.material.color.set(behind);
     if (halo !== undefined) border.material.color.set(halo);
   }
 
