@@ -59,6 +59,9 @@ function listen(view) {
   find('toggle-panel').addEventListener('click', togglePanel);
   find('tabs').addEventListener('click', ({ target }) => showTab(/** @type {HTMLElement} */ (target).dataset.tab));
   addEventListener('keydown', pressed);
+  // Before whatever is pressed hears of it.
+  addEventListener('pointerdown', () => history.hold(), true);
+  for (const type of ['pointerup', 'pointercancel']) addEventListener(type, () => history.release());
   // The address itself may have been rewritten since: of a change a moment before.
   addEventListener('hashchange', ({ newURL }) => openAddress(new URL(newURL).hash));
   onRender(() => {
