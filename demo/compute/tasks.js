@@ -3,6 +3,7 @@
 import { isNear, lengthOf } from './curves.js';
 import { meshOf } from './drawable.js';
 import { drawnOf } from './drawn.js';
+import { legsOf } from './legs.js';
 import { shade } from './shade.js';
 import { severalStarts } from './starts.js';
 import { study } from './study.js';
@@ -21,6 +22,7 @@ import { tracedPath } from './traced.js';
 /**
  * @typedef {object} Solved
  * @property {Path[]} paths shortest first
+ * @property {import('./legs.js').Leg[]} legs of the first path, where it passes points
  * @property {Float64Array[][]} films for each start, the iterates x y z … from it to the path; none where there is nothing to play
  * @property {Float64Array | null} straight the straight start, x y z …
  * @property {number} straightLength
@@ -111,6 +113,7 @@ function solve(opened, { ends, via, options }) {
   const straight = films[0]?.[0] ?? null;
   return {
     paths,
+    legs: via.length > 0 ? legsOf(opened, paths[0], [from, ...via, to], wanted(options)) : [],
     films: several ? films : films.flatMap((film) => framesOf(paths[0], film)),
     straight,
     straightLength: straight ? lengthOf(straight) : NaN,
