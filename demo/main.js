@@ -1,13 +1,12 @@
 /** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { change, history, openSketch, redo, undo } from './state/change.js';
+import { change, history, openAddress, redo, undo } from './state/change.js';
 import { find, say } from './panels/dom.js';
 import { startExports } from './export/exports.js';
 import { connect, recolour, showIn } from './compute/flow.js';
 import { startFormula } from './panels/formula.js';
 import { startGallery } from './panels/gallery.js';
-import { fromHash } from './state/link.js';
 import { startMeasure } from './panels/measure.js';
 import { startPathCard } from './panels/path-card.js';
 import { startPlane } from './plots/plane.js';
@@ -16,7 +15,6 @@ import { refreshPlot, startPlots } from './plots/plots.js';
 import { startResult } from './panels/result.js';
 import { View } from './stage/scene.js';
 import { startShow } from './stage/show.js';
-import { sketchOf } from './state/sketch.js';
 import { startSliders } from './panels/sliders.js';
 import { FIRST, stepsShown, onRender, render, state } from './state/state.js';
 import { live, startProgress } from './compute/workers.js';
@@ -26,16 +24,19 @@ const player = new Player((moment) => {
   render();
 });
 
+/** The picture of the first scene, which stands in for it until there is something to see. */
+const removePoster = () => document.getElementById('poster')?.remove();
+
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
     Object.assign(window, { surfpathView: view });
-    view.onFirst = () => document.getElementById('poster')?.remove();
+    view.onFirst = removePoster;
     startShow(view);
     return view;
   } catch {
-    find('poster').remove();
+    removePoster();
     say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below are computed all the same.');
     return null;
   }
@@ -97,15 +98,6 @@ function pressed(event) {
   else undo();
 }
 
-/** Opens what an address holds; without, or where that is not ours, the first scene. @param {string} hash */
-function openAddress(hash) {
-  const sketch = fromHash(hash);
-  if (hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
-  // The picture that stands in for the scene until it is drawn is that of the first one.
-  if (sketch && sketch.entry !== FIRST) document.getElementById('poster')?.remove();
-  return openSketch(sketch ?? sketchOf(FIRST));
-}
-
 /** @param {boolean} animated */
 function solved(animated) {
   if (performance.getEntriesByName('first path').length === 0) {
@@ -143,12 +135,13 @@ async function start() {
     connect(await loading, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
-    find('poster').remove();
+    removePoster();
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
   // The worker has its first task while the view is made.
   openAddress(location.hash);
+  if (state.sketch.entry !== FIRST) removePoster();
   await breathe();
   const view = makeView();
   showIn(view);

@@ -4,7 +4,7 @@ import { findBadBound, problemOf, sentence } from '../state/definition.js';
 import { chooseEnds, findBadEnd, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
-import { chosenPath, render, state, UNSOLVED } from '../state/state.js';
+import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
 import { askLong, live } from './workers.js';
 
 /** @typedef {import('surfpath').Surfpath} Surfpath */
@@ -167,7 +167,7 @@ export async function solve(animated) {
 
 /** @param {Solved} solved @param {boolean} animated */
 function show(solved, animated) {
-  give({ solved, chosen: 0, moment: 1 });
+  give({ solved, chosen: choiceOf(state.sketch, solved), moment: 1 });
   onSolved(animated);
 }
 

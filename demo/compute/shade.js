@@ -4,13 +4,12 @@ import { gaussianCurvature } from '../../web/view/curvature.js';
 import { coordinates } from '../state/definition.js';
 import { measureDistances } from './distances.js';
 import { meshOf } from './drawable.js';
+import { NAMES } from '../state/names.js';
 import { runInSlices } from './slices.js';
 import { tangentForm, Tensor } from './tensor.js';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {Float64Array} Shade a number a vertex; NaN where there is none */
-
-const WORD = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/gu;
 
 /**
  * @param {import('./tasks.js').Opened} opened
@@ -74,7 +73,7 @@ function areasInSpace({ metric, parameters }, { positions, normals }, surfpath) 
 /** A formula with u and v in place of what the kind calls them. @param {string} text @param {any} definition */
 function inPlane(text, { kind, parameters }) {
   const names = coordinates(kind);
-  return text.replace(WORD, (name) => {
+  return text.replace(NAMES, (name) => {
     const place = names.indexOf(name);
     return place < 0 || Object.hasOwn(parameters, name) ? name : 'uv'[place];
   });
@@ -96,14 +95,14 @@ function densities(definition, { u, v }, mesh, surfpath) {
     );
   if (kind !== 'parametric') {
     const inSpace = String(density)
-      .match(WORD)
+      .match(NAMES)
       ?.some((name) => ['x', 'y', 'z'].includes(name) && !coordinates(kind).includes(name));
     return inSpace
       ? every(surfpath.implicit({ f: density, parameters }), mesh.positions, 4, 0)
       : height(inPlane(String(density), definition));
   }
   const hidden = (/** @type {string} */ name) => !['x', 'y', 'z'].includes(name) || Object.hasOwn(parameters, name);
-  return height(String(density).replace(WORD, (name) => (hidden(name) ? name : `(${definition[name]})`)));
+  return height(String(density).replace(NAMES, (name) => (hidden(name) ? name : `(${definition[name]})`)));
 }
 
 /** One of several values at each point. @param {import('surfpath').Surface} surface disposed @param {ArrayLike<number>} points @param {number} stride @param {number} which */

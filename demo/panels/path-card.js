@@ -5,7 +5,7 @@ import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { chooseEnds } from '../state/ends.js';
 import { MOST_POINTS } from '../state/sketch.js';
-import { chosenPath, onRender, render, state } from '../state/state.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 import { formatNumber } from './words.js';
 
 /** @typedef {import('../state/state.js').State} State */
@@ -148,10 +148,7 @@ function renderList(paths, chosen) {
     const button = create('button', { type: 'button' }, create('strong', {}, formatNumber(path.length, 8)));
     if (i > 0) button.append(create('span', { className: 'hint' }, ` +${(100 * (path.length / paths[0].length - 1)).toPrecision(3)} %`));
     button.setAttribute('aria-pressed', String(i === chosen));
-    button.addEventListener('click', () => {
-      state.chosen = i;
-      render();
-    });
+    button.addEventListener('click', () => change({ chosen: i }));
     return create('li', {}, button);
   });
   // Only where something is different: a list that is replaced loses the focus.

@@ -4,7 +4,7 @@ import { DragHandle } from 'surfpath/three';
 import { change } from '../state/change.js';
 import { create, find } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
-import { chosenPath, onRender, render, state } from '../state/state.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 import { formatNumber } from '../panels/words.js';
 import { liftNear } from '../state/lifts.js';
 
@@ -132,10 +132,7 @@ function placeLetters(view) {
 /** @param {number} index */
 function makeLabel(index) {
   const button = create('button', { type: 'button', className: 'length-label' }, create('span', {}));
-  button.addEventListener('click', () => {
-    state.chosen = index;
-    render();
-  });
+  button.addEventListener('click', () => change({ chosen: index }));
   find('anchors').append(button);
   return button;
 }
