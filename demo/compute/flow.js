@@ -5,6 +5,7 @@ import { chooseEnds, findBadEnd, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
+import { describeNoMeasure } from '../panels/words.js';
 import { askLong, live } from './workers.js';
 
 /** @typedef {import('surfpath').Surfpath} Surfpath */
@@ -258,14 +259,16 @@ export async function recolour() {
     return render();
   }
   const mine = turn;
-  /** The last one before the exact one is there. @type {import('./shade.js').Shade | null} */ let painted = null;
+  /** What there is of it, if anything. @type {import('./shade.js').Shade | null} */ let painted = null;
   const paint = (/** @type {import('./shade.js').Shade | null | undefined} */ shade) => {
     if (mine !== turn || !shade) return;
-    state.shade = painted = shade;
+    state.shade = painted = shade.some(Number.isFinite) ? shade : null;
     render();
   };
   try {
-    paint(await askLong('shade', { colour, from: ends[0] }, ({ shade }) => paint(shade)));
+    const exact = await askLong('shade', { colour, from: ends[0] }, ({ shade }) => paint(shade));
+    paint(exact);
+    if (exact && !painted) throw new RangeError(describeNoMeasure(state.shown ?? state.sketch));
   } catch (error) {
     if (mine !== turn) return;
     Object.assign(state, { shade: painted, shadeProblem: painted ? null : messageOf(error) });

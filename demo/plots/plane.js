@@ -2,6 +2,7 @@
 
 import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
+import { determinantOf } from '../compute/tensor.js';
 import { find, say } from '../panels/dom.js';
 import { onHover, setHover } from '../state/hover.js';
 import { inside, liftNear, unrollings } from '../state/lifts.js';
@@ -127,7 +128,7 @@ function grid({ low, high, size, to }, names) {
 /** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame['domain']} domain */
 const straightLine = ([from, to], domain) => [...from, ...liftNear(domain, to, from)];
 
-/** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
+/** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space, and is one. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
   if (gauge?.kind !== 'metric') return [];
@@ -136,9 +137,11 @@ function indicatrices(frame) {
     [i % cells, Math.floor(i / cells)].map((x, k) => frame.low[k] + ((x + 0.5) / cells) * (frame.high[k] - frame.low[k])),
   );
   const values = gauge.evaluate(Float64Array.from(places.flat()));
-  const radii = places.map((_, i) => longestRadius(values.subarray(3 * i, 3 * i + 3)));
-  const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...radii.filter(Number.isFinite));
-  return places.map((place, i) => ellipse(place, values.subarray(3 * i, 3 * i + 3), size, frame));
+  const metrics = places
+    .map((place, i) => ({ place, metric: values.subarray(3 * i, 3 * i + 3) }))
+    .filter(({ metric: [E, F, G] }) => determinantOf(E, F, G) > 0);
+  const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...metrics.map(({ metric }) => longestRadius(metric)));
+  return metrics.map(({ place, metric }) => ellipse(place, metric, size, frame));
 }
 
 /** Of an ellipse E a² + 2F ab + G b² = 1. @param {Float64Array} metric */

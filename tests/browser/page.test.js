@@ -2,8 +2,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { KINDS } from '../../demo/state/kinds.js';
-import { describeStatus } from '../../demo/panels/words.js';
-import { STATUS } from '../../web/runtime/status.js';
 import { COARSE, measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
@@ -296,14 +294,6 @@ test('a surface that is small in its box is drawn as it is', async () => {
   });
   assert.ok(count > 1000, `${count} vertices`);
   assert.ok(radius > 0.99 && radius < 1.2, `radius ${radius}`);
-});
-
-test('each status is said in words', () => {
-  for (const name of STATUS.values()) {
-    const [words, advice] = describeStatus(name, { start: 'straight', task: 'path' });
-    assert.notEqual(words, name);
-    assert.match(advice, /^[A-Z].*\.$/, name);
-  }
 });
 
 test('the iterates play in about a second, and can be scrubbed', async () => {
