@@ -65,7 +65,9 @@ function give(why) {
 
 /** What a sketch asks, about its own surface or the one that is seen. @param {Sketch} sketch @param {Sketch} shown */
 function questionOf(sketch, shown) {
-  const { ends, via, task, algorithm, tolerance, points, start, angle, reach } = sketch;
+  const { ends, via, task, algorithm, tolerance, start, angle, reach } = sketch;
+  // Each leg of the way has a point of its own at least.
+  const points = Math.max(sketch.points, 2 * via.length + 1);
   return { definition: surfaceOf(shown), ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
 }
 
@@ -129,13 +131,12 @@ const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surfac
 const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
 
 /** Whether all points of a sketch may lie on a surface. @param {Sketch} sketch @param {import('surfpath').Surface} surface */
-const areInside = ({ kind, ends, via }, surface) =>
-  !findBadEnd(kind, surface, ends) && via.every((point) => !findBadEnd(kind, surface, [point, point]));
+const areInside = ({ kind, ends, via }, surface) => !findBadEnd(kind, surface, [...ends, ...via]);
 
 function repairEnds() {
   const { kind, ends, via } = state.sketch;
   if (areInside(state.sketch, surfaceNow())) return;
-  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point, point]);
+  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
   const change = findBadEnd(kind, surfaceNow(), ends)
     ? { ends: chooseEnds(surfaceNow(), meshNow()), via: [] }
     : { via: via.filter(inside) };
@@ -152,10 +153,9 @@ function middle() {
 export async function solve(animated) {
   const mine = begin();
   if (!isReady()) return;
-  const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), state.sketch.ends);
-  if (endProblem) {
-    return give({ endProblem, solved: UNSOLVED });
-  }
+  const { kind, ends, via } = state.sketch;
+  const endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
+  if (endProblem) return give({ endProblem, solved: UNSOLVED });
   state.endProblem = null;
   render();
   try {
@@ -184,7 +184,7 @@ export function follow() {
   const { ends, via, points, task, kind } = state.sketch;
   begin();
   if (!isReady()) return render();
-  state.endProblem = findBadEnd(kind, surfaceNow(), ends);
+  state.endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
   if (state.endProblem) return give({ solved: UNSOLVED });
   if (task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
   if (last && Number.isFinite(last.length)) followFrom(last, Math.min(points, 200));

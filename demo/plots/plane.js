@@ -157,23 +157,31 @@ function ellipse(place, [E, F, G], size, frame) {
   return svg('polygon', { points: pointList(points), class: 'indicatrix' });
 }
 
+/** @param {Frame} frame @param {number[]} end @param {number} index */
+function handleOf(frame, end, index) {
+  const [x, y] = frame.to(inside(frame.domain, end));
+  return svg(
+    'g',
+    { class: 'end-handle', 'data-end': index },
+    svg('circle', { cx: x, cy: y, r: 15, class: 'target' }),
+    svg('circle', { cx: x, cy: y, r: 5.5, class: 'dot' }),
+    svg('text', { x: x + 9, y: y - 7, class: 'letter' }, 'AB'[index]),
+  );
+}
+
 /** The plane as SVG. @param {Frame} frame */
 function picture(frame) {
   const { sketch, solved, chosen } = state;
   const path = chosenPath();
-  const ends = (sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends).map((end) => frame.to(inside(frame.domain, end)));
-  const handles = ends.map(([x, y], end) =>
-    svg(
-      'g',
-      { class: 'end-handle', 'data-end': end },
-      svg('circle', { cx: x, cy: y, r: 15, class: 'target' }),
-      svg('circle', { cx: x, cy: y, r: 5.5, class: 'dot' }),
-      svg('text', { x: x + 9, y: y - 7, class: 'letter' }, 'AB'[end]),
-    ),
-  );
+  // What is half written has no place.
+  const isPlace = (/** @type {number[]} */ point) => point.every(Number.isFinite);
+  const ends = sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends;
+  const handles = ends.flatMap((end, i) => (isPlace(end) ? [handleOf(frame, end, i)] : []));
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
   const straight =
-    sketch.task !== 'trace' && sketch.via.length === 0 ? curve(straightLine(sketch.ends, frame.domain), frame, 'straight') : [];
+    ends.length === 2 && ends.every(isPlace) && sketch.via.length === 0
+      ? curve(straightLine(sketch.ends, frame.domain), frame, 'straight')
+      : [];
   const clip = svg(
     'clipPath',
     { id: 'plane-clip' },
@@ -181,7 +189,7 @@ function picture(frame) {
   );
   const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...straight, ...others);
   if (path?.parameters) inner.append(...curve(path.parameters, frame, 'path-halo'), ...curve(path.parameters, frame, 'path'));
-  const vias = sketch.via.map((point) => {
+  const vias = sketch.via.filter(isPlace).map((point) => {
     const [x, y] = frame.to(inside(frame.domain, point));
     return svg('circle', { cx: x, cy: y, r: 4, class: 'via' });
   });
@@ -205,7 +213,7 @@ function renderPlane() {
     domain ? 'The ends can be dragged here too.' : state.surface ? 'A surface f(x, y, z) = 0 has no parameters.' : null,
   );
   if (!(/** @type {HTMLDetailsElement} */ (find('plane-card')).open)) return;
-  if (!domain || !state.sketch.ends.flat().every(Number.isFinite)) {
+  if (!domain) {
     drawn = null;
     return find('plane').replaceChildren();
   }
