@@ -132,7 +132,7 @@ function renderPathCard(state) {
   say(find('ends-problem'), endProblem?.message ?? null);
   if (endProblem && endProblem.end >= 0)
     document.getElementById(`end-${endProblem.end}-${endProblem.coordinate}`)?.setAttribute('aria-invalid', 'true');
-  renderList(sketch.task === 'all' ? solved.paths : [], chosen);
+  renderList(sketch.task === 'all' ? solved.paths.filter(({ length }) => Number.isFinite(length)) : [], chosen);
 }
 
 /** A link may hold one that is not in the list. @param {HTMLSelectElement} select @param {number} tolerance */
