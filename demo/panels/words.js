@@ -67,6 +67,23 @@ export function describeStatus(status, sketch) {
   return [words, start === 'global' && task === 'path' ? 'No shorter path was found.' : advice];
 }
 
+/** The outcomes of a path that is not at rest: a step would still change it. */
+const MOVING = ['stalled', 'iteration-limit'];
+/** Those of one that is known to be as short as can be. */
+const SHORTEST = ['converged', 'ill-conditioned'];
+
+/**
+ * What a path may be called: the shortest one only if all others were looked for.
+ * @param {string} status of the path @param {Pick<Sketch, 'start' | 'task' | 'via'>} sketch that was asked @param {boolean} isFirst of all that were found
+ */
+export function namePath(status, { start, task, via }, isFirst) {
+  if (task === 'trace') return 'Geodesic';
+  if (MOVING.includes(status)) return 'Path, not at rest';
+  const isShortest = (task === 'all' || start === 'global') && isFirst && SHORTEST.includes(status);
+  if (isShortest) return 'Shortest path';
+  return via.length > 0 || status === 'tolerance-not-met' ? 'Path' : 'Geodesic';
+}
+
 /** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';

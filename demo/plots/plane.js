@@ -128,6 +128,13 @@ function grid({ low, high, size, to }, names) {
 /** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame['domain']} domain */
 const straightLine = ([from, to], domain) => [...from, ...liftNear(domain, to, from)];
 
+/** The lines that are started from: several, or the straight one. @param {Frame} frame @returns {ArrayLike<number>[]} */
+function startsOf({ domain }) {
+  const { ends, start, task } = state.sketch;
+  const several = start === 'several' && task === 'path';
+  return several ? state.solved.starts.flatMap(({ parameters }) => (parameters ? [parameters] : [])) : [straightLine(ends, domain)];
+}
+
 /** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space, and is one. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
@@ -178,16 +185,14 @@ function picture(frame) {
   const ends = sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends;
   const handles = ends.flatMap((end, i) => (isPlace(end) ? [handleOf(frame, end, i)] : []));
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
-  const straight =
-    ends.length === 2 && ends.every(isPlace) && sketch.via.length === 0
-      ? curve(straightLine(sketch.ends, frame.domain), frame, 'straight')
-      : [];
+  const isWay = ends.length === 2 && ends.every(isPlace) && sketch.via.length === 0;
+  const starts = isWay ? startsOf(frame).flatMap((line) => curve(line, frame, 'straight')) : [];
   const clip = svg(
     'clipPath',
     { id: 'plane-clip' },
     svg('rect', { x: MARGIN.left, y: MARGIN.top, width: frame.size[0], height: frame.size[1] }),
   );
-  const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...straight, ...others);
+  const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...starts, ...others);
   if (path?.parameters) inner.append(...curve(path.parameters, frame, 'path-halo'), ...curve(path.parameters, frame, 'path'));
   const vias = sketch.via.filter(isPlace).map((point) => {
     const [x, y] = frame.to(inside(frame.domain, point));

@@ -8,7 +8,7 @@ import { sketchOf } from './sketch.js';
 export const FIRST = 'parametricTorus';
 
 /** @type {Solved} */
-export const UNSOLVED = { paths: [], legs: [], films: [], straight: null, straightLength: NaN, milliseconds: NaN };
+export const UNSOLVED = { paths: [], legs: [], starts: [], films: [], straight: null, straightLength: NaN, milliseconds: NaN };
 
 export const state = {
   sketch: sketchOf(FIRST),

@@ -227,6 +227,10 @@ test('several starts converge to one path, and the straight one alone may miss t
   await doing(() => page.selectOption('#start', 'several'));
   assert.match(await text('#moment-words'), /^Newton step (\d+) of \1$/);
   assert.ok((await length()) < 1.0001 * global, 'one of five starts leads to the shortest');
+  // View, plane and strip tell of the same starts.
+  assert.equal(await page.locator('#plane .straight').count(), 5);
+  assert.equal(await page.isVisible('#start-figure'), false);
+  assert.match(await text('#legend'), /^Geodesic\s*Starts/);
 });
 
 test('a density and a metric change the path, and the presets fit any rectangle', async () => {
