@@ -42,6 +42,16 @@ function makeView() {
   }
 }
 
+/** The slider is moved to anywhere between two steps; the arrow keys go from one to the next. @type {Record<string, number>} */
+const STEPS_OF_KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+
+/** @param {number} step an iterate, or a place between two of them */
+function showStep(step) {
+  player.stop();
+  state.moment = Math.min(Math.max(step / stepsShown(), 0), 1);
+  render();
+}
+
 /** @param {View | null} view */
 function listen(view) {
   find('form').addEventListener('submit', (event) => event.preventDefault());
@@ -49,10 +59,12 @@ function listen(view) {
     change({ colour: /** @type {any} */ (/** @type {HTMLSelectElement} */ (target).value) }),
   );
   find('play').addEventListener('click', () => player.play(1));
-  find('moment').addEventListener('input', ({ target }) => {
-    player.stop();
-    state.moment = /** @type {HTMLInputElement} */ (target).valueAsNumber / stepsShown();
-    render();
+  find('moment').addEventListener('input', ({ target }) => showStep(/** @type {HTMLInputElement} */ (target).valueAsNumber));
+  find('moment').addEventListener('keydown', (event) => {
+    const direction = STEPS_OF_KEYS[event.key];
+    if (!direction) return;
+    event.preventDefault();
+    showStep(Math.round(state.moment * stepsShown()) + direction);
   });
   find('undo').addEventListener('click', undo);
   find('redo').addEventListener('click', redo);
