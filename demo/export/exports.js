@@ -6,7 +6,7 @@ import { toHash } from '../state/link.js';
 import { planeFile } from '../plots/plane.js';
 import { runsOf } from '../compute/legs.js';
 import { surfaceOf } from '../state/sketch.js';
-import { chosenPath, state } from '../state/state.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 
 /** @typedef {import('../stage/scene.js').View} View */
 /** @typedef {{ name: string, type: string, content: BlobPart }} File */
@@ -29,6 +29,14 @@ const EXPORTS = {
 /** Whether there is a path, not only why there is none. @param {import('surfpath').Path} path */
 const exists = ({ length }) => Number.isFinite(length);
 
+/** The sketch that the words below the buttons are about. @type {unknown} */ let wordsOf = null;
+
+/** @param {string | null} words */
+function tell(words) {
+  wordsOf = state.sketch;
+  say(find('export-words'), words);
+}
+
 /** @param {View | null} view */
 export function startExports(view) {
   find('exports').addEventListener('click', async ({ target }) => {
@@ -36,9 +44,13 @@ export function startExports(view) {
     if (!name) return;
     if (name === 'link') return copyLink();
     const made = await EXPORTS[name](view);
-    if (typeof made === 'string') return say(find('export-words'), made);
+    if (typeof made === 'string') return tell(made);
     save(made);
-    say(find('export-words'), `Saved ${made.name}.`);
+    tell(`Saved ${made.name}.`);
+  });
+  // Once something is changed, it is not what was copied or saved.
+  onRender(({ sketch }) => {
+    if (sketch !== wordsOf) tell(null);
   });
 }
 
@@ -49,7 +61,7 @@ async function copyLink() {
     () => true,
     () => false,
   );
-  say(find('export-words'), copied ? 'The link is copied.' : 'The link is in the address bar.');
+  tell(copied ? 'The link is copied.' : 'The link is in the address bar.');
 }
 
 /** @param {File} file */
