@@ -3,7 +3,7 @@
 import { definitionOf, fieldNames, textsOf } from './definition.js';
 import { ENTRIES } from './entries.js';
 import { KINDS, tensorNames } from './kinds.js';
-import { isName } from './names.js';
+import { isName, NAMES } from './names.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {import('./definition.js').Texts} Texts */
@@ -75,6 +75,10 @@ export function surfaceOf({ kind, texts, parameters, density, tensor }) {
   if (tensor.length > 0) definition.metric = Object.fromEntries(tensorNames(kind).map((name, i) => [name, tensor[i]]));
   return definition;
 }
+
+/** The names that stand in the formulas of a sketch. @param {Sketch} sketch @returns {Set<string>} */
+export const namesIn = ({ texts, density, tensor }) =>
+  new Set([...Object.values(texts), density, ...tensor].flatMap((text) => text.match(NAMES) ?? []));
 
 /** @param {unknown} value @param {number} dimension @returns {value is number[]} */
 const isPoint = (value, dimension) => Array.isArray(value) && value.length === dimension && value.every((x) => Number.isFinite(x));

@@ -124,6 +124,16 @@ test('the geodesic that is looked at comes back from its link', async () => {
   assert.equal(await page.getAttribute('#paths li:nth-child(3) button', 'aria-pressed'), 'true');
 });
 
+test('that a link was copied is told until something changes', async () => {
+  await openEntry(page, 'parametricTorus');
+  await page.click('[data-export=link]');
+  await page.waitForFunction(() => /link/.test(document.getElementById('export-words')?.textContent ?? ''));
+  await page.fill('#points', '40');
+  await page.waitForTimeout(100);
+  await settled(page);
+  assert.equal(await text('#export-words'), '');
+});
+
 describe('exports', () => {
   before(() => openEntry(page, 'parametricTorus'));
 
