@@ -58,11 +58,12 @@ export function choose(name) {
   writeAddress();
 }
 
-/** Opens what an address holds; without, or where that is not ours, the first scene. The address stays until something is changed. @param {string} hash */
+/** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
 export function openAddress(hash) {
   const sketch = fromHash(hash);
   const isJunk = hash.length > 1 && !sketch;
   openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null);
+  if (!isJunk) writeAddress();
 }
 
 /** @param {Sketch} sketch @param {string | null} linkProblem */

@@ -100,6 +100,31 @@ test('by keys, and back by undo', async () => {
   assert.equal(await length(), after_);
 });
 
+test('a drag is one step of undo, however long the hand rests in it, and the next one another', async () => {
+  await openEntry(page, 'saddle');
+  const start = await ends();
+  const drag = async (/** @type {number} */ rest) => {
+    const [x, y] = await middleOf('#handle-B');
+    const other = await middleOf('#handle-A');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.05 * (other[0] - x), y + 0.05 * (other[1] - y));
+    await page.waitForTimeout(rest);
+    await page.mouse.move(x + 0.1 * (other[0] - x), y + 0.1 * (other[1] - y));
+    await page.mouse.up();
+    await nextFrame(page);
+    return ends();
+  };
+  const first = await drag(1100);
+  await drag(0);
+  for (const expected of [first, start]) {
+    await page.click('#undo');
+    await page.waitForTimeout(250);
+    await settled(page);
+    assert.deepEqual(await ends(), expected);
+  }
+});
+
 test('in the plane of the parameters', async () => {
   await openEntry(page, 'saddle');
   const start = await ends();
