@@ -1,13 +1,12 @@
 /** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { change, history, openSketch, redo, undo } from './state/change.js';
+import { change, history, openAddress, redo, undo } from './state/change.js';
 import { find, say } from './panels/dom.js';
 import { startExports } from './export/exports.js';
 import { connect, recolour, showIn } from './compute/flow.js';
 import { startFormula } from './panels/formula.js';
 import { startGallery } from './panels/gallery.js';
-import { fromHash } from './state/link.js';
 import { startMeasure } from './panels/measure.js';
 import { startPathCard } from './panels/path-card.js';
 import { startPlane } from './plots/plane.js';
@@ -16,7 +15,6 @@ import { refreshPlot, startPlots } from './plots/plots.js';
 import { startResult } from './panels/result.js';
 import { View } from './stage/scene.js';
 import { startShow } from './stage/show.js';
-import { sketchOf } from './state/sketch.js';
 import { startSliders } from './panels/sliders.js';
 import { FIRST, stepsShown, onRender, render, state } from './state/state.js';
 import { live, startProgress } from './compute/workers.js';
@@ -26,19 +24,32 @@ const player = new Player((moment) => {
   render();
 });
 
+/** The picture of the first scene, which stands in for it until there is something to see. */
+const removePoster = () => document.getElementById('poster')?.remove();
+
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
     Object.assign(window, { surfpathView: view });
-    view.onFirst = () => document.getElementById('poster')?.remove();
+    view.onFirst = removePoster;
     startShow(view);
     return view;
   } catch {
-    find('poster').remove();
+    removePoster();
     say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below are computed all the same.');
     return null;
   }
+}
+
+/** The slider is moved to anywhere between two steps; the arrow keys go from one to the next. @type {Record<string, number>} */
+const STEPS_OF_KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+
+/** @param {number} step an iterate, or a place between two of them */
+function showStep(step) {
+  player.stop();
+  state.moment = Math.min(Math.max(step / stepsShown(), 0), 1);
+  render();
 }
 
 /** @param {View | null} view */
@@ -48,10 +59,12 @@ function listen(view) {
     change({ colour: /** @type {any} */ (/** @type {HTMLSelectElement} */ (target).value) }),
   );
   find('play').addEventListener('click', () => player.play(1));
-  find('moment').addEventListener('input', ({ target }) => {
-    player.stop();
-    state.moment = /** @type {HTMLInputElement} */ (target).valueAsNumber / stepsShown();
-    render();
+  find('moment').addEventListener('input', ({ target }) => showStep(/** @type {HTMLInputElement} */ (target).valueAsNumber));
+  find('moment').addEventListener('keydown', (event) => {
+    const direction = STEPS_OF_KEYS[event.key];
+    if (!direction) return;
+    event.preventDefault();
+    showStep(Math.round(state.moment * stepsShown()) + direction);
   });
   find('undo').addEventListener('click', undo);
   find('redo').addEventListener('click', redo);
@@ -59,6 +72,9 @@ function listen(view) {
   find('toggle-panel').addEventListener('click', togglePanel);
   find('tabs').addEventListener('click', ({ target }) => showTab(/** @type {HTMLElement} */ (target).dataset.tab));
   addEventListener('keydown', pressed);
+  // Before whatever is pressed hears of it.
+  addEventListener('pointerdown', () => history.hold(), true);
+  for (const type of ['pointerup', 'pointercancel']) addEventListener(type, () => history.release());
   // The address itself may have been rewritten since: of a change a moment before.
   addEventListener('hashchange', ({ newURL }) => openAddress(new URL(newURL).hash));
   onRender(() => {
@@ -92,15 +108,6 @@ function pressed(event) {
   event.preventDefault();
   if (event.shiftKey) redo();
   else undo();
-}
-
-/** Opens what an address holds; without, or where that is not ours, the first scene. @param {string} hash */
-function openAddress(hash) {
-  const sketch = fromHash(hash);
-  if (hash.length > 1 && !sketch) say(find('export-words'), 'The link could not be read; this is the first scene.');
-  // The picture that stands in for the scene until it is drawn is that of the first one.
-  if (sketch && sketch.entry !== FIRST) document.getElementById('poster')?.remove();
-  return openSketch(sketch ?? sketchOf(FIRST));
 }
 
 /** @param {boolean} animated */
@@ -140,12 +147,13 @@ async function start() {
     connect(await loading, solved);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
-    find('poster').remove();
+    removePoster();
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
   // The worker has its first task while the view is made.
   openAddress(location.hash);
+  if (state.sketch.entry !== FIRST) removePoster();
   await breathe();
   const view = makeView();
   showIn(view);

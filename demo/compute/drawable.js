@@ -1,10 +1,13 @@
 /** Meshes as they are drawn: without the triangles of which some corner is no number. */
 
+/** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('./tasks.js').Opened} Opened */
 /** @typedef {{ positions: Float64Array, normals: Float64Array, parameters?: Float64Array, indices: Uint32Array }} SurfaceMesh */
 
 /** Cells a direction: what is carried along a curve is much longer than wide. */
 const CELLS_ALONG = 160;
+/** Places a direction of a box at which a formula is tried. */
+const SAMPLES = 9;
 /** Share of its box below which a surface is drawn in a smaller one. */
 const TINY = 0.1;
 
@@ -12,15 +15,31 @@ const TINY = 0.1;
 export function meshOf(opened, resolution, surfpath) {
   const { drawn, definition } = opened;
   const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
-  const mesh = drawable(drawn.mesh(wanted ? { resolution: wanted } : {}));
+  const given = drawn.mesh(wanted ? { resolution: wanted } : {});
+  const mesh = drawable(given);
   const bounds = mesh.indices.length > 0 && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
   if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
   if (mesh.indices.length > 0) return mesh;
-  throw new RangeError(
-    drawn.kind === 'implicit'
-      ? 'there is no point with f = 0 inside these bounds: widen them or change the formula'
-      : 'the formula has no value anywhere in these ranges',
+  throw new RangeError(drawn.kind === 'implicit' ? whyNowhere(drawn, definition.bounds) : whyNothing(given));
+}
+
+/** Why a mesh of formulas has nothing to draw. @param {SurfaceMesh} mesh */
+function whyNothing({ positions }) {
+  const hasPlaces = positions.some((_, i) => i % 3 === 0 && positions.subarray(i, i + 3).every(Number.isFinite));
+  return hasPlaces
+    ? 'the formulas give a point or a curve in these ranges, not a surface: change them'
+    : 'the formula has no value anywhere in these ranges';
+}
+
+/** Why no part of f = 0 was found in a box. @param {Surface} surface @param {number[][]} bounds */
+function whyNowhere(surface, bounds) {
+  const places = Array.from({ length: SAMPLES ** 3 }, (_, i) =>
+    bounds.map(([low, high], k) => low + ((Math.floor(i / SAMPLES ** k) % SAMPLES) + 0.5) * ((high - low) / SAMPLES)),
   );
+  const values = surface.evaluate(places.flat());
+  return places.some((_, i) => Number.isFinite(values[4 * i]))
+    ? 'no place was found inside these bounds where f changes its sign, as it does across a surface: widen them or change the formula'
+    : 'the formula has no value anywhere inside these bounds';
 }
 
 /** The mesh of an implicit surface in another box. @param {import('surfpath').Surfpath} surfpath @param {any} definition @param {number} [resolution] @returns {SurfaceMesh} */

@@ -4,7 +4,8 @@ import { findBadBound, problemOf, sentence } from '../state/definition.js';
 import { chooseEnds, findBadEnd, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
-import { chosenPath, render, state, UNSOLVED } from '../state/state.js';
+import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
+import { describeNoMeasure } from '../panels/words.js';
 import { askLong, live } from './workers.js';
 
 /** @typedef {import('surfpath').Surfpath} Surfpath */
@@ -64,7 +65,9 @@ function give(why) {
 
 /** What a sketch asks, about its own surface or the one that is seen. @param {Sketch} sketch @param {Sketch} shown */
 function questionOf(sketch, shown) {
-  const { ends, via, task, algorithm, tolerance, points, start, angle, reach } = sketch;
+  const { ends, via, task, algorithm, tolerance, start, angle, reach } = sketch;
+  // Each leg of the way has a point of its own at least.
+  const points = Math.max(sketch.points, 2 * via.length + 1);
   return { definition: surfaceOf(shown), ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
 }
 
@@ -128,13 +131,12 @@ const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surfac
 const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
 
 /** Whether all points of a sketch may lie on a surface. @param {Sketch} sketch @param {import('surfpath').Surface} surface */
-const areInside = ({ kind, ends, via }, surface) =>
-  !findBadEnd(kind, surface, ends) && via.every((point) => !findBadEnd(kind, surface, [point, point]));
+const areInside = ({ kind, ends, via }, surface) => !findBadEnd(kind, surface, [...ends, ...via]);
 
 function repairEnds() {
   const { kind, ends, via } = state.sketch;
   if (areInside(state.sketch, surfaceNow())) return;
-  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point, point]);
+  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
   const change = findBadEnd(kind, surfaceNow(), ends)
     ? { ends: chooseEnds(surfaceNow(), meshNow()), via: [] }
     : { via: via.filter(inside) };
@@ -151,10 +153,9 @@ function middle() {
 export async function solve(animated) {
   const mine = begin();
   if (!isReady()) return;
-  const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), state.sketch.ends);
-  if (endProblem) {
-    return give({ endProblem, solved: UNSOLVED });
-  }
+  const { kind, ends, via } = state.sketch;
+  const endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
+  if (endProblem) return give({ endProblem, solved: UNSOLVED });
   state.endProblem = null;
   render();
   try {
@@ -167,7 +168,7 @@ export async function solve(animated) {
 
 /** @param {Solved} solved @param {boolean} animated */
 function show(solved, animated) {
-  give({ solved, chosen: 0, moment: 1 });
+  give({ solved, chosen: choiceOf(state.sketch, solved), moment: 1 });
   onSolved(animated);
 }
 
@@ -183,7 +184,7 @@ export function follow() {
   const { ends, via, points, task, kind } = state.sketch;
   begin();
   if (!isReady()) return render();
-  state.endProblem = findBadEnd(kind, surfaceNow(), ends);
+  state.endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
   if (state.endProblem) return give({ solved: UNSOLVED });
   if (task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
   if (last && Number.isFinite(last.length)) followFrom(last, Math.min(points, 200));
@@ -258,14 +259,16 @@ export async function recolour() {
     return render();
   }
   const mine = turn;
-  /** The last one before the exact one is there. @type {import('./shade.js').Shade | null} */ let painted = null;
+  /** What there is of it, if anything. @type {import('./shade.js').Shade | null} */ let painted = null;
   const paint = (/** @type {import('./shade.js').Shade | null | undefined} */ shade) => {
     if (mine !== turn || !shade) return;
-    state.shade = painted = shade;
+    state.shade = painted = shade.some(Number.isFinite) ? shade : null;
     render();
   };
   try {
-    paint(await askLong('shade', { colour, from: ends[0] }, ({ shade }) => paint(shade)));
+    const exact = await askLong('shade', { colour, from: ends[0] }, ({ shade }) => paint(shade));
+    paint(exact);
+    if (exact && !painted) throw new RangeError(describeNoMeasure(state.shown ?? state.sketch));
   } catch (error) {
     if (mine !== turn) return;
     Object.assign(state, { shade: painted, shadeProblem: painted ? null : messageOf(error) });

@@ -4,13 +4,12 @@ import { gaussianCurvature } from '../../web/view/curvature.js';
 import { coordinates } from '../state/definition.js';
 import { measureDistances } from './distances.js';
 import { meshOf } from './drawable.js';
+import { NAMES } from '../state/names.js';
 import { runInSlices } from './slices.js';
-import { tangentForm, Tensor } from './tensor.js';
+import { determinantOf, tangentForm, Tensor } from './tensor.js';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {Float64Array} Shade a number a vertex; NaN where there is none */
-
-const WORD = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/gu;
 
 /**
  * @param {import('./tasks.js').Opened} opened
@@ -44,37 +43,39 @@ function stretches({ definition, drawn }, mesh, surfpath) {
   const tensor = kind === 'metric' ? definition : metric;
   const values =
     density === undefined ? new Float64Array(mesh.positions.length / 3).fill(1) : densities(definition, ranges, mesh, surfpath);
-  if (!tensor) return values;
+  // Where length counts nothing, or less, it is not measured.
+  const positive = values.map((x) => (x > 0 ? x : Number.NaN));
+  if (!tensor) return positive;
   const areas = mesh.parameters
     ? areasInPlane(tensor, definition, ranges, mesh.parameters, surfpath)
     : areasInSpace(definition, mesh, surfpath);
-  return values.map((x, i) => x * Math.max(areas[i], 0) ** 0.25);
+  return positive.map((x, i) => x * areas[i] ** 0.25);
 }
 
-/** EG − F² of a metric over u and v. @param {any} tensor @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {Float64Array} places u v … @param {import('surfpath').Surfpath} surfpath */
+/** EG − F² of a metric over u and v; NaN where there is no length. @param {any} tensor @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {Float64Array} places u v … @param {import('surfpath').Surfpath} surfpath */
 function areasInPlane(tensor, definition, { u, v }, places, surfpath) {
   const [E, F, G] = [tensor.E, tensor.F, tensor.G].map((text) => inPlane(String(text), definition));
   const surface = surfpath.metric({ E, F, G, u: [u[0], u[1]], v: [v[0], v[1]], parameters: definition.parameters });
   const entries = surface.evaluate(places);
   surface.dispose();
-  return Float64Array.from({ length: places.length / 2 }, (_, i) => entries[3 * i] * entries[3 * i + 2] - entries[3 * i + 1] ** 2);
+  return Float64Array.from({ length: places.length / 2 }, (_, i) => determinantOf(entries[3 * i], entries[3 * i + 1], entries[3 * i + 2]));
 }
 
-/** EG − F² of a metric of space, along the surface. @param {any} definition @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */
+/** EG − F² of a metric of space, along the surface; NaN where there is no length. @param {any} definition @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */
 function areasInSpace({ metric, parameters }, { positions, normals }, surfpath) {
   const tensor = new Tensor(surfpath, metric, parameters);
   const entries = tensor.evaluate(positions);
   tensor.dispose();
   return Float64Array.from({ length: positions.length / 3 }, (_, i) => {
     const { E, F, G } = tangentForm(entries.subarray(6 * i, 6 * i + 6), normals.subarray(3 * i, 3 * i + 3));
-    return E * G - F * F;
+    return determinantOf(E, F, G);
   });
 }
 
 /** A formula with u and v in place of what the kind calls them. @param {string} text @param {any} definition */
 function inPlane(text, { kind, parameters }) {
   const names = coordinates(kind);
-  return text.replace(WORD, (name) => {
+  return text.replace(NAMES, (name) => {
     const place = names.indexOf(name);
     return place < 0 || Object.hasOwn(parameters, name) ? name : 'uv'[place];
   });
@@ -96,14 +97,14 @@ function densities(definition, { u, v }, mesh, surfpath) {
     );
   if (kind !== 'parametric') {
     const inSpace = String(density)
-      .match(WORD)
+      .match(NAMES)
       ?.some((name) => ['x', 'y', 'z'].includes(name) && !coordinates(kind).includes(name));
     return inSpace
       ? every(surfpath.implicit({ f: density, parameters }), mesh.positions, 4, 0)
       : height(inPlane(String(density), definition));
   }
   const hidden = (/** @type {string} */ name) => !['x', 'y', 'z'].includes(name) || Object.hasOwn(parameters, name);
-  return height(String(density).replace(WORD, (name) => (hidden(name) ? name : `(${definition[name]})`)));
+  return height(String(density).replace(NAMES, (name) => (hidden(name) ? name : `(${definition[name]})`)));
 }
 
 /** One of several values at each point. @param {import('surfpath').Surface} surface disposed @param {ArrayLike<number>} points @param {number} stride @param {number} which */

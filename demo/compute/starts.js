@@ -4,6 +4,8 @@ import { along, cross, subtract, unit } from './vectors.js';
 
 /** @typedef {import('./tasks.js').Opened} Opened */
 
+/** @typedef {{ places: Float64Array, parameters: Float64Array | null }} Start where a line runs in space, or in the plane of a metric, and in the parameters */
+
 /** How far the lines bulge, in parts of their length. */
 const BULGES = [0, 0.22, -0.22, 0.42, -0.42];
 const PIECES = 24;
@@ -23,6 +25,13 @@ export function severalStarts({ surface }, from, to) {
     });
     return Float64Array.from(points.flat());
   });
+}
+
+/** @param {Opened} opened @param {Float64Array} line @returns {Start} */
+export function startOf({ surface, drawn }, line) {
+  if (surface.kind === 'implicit') return { places: line, parameters: null };
+  const values = drawn.evaluate(line);
+  return { places: values.filter((_, i) => i % 6 < 3), parameters: line };
 }
 
 /** Across the line and along the surface, as long as the line. @param {import('surfpath').Surface} surface @param {number[]} from @param {number[]} to */

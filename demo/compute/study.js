@@ -1,9 +1,11 @@
 /** Series for the plots, measured on the surface and the points that the reader chose. Reports after every point of a series. */
 
+import { runsOf } from './legs.js';
+
 /** @typedef {import('./tasks.js').Opened} Opened */
 /** @typedef {{ x: number, y: number }} Sample */
 /** @typedef {{ label: string, samples: Sample[] }} Series */
-/** @typedef {{ definition: any, ends: number[][], plot: string, path: import('surfpath').Path | null, options: { points: number } }} Request */
+/** @typedef {{ definition: any, ends: number[][], plot: string, path: import('surfpath').Path | null, legs: import('./legs.js').Leg[], options: { points: number } }} Request */
 
 const POINTS_OF_ERROR = [4, 8, 16, 32, 64, 128, 256, 512, 1024];
 const POINTS_OF_TIME = [10, 25, 50, 100, 150, 200, 300, 400, 500];
@@ -65,19 +67,18 @@ function times({ surface }, { ends: [from, to] }, report) {
 }
 
 /** Curvature of the path in space, 1/length, over the length from A: that of the circle through three points in a row. @param {Request} request @returns {Series} */
-function curvatureAlong({ path }) {
+function curvatureAlong({ path, legs }) {
   /** @type {Sample[]} */
   const samples = [];
   const points = path?.points ?? new Float64Array(0);
   const side = (/** @type {number} */ i, /** @type {number} */ j) =>
     Math.hypot(...[0, 1, 2].map((k) => points[3 * j + k] - points[3 * i + k]));
-  let run = 0;
+  const runs = path ? runsOf(path, legs) : [];
   for (let i = 1; 3 * i + 3 < points.length; i++) {
     const [a, b, c] = [side(i - 1, i), side(i, i + 1), side(i - 1, i + 1)];
-    run += a;
     const half = (a + b + c) / 2;
     const area = Math.sqrt(Math.max(half * (half - a) * (half - b) * (half - c), 0));
-    if (a * b * c > 0) samples.push({ x: run, y: (4 * area) / (a * b * c) });
+    if (a * b * c > 0) samples.push({ x: runs[i], y: (4 * area) / (a * b * c) });
   }
   return { label: 'Curvature', samples };
 }

@@ -3,8 +3,9 @@
 import { isNear, lengthOf } from './curves.js';
 import { meshOf } from './drawable.js';
 import { drawnOf } from './drawn.js';
+import { legsOf } from './legs.js';
 import { shade } from './shade.js';
-import { severalStarts } from './starts.js';
+import { severalStarts, startOf } from './starts.js';
 import { study } from './study.js';
 import { tracedPath } from './traced.js';
 
@@ -21,6 +22,8 @@ import { tracedPath } from './traced.js';
 /**
  * @typedef {object} Solved
  * @property {Path[]} paths shortest first
+ * @property {import('./legs.js').Leg[]} legs of the first path, where it passes points
+ * @property {import('./starts.js').Start[]} starts the lines that several starts are; none where there is one start
  * @property {Float64Array[][]} films for each start, the iterates x y z … from it to the path; none where there is nothing to play
  * @property {Float64Array | null} straight the straight start, x y z …
  * @property {number} straightLength
@@ -97,7 +100,8 @@ function solve(opened, { ends, via, options }) {
   const { surface } = opened;
   const [from, to] = ends;
   const several = options.start === 'several' && options.task === 'path' && via.length === 0;
-  const starts = via.length > 0 ? [] : several ? severalStarts(opened, from, to) : [/** @type {const} */ ('straight')];
+  const lines = several ? severalStarts(opened, from, to) : [];
+  const starts = via.length > 0 ? [] : several ? lines : [/** @type {const} */ ('straight')];
   const start = options.start === 'several' ? /** @type {const} */ ('straight') : options.start;
   const asked = { ...wanted(options), ...(via.length > 0 ? { via } : {}), start };
   const find = () => surface.shortestPath(from, to, asked);
@@ -108,9 +112,11 @@ function solve(opened, { ends, via, options }) {
       : [find()];
   if (paths.length === 0) paths.push(find());
   const films = starts.map((one) => iterates(opened, from, to, options, one)).filter((film) => film.length > 0);
-  const straight = films[0]?.[0] ?? null;
+  const straight = several ? null : (films[0]?.[0] ?? null);
   return {
     paths,
+    legs: via.length > 0 ? legsOf(opened, paths[0], [from, ...via, to], wanted(options)) : [],
+    starts: lines.map((line) => startOf(opened, line)),
     films: several ? films : films.flatMap((film) => framesOf(paths[0], film)),
     straight,
     straightLength: straight ? lengthOf(straight) : NaN,

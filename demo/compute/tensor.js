@@ -32,6 +32,9 @@ export class Tensor {
   }
 }
 
+/** EG − F² of a metric; NaN where it is none, as it is not positive definite. @param {number} E @param {number} F @param {number} G */
+export const determinantOf = (E, F, G) => (E > 0 && E * G > F * F ? E * G - F * F : Number.NaN);
+
 /**
  * The metric in the tangent plane, by two orthonormal vectors of it: E = aᵀTa, F = aᵀTb, G = bᵀTb.
  * @param {Float64Array} tensor xx xy xz yy yz zz @param {ArrayLike<number>} normal unit length

@@ -58,5 +58,5 @@ export function tracedPath({ surface }, from, { angle, reach, points }) {
   const direction = surface.kind === 'implicit' ? vector : inParameters(surface, start, vector);
   const begin = performance.now();
   const path = surface.trace(start, direction, reach, { points: Math.max(points, 200) });
-  return { paths: [path], films: [], straight: null, straightLength: NaN, milliseconds: performance.now() - begin };
+  return { paths: [path], legs: [], starts: [], films: [], straight: null, straightLength: NaN, milliseconds: performance.now() - begin };
 }

@@ -4,8 +4,9 @@ import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
 import { toHash } from '../state/link.js';
 import { planeFile } from '../plots/plane.js';
+import { runsOf } from '../compute/legs.js';
 import { surfaceOf } from '../state/sketch.js';
-import { chosenPath, state } from '../state/state.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 
 /** @typedef {import('../stage/scene.js').View} View */
 /** @typedef {{ name: string, type: string, content: BlobPart }} File */
@@ -19,11 +20,22 @@ const EXPORTS = {
   },
   csv: () => {
     const path = chosenPath();
-    return path ? { name: 'path.csv', type: 'text/csv', content: table(path) } : 'There is no path.';
+    return path && exists(path) ? { name: 'path.csv', type: 'text/csv', content: table(path) } : 'There is no path.';
   },
   json: () => ({ name: 'surfpath.json', type: 'application/json', content: `${JSON.stringify(contents(), listed, 1)}\n` }),
   gltf: (view) => model(view),
 };
+
+/** Whether there is a path, not only why there is none. @param {import('surfpath').Path} path */
+const exists = ({ length }) => Number.isFinite(length);
+
+/** The sketch that the words below the buttons are about. @type {unknown} */ let wordsOf = null;
+
+/** @param {string | null} words */
+function tell(words) {
+  wordsOf = state.sketch;
+  say(find('export-words'), words);
+}
 
 /** @param {View | null} view */
 export function startExports(view) {
@@ -32,9 +44,13 @@ export function startExports(view) {
     if (!name) return;
     if (name === 'link') return copyLink();
     const made = await EXPORTS[name](view);
-    if (typeof made === 'string') return say(find('export-words'), made);
+    if (typeof made === 'string') return tell(made);
     save(made);
-    say(find('export-words'), `Saved ${made.name}.`);
+    tell(`Saved ${made.name}.`);
+  });
+  // Once something is changed, it is not what was copied or saved.
+  onRender(({ sketch }) => {
+    if (sketch !== wordsOf) tell(null);
   });
 }
 
@@ -45,7 +61,7 @@ async function copyLink() {
     () => true,
     () => false,
   );
-  say(find('export-words'), copied ? 'The link is copied.' : 'The link is in the address bar.');
+  tell(copied ? 'The link is copied.' : 'The link is in the address bar.');
 }
 
 /** @param {File} file */
@@ -71,19 +87,11 @@ function picture(view) {
 /** One line a point: length from A, position, parameters. @param {import('surfpath').Path} path */
 function table(path) {
   const { points, parameters } = path;
+  const runs = runsOf(path, state.solved.legs);
   const names = coordinates(state.sketch.kind).slice(0, 2);
-  const count = parameters ? parameters.length / 2 : points.length / 3;
   const head = ['s', ...(points.length > 0 ? ['x', 'y', 'z'] : []), ...(parameters ? names : [])];
-  const rows = [head.join()];
-  let run = 0;
-  for (let i = 0; i < count; i++) {
-    const place = points.subarray(3 * i, 3 * i + 3);
-    if (i > 0 && points.length > 0) run += Math.hypot(...[0, 1, 2].map((k) => place[k] - points[3 * i - 3 + k]));
-    rows.push(
-      [points.length > 0 ? run : (path.length * i) / (count - 1), ...place, ...(parameters?.subarray(2 * i, 2 * i + 2) ?? [])].join(),
-    );
-  }
-  return `${rows.join('\n')}\n`;
+  const rows = runs.map((run, i) => [run, ...points.subarray(3 * i, 3 * i + 3), ...(parameters?.subarray(2 * i, 2 * i + 2) ?? [])].join());
+  return `${[head.join(), ...rows].join('\n')}\n`;
 }
 
 function contents() {

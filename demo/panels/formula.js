@@ -17,7 +17,7 @@ const EXCERPT = 36;
 const [CHARACTERS, MOST_LINES] = [34, 7];
 /** Milliseconds without a keystroke before a formula is compiled. */
 const PATIENCE = 150;
-const UNKNOWN = /^Unknown name ([\p{L}_][\p{L}\d_]*)/u;
+const UNKNOWN = /^Unknown name (\S+?)(?=[;,.]?(?:\s|$))/u;
 
 let timer = 0;
 /** The texts that the reader is changing, while not all that was written has been taken. @type {import('../state/definition.js').Texts | null} */

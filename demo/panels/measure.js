@@ -40,6 +40,9 @@ const textOf = (/** @type {string} */ name) => field(name)?.value ?? '';
 /** @param {import('../state/sketch.js').Sketch} sketch */
 const tokenOf = ({ entry, kind, density, tensor }) => JSON.stringify([entry, kind, density, tensor]);
 
+/** Whether length is measured otherwise than by space. @param {{ density: string, tensor: string[] }} measure */
+const hasMeasure = ({ density, tensor }) => density.trim() !== '' || tensor.length > 0;
+
 function takeFields() {
   clearTimeout(timer);
   // Something else may have been opened meanwhile.
@@ -51,7 +54,12 @@ function takeFields() {
   const some = texts.some((text) => text.trim());
   const tensor = some ? texts.map((text, i) => (text.trim() ? text : MIXED.includes(names[i]) ? '0' : '')) : [];
   const density = textOf('density');
-  change({ density, tensor, colour: density.trim() || some ? 'density' : 'plain' }, 'measure');
+  const { colour } = state.sketch;
+  const [had, has] = [hasMeasure(state.sketch), hasMeasure({ density, tensor })];
+  // A new measure is shown, one that is gone is not; what the reader chose meanwhile stays.
+  if (!had && has && colour === 'plain') return change({ density, tensor, colour: 'density' }, 'measure');
+  if (had && !has && colour === 'density') return change({ density, tensor, colour: 'plain' }, 'measure');
+  return change({ density, tensor }, 'measure');
 }
 
 /** @param {import('../state/state.js').State} state */

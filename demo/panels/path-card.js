@@ -3,9 +3,10 @@
 import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
-import { chooseEnds } from '../state/ends.js';
-import { MOST_POINTS } from '../state/sketch.js';
-import { chosenPath, onRender, render, state } from '../state/state.js';
+import { runsOf } from '../compute/legs.js';
+import { chooseEnds, letterOf } from '../state/ends.js';
+import { MOST_POINTS, MOST_VIA } from '../state/sketch.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 import { formatNumber } from './words.js';
 
 /** @typedef {import('../state/state.js').State} State */
@@ -60,16 +61,31 @@ function typeEnd({ name, valueAsNumber }) {
   change(row < 2 ? { ends: replace(ends, row) } : { via: replace(via, row - 2) }, `type ${name}`);
 }
 
-/** A point of the path in the middle of its last piece, to be dragged away. */
+/** Why no point can be put on the path; null: one can. @param {State} state */
+function whyNoVia({ sketch }) {
+  if (sketch.via.length >= MOST_VIA) return `A path passes ${MOST_VIA} points at most.`;
+  return Number.isFinite(chosenPath()?.length) ? null : 'There is no path to put a point on.';
+}
+
+/** A point in the middle of the longest leg of the path, to be dragged away. */
 function addVia() {
   const path = chosenPath();
   const { via, kind } = state.sketch;
-  if (!path || via.length >= 8 || state.sketch.task === 'trace') return;
   const dimension = coordinates(kind).length;
-  const all = dimension === 2 ? path.parameters : path.points;
-  if (!all) return;
-  const at = dimension * Math.floor((all.length / dimension) * (1 - 0.5 ** (via.length + 1)));
-  change({ via: [...via, Array.from(all.slice(at, at + dimension))], task: 'path', start: 'global' }, `via ${performance.now()}`);
+  const all = dimension === 2 ? path?.parameters : path?.points;
+  if (whyNoVia(state) || !path || !all) return;
+  const { legs } = state.solved;
+  const longest = legs.reduce((best, { length }, i) => (length > legs[best].length ? i : best), 0);
+  const middle = dimension * middleOf(runsOf(path, legs), legs, longest);
+  const point = Array.from(all.slice(middle, middle + dimension));
+  const next = [...via.slice(0, longest), point, ...via.slice(longest)];
+  change({ via: next, task: 'path', start: 'global' }, `via ${performance.now()}`);
+}
+
+/** The point in the middle of a leg. @param {number[]} runs @param {import('../compute/legs.js').Leg[]} legs none: there is one @param {number} leg */
+function middleOf(runs, legs, leg) {
+  const begin = legs.slice(0, leg).reduce((sum, { segments }) => sum + segments, 0);
+  return begin + Math.floor((legs[leg]?.segments ?? runs.length - 1) / 2);
 }
 
 /** @param {string[]} names @param {string} letter @param {number} row */
@@ -89,7 +105,8 @@ function endRow(names, letter, row) {
 }
 
 /** @param {State} state */
-function renderPathCard({ sketch, endProblem, solved, chosen }) {
+function renderPathCard(state) {
+  const { sketch, endProblem, solved, chosen } = state;
   for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll('input[name=task]')))
     input.checked = input.value === sketch.task;
   for (const name of LISTED) /** @type {HTMLSelectElement} */ (find(name)).value = sketch[name];
@@ -108,12 +125,14 @@ function renderPathCard({ sketch, endProblem, solved, chosen }) {
     if (input !== document.activeElement) input.valueAsNumber = sketch[name];
     find(`${name}-value`).textContent = `${Number(sketch[name].toPrecision(3))}${unit}`;
   }
+  const reason = whyNoVia(state);
+  Object.assign(find('add-via'), { disabled: reason !== null, title: reason ?? '' });
   renderEnds(sketch);
   for (const input of find('ends').querySelectorAll('[aria-invalid]')) input.removeAttribute('aria-invalid');
   say(find('ends-problem'), endProblem?.message ?? null);
   if (endProblem && endProblem.end >= 0)
     document.getElementById(`end-${endProblem.end}-${endProblem.coordinate}`)?.setAttribute('aria-invalid', 'true');
-  renderList(sketch.task === 'all' ? solved.paths : [], chosen);
+  renderList(sketch.task === 'all' ? solved.paths.filter(({ length }) => Number.isFinite(length)) : [], chosen);
 }
 
 /** A link may hold one that is not in the list. @param {HTMLSelectElement} select @param {number} tolerance */
@@ -130,7 +149,7 @@ function renderEnds({ kind, ends, via, task }) {
   const wanted = `${kind} ${points.length} ${task === 'trace'}`;
   if (built !== wanted) {
     built = wanted;
-    const rows = points.map((_, row) => endRow(coordinates(kind), row < 2 ? 'AB'[row] : String(row - 1), row));
+    const rows = points.map((_, row) => endRow(coordinates(kind), letterOf(row), row));
     if (task === 'trace') rows.splice(1, 1);
     find('ends').replaceChildren(...rows);
   }
@@ -148,10 +167,7 @@ function renderList(paths, chosen) {
     const button = create('button', { type: 'button' }, create('strong', {}, formatNumber(path.length, 8)));
     if (i > 0) button.append(create('span', { className: 'hint' }, ` +${(100 * (path.length / paths[0].length - 1)).toPrecision(3)} %`));
     button.setAttribute('aria-pressed', String(i === chosen));
-    button.addEventListener('click', () => {
-      state.chosen = i;
-      render();
-    });
+    button.addEventListener('click', () => change({ chosen: i }));
     return create('li', {}, button);
   });
   // Only where something is different: a list that is replaced loses the focus.

@@ -2,6 +2,7 @@
 
 import { change } from '../state/change.js';
 import { create, find } from './dom.js';
+import { namesIn } from '../state/sketch.js';
 import { onRender, state } from '../state/state.js';
 
 /** What the sliders were built for. */
@@ -11,25 +12,54 @@ export function startSliders() {
   find('sliders').addEventListener('input', ({ target }) => {
     const { name, valueAsNumber } = /** @type {HTMLInputElement} */ (target);
     if (!Number.isFinite(valueAsNumber)) return;
-    const parameter = name.replace(/^(parameter|value)-/, '');
+    const parameter = parameterOf(name);
     change({ parameters: { ...state.sketch.parameters, [parameter]: valueAsNumber } }, `parameter ${parameter}`);
+  });
+  // Who leaves a number empty gets it back.
+  find('sliders').addEventListener('change', ({ target }) => {
+    const input = /** @type {HTMLInputElement} */ (target);
+    if (!Number.isFinite(input.valueAsNumber)) input.value = write(state.sketch.parameters[parameterOf(input.name)]);
+  });
+  find('sliders').addEventListener('click', ({ target }) => {
+    const name = /** @type {HTMLElement} */ (target).dataset.remove;
+    if (name) change({ parameters: without(state.sketch.parameters, name) }, `remove ${name}`);
   });
   onRender(renderSliders);
 }
 
+/** @param {string} name of an input */
+const parameterOf = (name) => name.replace(/^(parameter|value)-/, '');
+
+/** A number for an input. @param {number} x */
+const write = (x) => String(Number(x.toPrecision(6)));
+
+/** @param {Record<string, number>} parameters @param {string} name */
+const without = (parameters, name) => Object.fromEntries(Object.entries(parameters).filter(([other]) => other !== name));
+
 /** @param {import('../state/state.js').State} state */
-function renderSliders({ sketch: { entry, parameters } }) {
+function renderSliders({ sketch }) {
+  const { entry, parameters } = sketch;
   const names = [entry, ...Object.keys(parameters)].join();
   if (built !== names) {
     built = names;
     find('sliders').replaceChildren(...Object.entries(parameters).map(([name, value]) => slider(name, value)));
   }
+  const used = namesIn(sketch);
   for (const [name, value] of Object.entries(parameters)) {
+    find(`remove-${name}`).hidden = used.has(name);
+    widen(/** @type {HTMLInputElement} */ (find(`parameter-${name}`)), value);
     for (const field of [`parameter-${name}`, `value-${name}`]) {
       const input = /** @type {HTMLInputElement} */ (find(field));
-      if (input !== document.activeElement && input.valueAsNumber !== value) input.value = String(Number(value.toPrecision(6)));
+      if (input !== document.activeElement && input.valueAsNumber !== value) input.value = write(value);
     }
   }
+}
+
+/** A slider reaches as far as the number beside it, in whole steps. @param {HTMLInputElement} input @param {number} value */
+function widen(input, value) {
+  const [min, max, step] = [input.min, input.max, input.step].map(Number);
+  if (value < min) input.min = String(min - step * Math.ceil((min - value) / step));
+  if (value > max) input.max = String(max + step * Math.ceil((value - max) / step));
 }
 
 /** @param {string} name @param {number} value */
@@ -42,5 +72,8 @@ function slider(name, value) {
   input.value = String(value);
   const number = create('input', { type: 'number', name: `value-${name}`, id: `value-${name}`, step: 'any', value: String(value) });
   number.setAttribute('aria-label', `${name}, as a number`);
-  return create('div', { className: 'slider' }, create('label', { htmlFor: input.id, className: 'variable' }, name), input, number);
+  const remove = create('button', { type: 'button', className: 'icon small', id: `remove-${name}`, title: 'No formula has it' }, '✕');
+  remove.dataset.remove = name;
+  remove.setAttribute('aria-label', `Remove ${name}`);
+  return create('div', { className: 'slider' }, create('label', { htmlFor: input.id, className: 'variable' }, name), input, number, remove);
 }

@@ -1,5 +1,7 @@
 /** Numbers and outcomes as a reader wants them: short, in plain words, with what to do. */
 
+/** @typedef {import('../state/sketch.js').Sketch} Sketch */
+
 const MINUS = '\u2212';
 const MOST_DIGITS = 9;
 const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -14,7 +16,7 @@ const OUTCOMES = {
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
-  'singular-metric': ['No path', 'The surface has a crease or a tip on the way: narrow its ranges or move the ends.'],
+  'singular-metric': ['No path', ''],
   'sheet-jump': [
     'No path',
     'The straight start jumps to another part of the surface: start from a global search, or move the ends nearer to each other.',
@@ -25,15 +27,61 @@ const OUTCOMES = {
 };
 
 /**
+ * What must hold for a measure of length to be one; nothing, where it is that of space.
+ * @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch
+ */
+function conditionsOf({ kind, density, tensor }) {
+  const isOfPlane = kind === 'metric' || tensor.length === 3;
+  return [
+    ...(density.trim() && kind !== 'metric' ? ['the density must be greater than 0'] : []),
+    ...(isOfPlane ? ['E, F and G must be positive definite, with E > 0 and EG − F² > 0'] : []),
+    ...(tensor.length > 3 ? ['the matrix T must be positive definite'] : []),
+  ];
+}
+
+/** Why there is no number anywhere to colour a surface by. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
+export function describeNoMeasure(sketch) {
+  const conditions = conditionsOf(sketch).join(', and ');
+  return conditions ? `Length is measured nowhere: ${conditions}.` : 'There is nothing to measure on this surface.';
+}
+
+/** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
+function describeSingular(sketch) {
+  const conditions = conditionsOf(sketch).join(', and ');
+  if (sketch.kind === 'metric') return `On the way ${conditions}: change them, narrow the ranges or move the ends.`;
+  const also = conditions && `; or its measure of length fails there: ${conditions}`;
+  return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
+}
+
+/**
  * @param {string} status of a Path
- * @param {{ start: string, task: string }} asked
+ * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'density' | 'tensor'>} sketch that was asked
  * @returns {[string, string]} what happened, what to do
  */
-export function describeStatus(status, { start, task }) {
+export function describeStatus(status, sketch) {
+  const { start, task } = sketch;
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
+  if (status === 'singular-metric') return [words, describeSingular(sketch)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' ? 'No shorter path was found.' : advice];
+}
+
+/** The outcomes of a path that is not at rest: a step would still change it. */
+const MOVING = ['stalled', 'iteration-limit'];
+/** Those of one that is known to be as short as can be. */
+const SHORTEST = ['converged', 'ill-conditioned'];
+
+/**
+ * What a path may be called: the shortest one only if all others were looked for.
+ * @param {string} status of the path @param {Pick<Sketch, 'start' | 'task' | 'via'>} sketch that was asked @param {boolean} isFirst of all that were found
+ */
+export function namePath(status, { start, task, via }, isFirst) {
+  if (task === 'trace') return 'Geodesic';
+  if (MOVING.includes(status)) return 'Path, not at rest';
+  const isShortest = (task === 'all' || start === 'global') && isFirst && SHORTEST.includes(status);
+  if (isShortest) return 'Shortest path';
+  return via.length > 0 || status === 'tolerance-not-met' ? 'Path' : 'Geodesic';
 }
 
 /** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */

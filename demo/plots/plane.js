@@ -2,6 +2,7 @@
 
 import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
+import { determinantOf } from '../compute/tensor.js';
 import { find, say } from '../panels/dom.js';
 import { onHover, setHover } from '../state/hover.js';
 import { inside, liftNear, unrollings } from '../state/lifts.js';
@@ -127,7 +128,14 @@ function grid({ low, high, size, to }, names) {
 /** From A to B, where a direction is periodic by at most half a turn: as the straight start. @param {number[][]} ends @param {Frame['domain']} domain */
 const straightLine = ([from, to], domain) => [...from, ...liftNear(domain, to, from)];
 
-/** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space. @param {Frame} frame */
+/** The lines that are started from: several, or the straight one. @param {Frame} frame @returns {ArrayLike<number>[]} */
+function startsOf({ domain }) {
+  const { ends, start, task } = state.sketch;
+  const several = start === 'several' && task === 'path';
+  return several ? state.solved.starts.flatMap(({ parameters }) => (parameters ? [parameters] : [])) : [straightLine(ends, domain)];
+}
+
+/** An ellipse at points of a lattice: all that is equally far from its centre, where length is not that of space, and is one. @param {Frame} frame */
 function indicatrices(frame) {
   const { gauge } = state;
   if (gauge?.kind !== 'metric') return [];
@@ -136,9 +144,11 @@ function indicatrices(frame) {
     [i % cells, Math.floor(i / cells)].map((x, k) => frame.low[k] + ((x + 0.5) / cells) * (frame.high[k] - frame.low[k])),
   );
   const values = gauge.evaluate(Float64Array.from(places.flat()));
-  const radii = places.map((_, i) => longestRadius(values.subarray(3 * i, 3 * i + 3)));
-  const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...radii.filter(Number.isFinite));
-  return places.map((place, i) => ellipse(place, values.subarray(3 * i, 3 * i + 3), size, frame));
+  const metrics = places
+    .map((place, i) => ({ place, metric: values.subarray(3 * i, 3 * i + 3) }))
+    .filter(({ metric: [E, F, G] }) => determinantOf(E, F, G) > 0);
+  const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...metrics.map(({ metric }) => longestRadius(metric)));
+  return metrics.map(({ place, metric }) => ellipse(place, metric, size, frame));
 }
 
 /** Of an ellipse E a² + 2F ab + G b² = 1. @param {Float64Array} metric */
@@ -154,31 +164,37 @@ function ellipse(place, [E, F, G], size, frame) {
   return svg('polygon', { points: pointList(points), class: 'indicatrix' });
 }
 
+/** @param {Frame} frame @param {number[]} end @param {number} index */
+function handleOf(frame, end, index) {
+  const [x, y] = frame.to(inside(frame.domain, end));
+  return svg(
+    'g',
+    { class: 'end-handle', 'data-end': index },
+    svg('circle', { cx: x, cy: y, r: 15, class: 'target' }),
+    svg('circle', { cx: x, cy: y, r: 5.5, class: 'dot' }),
+    svg('text', { x: x + 9, y: y - 7, class: 'letter' }, 'AB'[index]),
+  );
+}
+
 /** The plane as SVG. @param {Frame} frame */
 function picture(frame) {
   const { sketch, solved, chosen } = state;
   const path = chosenPath();
-  const ends = (sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends).map((end) => frame.to(inside(frame.domain, end)));
-  const handles = ends.map(([x, y], end) =>
-    svg(
-      'g',
-      { class: 'end-handle', 'data-end': end },
-      svg('circle', { cx: x, cy: y, r: 15, class: 'target' }),
-      svg('circle', { cx: x, cy: y, r: 5.5, class: 'dot' }),
-      svg('text', { x: x + 9, y: y - 7, class: 'letter' }, 'AB'[end]),
-    ),
-  );
+  // What is half written has no place.
+  const isPlace = (/** @type {number[]} */ point) => point.every(Number.isFinite);
+  const ends = sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends;
+  const handles = ends.flatMap((end, i) => (isPlace(end) ? [handleOf(frame, end, i)] : []));
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
-  const straight =
-    sketch.task !== 'trace' && sketch.via.length === 0 ? curve(straightLine(sketch.ends, frame.domain), frame, 'straight') : [];
+  const isWay = ends.length === 2 && ends.every(isPlace) && sketch.via.length === 0;
+  const starts = isWay ? startsOf(frame).flatMap((line) => curve(line, frame, 'straight')) : [];
   const clip = svg(
     'clipPath',
     { id: 'plane-clip' },
     svg('rect', { x: MARGIN.left, y: MARGIN.top, width: frame.size[0], height: frame.size[1] }),
   );
-  const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...straight, ...others);
+  const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...starts, ...others);
   if (path?.parameters) inner.append(...curve(path.parameters, frame, 'path-halo'), ...curve(path.parameters, frame, 'path'));
-  const vias = sketch.via.map((point) => {
+  const vias = sketch.via.filter(isPlace).map((point) => {
     const [x, y] = frame.to(inside(frame.domain, point));
     return svg('circle', { cx: x, cy: y, r: 4, class: 'via' });
   });
@@ -202,7 +218,7 @@ function renderPlane() {
     domain ? 'The ends can be dragged here too.' : state.surface ? 'A surface f(x, y, z) = 0 has no parameters.' : null,
   );
   if (!(/** @type {HTMLDetailsElement} */ (find('plane-card')).open)) return;
-  if (!domain || !state.sketch.ends.flat().every(Number.isFinite)) {
+  if (!domain) {
     drawn = null;
     return find('plane').replaceChildren();
   }

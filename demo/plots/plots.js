@@ -52,7 +52,7 @@ function pointAt({ clientX, clientY }) {
   if (!along || !path || !picture) return;
   const { x } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
   const run = along.valueAt(x);
-  setHover(run >= 0 && run <= path.length ? hoverAlong(path, run) : null);
+  setHover(run >= 0 && run <= path.length ? hoverAlong(path, state.solved.legs, run) : null);
 }
 
 const choice = () => /** @type {HTMLSelectElement} */ (find('plot-choice')).value;
@@ -70,7 +70,7 @@ export async function refreshPlot() {
     if (turn === mine) draw(name, series);
   };
   try {
-    const series = await askLong('study', { plot: name, ends, path, options: { points } }, show);
+    const series = await askLong('study', { plot: name, ends, path, legs: state.solved.legs, options: { points } }, show);
     if (series && turn === mine) draw(name, series);
   } catch (error) {
     if (turn === mine) explain(sentence(error instanceof Error ? error.message : String(error)));

@@ -4,9 +4,11 @@ import { DragHandle } from 'surfpath/three';
 import { change } from '../state/change.js';
 import { create, find } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
-import { chosenPath, onRender, render, state } from '../state/state.js';
+import { chosenPath, onRender, state } from '../state/state.js';
 import { formatNumber } from '../panels/words.js';
+import { isOnSurface, letterOf } from '../state/ends.js';
 import { liftNear } from '../state/lifts.js';
+import { surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('./scene.js').View} View */
 
@@ -15,7 +17,7 @@ const LETTER = 23;
 /** How far along the path is what its letter keeps away from, in parts of it. */
 const BESIDE = 0.12;
 
-/** @type {DragHandle[]} */ const handles = [];
+/** Of each point that has a place, by its index. @type {(DragHandle | null)[]} */ const handles = [];
 /** @type {HTMLElement[]} */ const labels = [];
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
@@ -30,8 +32,6 @@ export function startAnchors(view) {
 
 /** All points that can be moved: A, B, then those between. */
 const points = () => (state.sketch.task === 'trace' ? state.sketch.ends.slice(0, 1) : [...state.sketch.ends, ...state.sketch.via]);
-
-const letterOf = (/** @type {number} */ index) => (index < 2 ? 'AB'[index] : String(index - 1));
 
 /** A periodic coordinate by whole turns as near as may be to the last one. @param {number[]} point @param {number[]} last */
 function unwind(point, last) {
@@ -69,44 +69,44 @@ function makeHandle(view, drawn, index, point) {
     handle.element.addEventListener('keydown', ({ key }) => {
       if (key === 'Delete') change({ via: state.sketch.via.filter((_, i) => i !== index - 2) });
     });
+  handleBefore(index)?.element.after(handle.element);
   view.add(handle);
   return handle;
 }
 
-/** Whether a handle can stand there: what is half written, or outside, has no place. @param {import('surfpath').Surface} drawn @param {number[]} point */
-function hasPlace(drawn, point) {
-  if (!point.every(Number.isFinite)) return false;
-  try {
-    const place = drawn.kind === 'implicit' ? drawn.project(point) : drawn.evaluate(point);
-    return [0, 1, 2].every((k) => Number.isFinite(place[k]));
-  } catch {
-    return false;
-  }
+/** The handle that comes before another one on the way from A to B: the tab key follows it. @param {number} index */
+function handleBefore(index) {
+  const before = index === 1 ? handles.slice(2) : handles.slice(2, Math.max(index, 2));
+  return (index === 0 ? [] : [handles[0], ...before]).filter((handle) => handle).at(-1);
 }
 
-/** As many handles as points, where the points are. @param {View} view */
+/** A handle for each point that has a place: none for what is half written, or outside. @param {View} view */
 function renderHandles(view) {
   const { drawn, mesh, building } = state;
   // The sketch's points belong to a surface that is not here yet.
   if (building) return;
   const wanted = drawn && mesh && state.shown?.kind === state.sketch.kind ? points() : [];
-  const shown = drawn && wanted.every((point) => hasPlace(drawn, point)) ? wanted : [];
-  while (handles.length > shown.length) handles.pop()?.dispose();
-  if (!drawn) return;
+  while (handles.length > wanted.length) handles.pop()?.dispose();
+  if (!drawn || !state.shown) return;
   if (themeOfHandles !== view.theme) colourHandles(view);
   const isNew = surfaceOfHandles !== drawn || meshOfHandles !== mesh;
   [surfaceOfHandles, meshOfHandles] = [drawn, mesh];
-  for (const [i, point] of shown.entries()) {
-    if (!handles[i]) handles[i] = makeHandle(view, drawn, i, point);
-    else if (isNew) handles[i].setSurface(drawn, point, view.surface);
-    else if (handles[i].point.some((x, k) => x !== point[k])) handles[i].setPoint(point);
+  const definition = surfaceOf(state.shown);
+  for (const [i, point] of wanted.entries()) {
+    const handle = handles[i];
+    if (!isOnSurface(drawn, definition, point)) {
+      handle?.dispose();
+      handles[i] = null;
+    } else if (!handle) handles[i] = makeHandle(view, drawn, i, point);
+    else if (isNew) handle.setSurface(drawn, point, view.surface);
+    else if (handle.point.some((x, k) => x !== point[k])) handle.setPoint(point);
   }
 }
 
 /** @param {View} view */
 function colourHandles({ theme }) {
   themeOfHandles = theme;
-  for (const [i, handle] of handles.entries()) handle.setColours({ colour: i < 2 ? theme?.path : theme?.via, ring: theme?.halo });
+  for (const [i, handle] of handles.entries()) handle?.setColours({ colour: i < 2 ? theme?.path : theme?.via, ring: theme?.halo });
 }
 
 /** Where the path runs near one of its ends; null: there is none. @param {number} end */
@@ -120,6 +120,7 @@ function alongPath(end) {
 /** A letter stands on the side where the path does not run. @param {View} view */
 function placeLetters(view) {
   for (const [i, handle] of handles.entries()) {
+    if (!handle) continue;
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
@@ -132,10 +133,7 @@ function placeLetters(view) {
 /** @param {number} index */
 function makeLabel(index) {
   const button = create('button', { type: 'button', className: 'length-label' }, create('span', {}));
-  button.addEventListener('click', () => {
-    state.chosen = index;
-    render();
-  });
+  button.addEventListener('click', () => change({ chosen: index }));
   find('anchors').append(button);
   return button;
 }

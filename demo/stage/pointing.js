@@ -1,6 +1,7 @@
 /** The mouse over the 3D view: which point of the surface it is at, and how far along the path; and the dot for what is pointed at elsewhere. */
 
 import { placesOf } from '../compute/drawn.js';
+import { runsOf } from '../compute/legs.js';
 import { placeOf } from '../state/ends.js';
 import { onHover, setHover } from '../state/hover.js';
 import { chosenPath, onRender, state } from '../state/state.js';
@@ -54,5 +55,5 @@ function runAt(view, x, y) {
     const distance = Math.hypot(left + across - x, top + down - y);
     if (distance < least) [nearest, least] = [i, distance];
   }
-  return path && nearest >= 0 ? (path.length * nearest) / (places.length - 3) : null;
+  return path && nearest >= 0 ? runsOf(path, state.solved.legs)[nearest / 3] : null;
 }

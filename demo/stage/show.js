@@ -7,7 +7,7 @@ import { placesOf } from '../compute/drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
 import { startPointing } from './pointing.js';
 import { chosenPath, stepsShown, onRender, render, state } from '../state/state.js';
-import { formatNumber } from '../panels/words.js';
+import { formatNumber, namePath } from '../panels/words.js';
 
 /** @typedef {import('./scene.js').View} View */
 /** @typedef {import('../state/state.js').State} State */
@@ -45,35 +45,34 @@ function frameAt(film, t) {
 function renderCurves(view) {
   const { solved, moment, chosen, sketch } = state;
   const path = chosenPath();
-  const several = sketch.start === 'several' && solved.films.length > 1;
+  const several = solved.starts.length > 0;
   const playing = stepsShown() > 0 && moment < 1;
   const final = path && placesOf(path).length > 0 ? [placesOf(path)] : [];
   const films = several || playing ? solved.films.map((film) => frameAt(film, moment)) : [];
   const curves = {
-    starts: several ? solved.films.map((film) => film[0]) : solved.straight ? [solved.straight] : [],
+    starts: several ? solved.starts.map(({ places }) => places) : solved.straight ? [solved.straight] : [],
     paths: playing ? films : final,
     others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
     warmth: playing ? moment : 1,
   };
   const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
-  renderLegend({ path: curves.paths.length > 0, start: curves.starts.length > 0, others: curves.others.length > 0 });
+  renderLegend({
+    path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0) : '',
+    start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
+    other: curves.others.length > 0 ? 'Other geodesics' : '',
+    hidden: curves.paths.length > 0 ? 'Hidden part' : '',
+  });
 }
 
 /** @type {string} */ let legendShown = '';
 
-/** @param {{ path: boolean, start: boolean, others: boolean }} has what is drawn */
-function renderLegend(has) {
-  const { task, start } = state.sketch;
-  const rows = [
-    ...(has.path ? [['legend-path', task === 'trace' ? 'Geodesic' : 'Shortest path']] : []),
-    ...(has.start ? [['legend-start', start === 'several' ? 'Starts' : 'Straight start']] : []),
-    ...(has.others ? [['legend-other', 'Other geodesics']] : []),
-    ...(has.path ? [['legend-hidden', 'Hidden part']] : []),
-  ];
+/** @param {Record<'path' | 'start' | 'other' | 'hidden', string>} names of what is drawn; '': it is not */
+function renderLegend(names) {
+  const rows = Object.entries(names).filter(([, text]) => text);
   if (legendShown === rows.join()) return;
   legendShown = rows.join();
-  find('legend').replaceChildren(...rows.map(([className, text]) => create('li', { className }, text)));
+  find('legend').replaceChildren(...rows.map(([what, text]) => create('li', { className: `legend-${what}` }, text)));
 }
 
 /** Curvature of which not more is left than rounding leaves. */

@@ -3,14 +3,17 @@
 import { ENTRIES } from './entries.js';
 import { deform, follow, rebuild, recolour, solve } from '../compute/flow.js';
 import { History } from './history.js';
-import { toHash } from './link.js';
+import { fromHash, toHash } from './link.js';
 import { sketchOf } from './sketch.js';
-import { render, state } from './state.js';
+import { choiceOf, FIRST, render, state } from './state.js';
 
 /** @typedef {import('./sketch.js').Sketch} Sketch */
 
 /** @type {History<Sketch>} */
 export const history = new History();
+
+/** What can be changed while the paths stay those that are seen. */
+const BESIDE_PATHS = ['chosen', 'colour'];
 
 /** Milliseconds of quiet before the address is rewritten: browsers limit how often. */
 const QUIET = 400;
@@ -26,13 +29,14 @@ const OF_PATH = /** @type {const} */ (['task', 'algorithm', 'tolerance', 'points
  */
 export function change(part, key = Object.keys(part).join()) {
   history.keep(state.sketch, key);
-  return turnInto({ ...state.sketch, ...part });
+  const isBeside = Object.keys(part).every((name) => BESIDE_PATHS.includes(name));
+  return turnInto({ ...state.sketch, ...(isBeside ? {} : { chosen: 0 }), ...part });
 }
 
 /** @param {Sketch} sketch @param {boolean} [frame] */
 function turnInto(sketch, frame = sketch.entry !== state.sketch.entry) {
   const before = state.sketch;
-  state.sketch = sketch;
+  Object.assign(state, { sketch, linkProblem: null });
   writeAddress();
   const differs = (/** @type {keyof Sketch} */ name) => JSON.stringify(before[name]) !== JSON.stringify(sketch[name]);
   if (OF_SURFACE.some(differs)) return rebuild({ frame, direction: frame ? ENTRIES[sketch.entry].camera : undefined });
@@ -43,18 +47,31 @@ function turnInto(sketch, frame = sketch.entry !== state.sketch.entry) {
   }
   if (differs('ends') || differs('via')) return follow();
   if (OF_PATH.some(differs)) return solve(differs('task') || differs('algorithm') || differs('start'));
+  state.chosen = choiceOf(sketch, state.solved);
   if (differs('colour')) return recolour();
   return render();
 }
 
 /** Opens an entry of the gallery, or a first formula to change. @param {string} name */
-export const choose = (name) => openSketch(sketchOf(name));
-
-/** Opens a sketch from elsewhere. @param {Sketch} sketch */
-export function openSketch(sketch) {
-  if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
-  state.sketch = sketch;
+export function choose(name) {
+  openSketch(sketchOf(name));
   writeAddress();
+}
+
+/** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
+export function openAddress(hash) {
+  const sketch = fromHash(hash);
+  const isJunk = hash.length > 1 && !sketch;
+  openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null);
+  if (!isJunk) writeAddress();
+}
+
+/** @param {Sketch} sketch @param {string | null} linkProblem */
+function openSketch(sketch, linkProblem = null) {
+  // What was to be written was of the sketch before.
+  clearTimeout(timer);
+  if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
+  Object.assign(state, { sketch, linkProblem });
   return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
 }
 

@@ -71,10 +71,16 @@ export function findBadBound(kind, texts) {
   return null;
 }
 
+/** Names that a message may begin with, which mean something else as capitals. */
+const NAMES = new Set(
+  Object.values(KINDS).flatMap(({ formulas, ranges, coordinates }) => [...Object.keys(formulas), ...ranges, ...coordinates]),
+);
+
 /** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
 export function sentence(message) {
   const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '');
-  return `${text[0].toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
+  const first = NAMES.has(text.split(' ')[0]) ? text[0] : text[0].toUpperCase();
+  return `${first}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 
 /** What an error says about the form. @param {unknown} error @param {Kind} kind @param {Texts} texts @returns {Problem} */

@@ -1,29 +1,50 @@
-/** The two ends of a path: what is wrong with them, and where to put them instead. */
+/** The ends of a path and the points on its way: what is wrong with them, and where to put them instead. */
 
 import { coordinates } from './definition.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
-/** @typedef {{ end: number, coordinate: number, message: string }} EndProblem end −1: neither of the two alone is at fault */
+/** @typedef {{ end: number, coordinate: number, message: string }} EndProblem end: A, B, then the points on the way; −1: none of them alone is at fault */
 
-/** @param {import('./kinds.js').Kind} kind @param {Surface} surface @param {number[][]} ends @returns {EndProblem | null} */
-export function findBadEnd(kind, { domain }, ends) {
-  for (const [end, point] of ends.entries())
+/** What a point is called: A, B, then the points on the way by number. @param {number} index */
+export const letterOf = (index) => (index < 2 ? 'AB'[index] : String(index - 1));
+
+/** @param {number} index */
+const nameOf = (index) => (index < 2 ? letterOf(index) : `Point ${letterOf(index)}`);
+
+/** @param {import('./kinds.js').Kind} kind @param {Surface} surface @param {number[][]} points A, B, then the points on the way @returns {EndProblem | null} */
+export function findBadEnd(kind, { domain }, points) {
+  for (const [end, point] of points.entries())
     for (const [coordinate, name] of coordinates(kind).entries()) {
       const axis = coordinate === 0 ? 'u' : 'v';
       const value = point[coordinate];
-      if (!Number.isFinite(value)) return { end, coordinate, message: `${'AB'[end]} needs a number for ${name}.` };
+      if (!Number.isFinite(value)) return { end, coordinate, message: `${nameOf(end)} needs a number for ${name}.` };
       if (!domain || domain.periodic[axis]) continue;
       const range = domain[axis];
       const slack = 1e-9 * (range[1] - range[0]);
       if (value < range[0] - slack || value > range[1] + slack)
-        return { end, coordinate, message: `${name} of ${'AB'[end]} must lie between ${shorten(range[0])} and ${shorten(range[1])}.` };
+        return { end, coordinate, message: `${name} of ${nameOf(end)} must lie between ${shorten(range[0])} and ${shorten(range[1])}.` };
     }
   return null;
 }
 
 /** A number of a range for the reader, and for an input. @param {number} x */
 const shorten = (x) => String(Number(x.toPrecision(5)));
+
+/** Share of its box's diagonal from which an implicit surface is too far from a point: the library's. */
+const FAR = 0.1;
+
+/** Whether a point lies on a surface, or so near to it that it can be moved there. @param {Surface} drawn @param {any} definition of it @param {number[]} point */
+export function isOnSurface(drawn, { bounds }, point) {
+  if (drawn.kind !== 'implicit') return placeOf(drawn, point) !== null;
+  if (!point.every(Number.isFinite)) return false;
+  const diagonal = Math.hypot(...bounds.map((/** @type {number[]} */ [low, high]) => high - low));
+  try {
+    return Math.hypot(...drawn.project(point).map((x, k) => x - point[k])) <= FAR * diagonal;
+  } catch {
+    return false;
+  }
+}
 
 /** Where a point of the surface lies in space; null if it lies nowhere. @param {Surface} drawn @param {number[]} point */
 export function placeOf(drawn, point) {

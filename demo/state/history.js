@@ -1,4 +1,7 @@
-/** What was there before, to go back to: a list of sketches. Changes of the same thing in quick succession, as a slider makes them, are one. */
+/**
+ * What was there before, to go back to: a list of sketches. Changes of the same thing are one while the mouse or a finger is held down, however long, and,
+ * without a hand on anything, in quick succession, as arrow keys make them.
+ */
 
 const MOST = 100;
 const PAUSE = 900;
@@ -9,15 +12,26 @@ export class History {
   /** @type {T[]} */ #future = [];
   #key = '';
   #time = -Infinity;
+  #isHeld = false;
 
   /** @param {T} before what is about to change @param {string} key what changes */
   keep(before, key) {
     const now = performance.now();
-    const goesOn = key === this.#key && now - this.#time < PAUSE;
+    const goesOn = key === this.#key && (this.#isHeld || now - this.#time < PAUSE);
     [this.#key, this.#time, this.#future] = [key, now, []];
     if (goesOn) return;
     this.#past.push(before);
     if (this.#past.length > MOST) this.#past.shift();
+  }
+
+  /** What changes from now on is one gesture. */
+  hold() {
+    [this.#isHeld, this.#key] = [true, ''];
+  }
+
+  /** The gesture is over: whatever changes next is another one. */
+  release() {
+    [this.#isHeld, this.#key] = [false, ''];
   }
 
   /** @param {T} now @returns {T | undefined} */

@@ -1,6 +1,7 @@
 /** The point that is pointed at, in the view, in the plane or along a plot: it is marked in all of them. Kept beside the state: it changes too often for it. */
 
 import { placesOf } from '../compute/drawn.js';
+import { runsOf } from '../compute/legs.js';
 
 /**
  * @typedef {object} Hover
@@ -23,19 +24,20 @@ export function setHover(next) {
 }
 
 /**
- * A point of a path at a length from its beginning; its points are equally far from each other.
- * @param {import('surfpath').Path} path @param {number} run
+ * A point of a path at a length from its beginning.
+ * @param {import('surfpath').Path} path @param {readonly import('../compute/legs.js').Leg[]} legs of it @param {number} run
  * @returns {Hover}
  */
-export function hoverAlong(path, run) {
+export function hoverAlong(path, legs, run) {
   const places = placesOf(path);
-  const count = places.length / 3;
-  const at = Math.min(Math.max(run / path.length, 0), 1) * (count - 1);
-  const first = Math.min(Math.floor(at), count - 2);
+  const runs = runsOf(path, legs);
+  const passed = runs.filter((one) => one <= run).length;
+  const first = Math.min(Math.max(passed - 1, 0), runs.length - 2);
+  const share = Math.min((run - runs[first]) / (runs[first + 1] - runs[first] || 1), 1);
   const between = (/** @type {Float64Array} */ list, /** @type {number} */ width) =>
     Array.from({ length: width }, (_, k) => {
       const [a, b] = [list[width * first + k], list[width * (first + 1) + k]];
-      return a + (at - first) * (b - a);
+      return a + share * (b - a);
     });
   return { place: between(places, 3), parameters: path.parameters && between(path.parameters, 2), run };
 }

@@ -3,6 +3,7 @@
 import { definitionOf, fieldNames, textsOf } from './definition.js';
 import { ENTRIES } from './entries.js';
 import { KINDS, tensorNames } from './kinds.js';
+import { isName, NAMES } from './names.js';
 
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {import('./definition.js').Texts} Texts */
@@ -23,6 +24,7 @@ import { KINDS, tensorNames } from './kinds.js';
  * @property {number} tolerance
  * @property {number} points
  * @property {'global' | 'straight' | 'several'} start
+ * @property {number} chosen which of all geodesics is looked at
  * @property {'plain' | 'curvature' | 'distance' | 'density'} colour
  */
 
@@ -34,9 +36,12 @@ const CHOICES = {
   colour: ['plain', 'curvature', 'distance', 'density'],
 };
 /** Least and most of each number. @type {Record<string, [number, number]>} */
-const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e6], tolerance: [1e-15, 0.1], points: [1, 2000] };
-const MOST_VIA = 8;
+const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e6], tolerance: [1e-15, 0.1], points: [1, 2000], chosen: [0, 100] };
+export const MOST_VIA = 8;
+/** More sliders than anyone makes by hand. */
+const MOST_PARAMETERS = 1000;
 const LONGEST_FORMULA = 4096;
+const WHOLE = /** @type {const} */ (['points', 'chosen']);
 export const MOST_POINTS = NUMBERS.points[1];
 
 /** @param {string} name of an entry @returns {Sketch} */
@@ -58,6 +63,7 @@ export function sketchOf(name) {
     tolerance: 1e-9,
     points: 64,
     start: 'global',
+    chosen: 0,
     colour: entry.density || entry.kind === 'metric' ? 'density' : 'plain',
   };
 }
@@ -69,6 +75,10 @@ export function surfaceOf({ kind, texts, parameters, density, tensor }) {
   if (tensor.length > 0) definition.metric = Object.fromEntries(tensorNames(kind).map((name, i) => [name, tensor[i]]));
   return definition;
 }
+
+/** The names that stand in the formulas of a sketch. @param {Sketch} sketch @returns {Set<string>} */
+export const namesIn = ({ texts, density, tensor }) =>
+  new Set([...Object.values(texts), density, ...tensor].flatMap((text) => text.match(NAMES) ?? []));
 
 /** @param {unknown} value @param {number} dimension @returns {value is number[]} */
 const isPoint = (value, dimension) => Array.isArray(value) && value.length === dimension && value.every((x) => Number.isFinite(x));
@@ -98,16 +108,15 @@ export function readSketch(given) {
   for (const [name, choices] of Object.entries(CHOICES)) if (choices.includes(given[name])) target[name] = given[name];
   for (const [name, [least, most]] of Object.entries(NUMBERS))
     if (Number.isFinite(given[name]) && given[name] >= least && given[name] <= most) target[name] = given[name];
-  sketch.points = Math.round(sketch.points);
+  for (const name of WHOLE) sketch[name] = Math.round(sketch[name]);
   return sketch;
 }
 
 /** @param {Sketch} sketch @param {any} given */
 function readParameters(sketch, given) {
   if (typeof given !== 'object' || given === null) return;
-  for (const [name, value] of Object.entries(given).slice(0, 16))
-    if (/^[\p{L}_][\p{L}\d_]*$/u.test(name) && name.length <= 24 && Number.isFinite(value))
-      sketch.parameters[name] = /** @type {number} */ (value);
+  for (const [name, value] of Object.entries(given).slice(0, MOST_PARAMETERS))
+    if (isName(name) && name.length <= LONGEST_FORMULA && Number.isFinite(value)) sketch.parameters[name] = /** @type {number} */ (value);
 }
 
 /** @param {Sketch} sketch @param {any} given */

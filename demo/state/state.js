@@ -8,7 +8,7 @@ import { sketchOf } from './sketch.js';
 export const FIRST = 'parametricTorus';
 
 /** @type {Solved} */
-export const UNSOLVED = { paths: [], films: [], straight: null, straightLength: NaN, milliseconds: NaN };
+export const UNSOLVED = { paths: [], legs: [], starts: [], films: [], straight: null, straightLength: NaN, milliseconds: NaN };
 
 export const state = {
   sketch: sketchOf(FIRST),
@@ -20,8 +20,9 @@ export const state = {
   /** @type {import('../compute/drawable.js').SurfaceMesh | null} */ mesh: null,
   /** @type {import('./definition.js').Problem | null} */ problem: null,
   /** @type {import('./ends.js').EndProblem | null} */ endProblem: null,
+  /** What is wrong with the address that was opened. @type {string | null} */ linkProblem: null,
   solved: UNSOLVED,
-  /** Which of the paths is looked at. */
+  /** Which of the paths is looked at: the sketch's choice, once there are as many. */
   chosen: 0,
   /** How far the iterates have come: 0 the start … 1 the path. */
   moment: 1,
@@ -49,6 +50,9 @@ export function render() {
 
 /** The path that is looked at. */
 export const chosenPath = () => state.solved.paths[state.chosen] ?? null;
+
+/** Which of the paths a sketch looks at. @param {Sketch} sketch @param {Solved} solved */
+export const choiceOf = ({ chosen }, { paths }) => Math.max(Math.min(chosen, paths.length - 1), 0);
 
 /** Newton steps from the start that is shown to the path that is looked at, each of which can be played; 0: there is nothing to play. */
 export const stepsShown = () => (state.chosen > 0 ? 0 : Math.max(0, ...state.solved.films.map((film) => film.length - 1)));

@@ -100,6 +100,31 @@ test('by keys, and back by undo', async () => {
   assert.equal(await length(), after_);
 });
 
+test('a drag is one step of undo, however long the hand rests in it, and the next one another', async () => {
+  await openEntry(page, 'saddle');
+  const start = await ends();
+  const drag = async (/** @type {number} */ rest) => {
+    const [x, y] = await middleOf('#handle-B');
+    const other = await middleOf('#handle-A');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.05 * (other[0] - x), y + 0.05 * (other[1] - y));
+    await page.waitForTimeout(rest);
+    await page.mouse.move(x + 0.1 * (other[0] - x), y + 0.1 * (other[1] - y));
+    await page.mouse.up();
+    await nextFrame(page);
+    return ends();
+  };
+  const first = await drag(1100);
+  await drag(0);
+  for (const expected of [first, start]) {
+    await page.click('#undo');
+    await page.waitForTimeout(250);
+    await settled(page);
+    assert.deepEqual(await ends(), expected);
+  }
+});
+
 test('in the plane of the parameters', async () => {
   await openEntry(page, 'saddle');
   const start = await ends();
@@ -122,6 +147,8 @@ test('a point on the way is added, moved by keys, and removed', async () => {
   await page.click('#add-via');
   await settled(page);
   await page.waitForSelector('#handle-1');
+  const handles = await page.$$eval('.surfpath-handle', (all) => all.map(({ id }) => id));
+  assert.deepEqual(handles, ['handle-A', 'handle-1', 'handle-B'], 'in the order of the way');
   await page.focus('#handle-1');
   for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowUp');
   await page.waitForTimeout(300);
@@ -133,6 +160,33 @@ test('a point on the way is added, moved by keys, and removed', async () => {
   await settled(page);
   assert.equal(await page.locator('.surfpath-handle').count(), 2);
   assert.ok(Math.abs((await length()) - shortest) < 1e-8);
+});
+
+test('points on the way divide its longest leg, eight at most; a number that is missing is said, and its point not drawn', async () => {
+  await openEntry(page, 'saddle');
+  const add = page.locator('#add-via');
+  for (let i = 0; i < 8; i++) {
+    await add.click();
+    await page.waitForTimeout(100);
+    await settled(page);
+  }
+  assert.equal(await add.isDisabled(), true);
+  assert.match((await add.getAttribute('title')) ?? '', /8 points at most/);
+  const across = await page.$$eval('#ends input[name$="-0"]', (all) =>
+    all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber),
+  );
+  const [a, b, ...via] = across;
+  assert.deepEqual(
+    via,
+    [...via].sort((one, other) => Math.sign(b - a) * (one - other)),
+    'in the order of the way',
+  );
+  await page.fill('#end-3-0', '');
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.equal(await page.textContent('#ends-problem'), 'Point 2 needs a number for u.');
+  assert.equal(await page.locator('.surfpath-handle').count(), 9);
+  assert.equal(await page.locator('#plane .via').count(), 7);
 });
 
 test('the console stayed silent', () => {

@@ -2,8 +2,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { KINDS } from '../../demo/state/kinds.js';
-import { describeStatus } from '../../demo/panels/words.js';
-import { STATUS } from '../../web/runtime/status.js';
 import { COARSE, measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
@@ -155,6 +153,28 @@ test('an unknown name becomes a slider, and the slider deforms surface and path'
   assert.ok(!picture.equals(await pictureOfView(page)), 'the surface is drawn anew');
 });
 
+test('a slider reaches as far as its number, which is never left empty, and can go once no formula has it', async () => {
+  await openEntry(page, 'parametricTorus');
+  await doing(() => page.fill('#value-a', '7.3'));
+  assert.equal(Number(await page.inputValue('#parameter-a')), 7.3);
+  await page.fill('#value-a', '');
+  await page.focus('#points');
+  assert.equal(await page.inputValue('#value-a'), '7.3');
+  await doing(() => page.fill('#value-a', '1.5'));
+  assert.equal(await page.isVisible('#remove-a'), false);
+  for (const [field, formula] of [
+    ['x', 'R*cos(u)'],
+    ['y', 'R*sin(u)'],
+    ['z', 'v'],
+  ])
+    await page.fill(`#field-${field}`, formula);
+  await page.waitForTimeout(250);
+  await settled(page);
+  await doing(() => page.click('#remove-a'));
+  assert.equal(await page.locator('#sliders .slider').count(), 1);
+  assert.equal(await status(), 'converged');
+});
+
 test('end points are numbers: a wrong one is said in words, a right one moves the path', async () => {
   await openEntry(page, 'saddle');
   const before = await text('#length');
@@ -229,6 +249,10 @@ test('several starts converge to one path, and the straight one alone may miss t
   await doing(() => page.selectOption('#start', 'several'));
   assert.match(await text('#moment-words'), /^Newton step (\d+) of \1$/);
   assert.ok((await length()) < 1.0001 * global, 'one of five starts leads to the shortest');
+  // View, plane and strip tell of the same starts.
+  assert.equal(await page.locator('#plane .straight').count(), 5);
+  assert.equal(await page.isVisible('#start-figure'), false);
+  assert.match(await text('#legend'), /^Geodesic\s*Starts/);
 });
 
 test('a density and a metric change the path, and the presets fit any rectangle', async () => {
@@ -244,6 +268,23 @@ test('a density and a metric change the path, and the presets fit any rectangle'
   assert.ok((await length()) > plain);
   await page.fill('#field-density', '1+sin(');
   await page.waitForSelector('#problem-density pre');
+});
+
+test('what the reader colours by stays while a measure is written', async () => {
+  await openEntry(page, 'saddle');
+  await page.evaluate(() => document.querySelector('#measure-card')?.setAttribute('open', ''));
+  const write = async (/** @type {string} */ density) => {
+    await page.fill('#field-density', density);
+    await page.waitForTimeout(250);
+    await settled(page);
+    return page.inputValue('#colour');
+  };
+  assert.equal(await write('1+u^2'), 'density');
+  await page.selectOption('#colour', 'plain');
+  assert.equal(await write('1+v^2'), 'plain');
+  await page.selectOption('#colour', 'curvature');
+  assert.equal(await write(''), 'curvature');
+  assert.equal(await write('2'), 'curvature');
 });
 
 test('a metric over space on an implicit surface: presets, six fields, a mistake marked, a link that keeps it', async () => {
@@ -298,14 +339,6 @@ test('a surface that is small in its box is drawn as it is', async () => {
   assert.ok(radius > 0.99 && radius < 1.2, `radius ${radius}`);
 });
 
-test('each status is said in words', () => {
-  for (const name of STATUS.values()) {
-    const [words, advice] = describeStatus(name, { start: 'straight', task: 'path' });
-    assert.notEqual(words, name);
-    assert.match(advice, /^[A-Z].*\.$/, name);
-  }
-});
-
 test('the iterates play in about a second, and can be scrubbed', async () => {
   await openEntry(page, 'parametricTorus');
   await page.emulateMedia({ reducedMotion: 'no-preference' });
@@ -319,6 +352,17 @@ test('the iterates play in about a second, and can be scrubbed', async () => {
   await page.fill('#moment', '0');
   assert.equal(await text('#moment-words'), `Newton step 0 of ${last}`);
   await page.emulateMedia({ reducedMotion: 'reduce' });
+});
+
+test('an arrow key plays one step', async () => {
+  await openEntry(page, 'parametricTorus');
+  const last = Number(await page.getAttribute('#moment', 'max'));
+  await page.focus('#moment');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await text('#moment-words'), `Newton step ${last - 1} of ${last}`);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await text('#moment-words'), `Newton step ${last} of ${last}`);
 });
 
 test('plots are measured on the path that is seen', async () => {

@@ -1,0 +1,44 @@
+// Why there is nothing to draw, and where a measure of length is none.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { meshOf } from '../../../demo/compute/drawable.js';
+import { shade } from '../../../demo/compute/shade.js';
+import { load } from 'surfpath';
+
+const surfpath = await load();
+const SQUARE = { u: [-1, 1], v: [-1, 1] };
+const BOX = { bounds: [1, 2, 3].map(() => [-1.5, 1.5]) };
+
+/** @param {any} definition */
+function open(definition) {
+  const surface = surfpath.surface(definition);
+  const drawn = definition.kind === 'metric' ? surfpath.parametric({ x: 'u', y: 'v', z: 0, ...definition }) : surface;
+  return { surface, drawn, definition };
+}
+
+for (const [what, definition, words] of /** @type {[string, any, RegExp][]} */ ([
+  ['a point', { kind: 'parametric', x: 0, y: 0, z: 0, ...SQUARE }, /a point or a curve/],
+  ['a line', { kind: 'parametric', x: 'u', y: 'u', z: 'u', ...SQUARE }, /a point or a curve/],
+  ['an axis', { kind: 'revolution', r: '0', z: 't', t: [0, 1] }, /a point or a curve/],
+  ['a centreline', { kind: 'tube', centreline: ['cos(t)', 'sin(t)', 't'], radius: '0', t: [0, 3] }, /a point or a curve/],
+  ['nothing', { kind: 'parametric', x: 'u', y: 'v', z: 'log(-1-u^2)', ...SQUARE }, /no value anywhere/],
+  ['a square', { kind: 'implicit', f: '(x^2+y^2+z^2-1)^2', ...BOX }, /f changes its sign/],
+  ['f > 0', { kind: 'implicit', f: 'x^2+1', ...BOX }, /f changes its sign/],
+  ['no f', { kind: 'implicit', f: 'log(-1-x^2)', ...BOX }, /no value anywhere/],
+]))
+  test(`${what} is no surface, and is said to be that`, () => {
+    assert.throws(() => meshOf(open(definition), 16, surfpath), words);
+  });
+
+for (const [what, definition] of /** @type {[string, any][]} */ ([
+  ['E < 0', { kind: 'metric', E: '-1', F: '0', G: '1', ...SQUARE }],
+  ['E < 0, G < 0', { kind: 'metric', E: '-1', F: '0', G: '-1', ...SQUARE }],
+  ['EG < F²', { kind: 'metric', E: '1', F: '5', G: '1', ...SQUARE }],
+  ['density 0', { kind: 'parametric', x: 'u', y: 'v', z: 0, density: '0', ...SQUARE }],
+  ['density −1', { kind: 'parametric', x: 'u', y: 'v', z: 0, density: '-1', ...SQUARE }],
+]))
+  test(`${what}: length counts nowhere, which is not 0`, async () => {
+    const job = { report: () => {}, isStopped: () => false };
+    const values = await shade(open(definition), { colour: 'density', from: [0, 0], resolution: 8 }, job, surfpath);
+    assert.ok(values && values.length > 0 && values.every(Number.isNaN));
+  });
