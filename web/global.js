@@ -145,7 +145,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   if (weak) return [weak];
   if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
-  if (failed.length === 0 && beside.length > 0) return [asAsked(beside[0], options)];
+  if (beside.length > 0 && failed.every(({ status }) => status === STALLED)) return [asAsked(beside[0], options)];
   /* A path that is none of the best is better than none, if what is shorter can be told. */
   const weakest = failed.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length)[0];
   if (weakest || (failed.length > 0 && !(problem.isPlain && problem.domain))) return [weakest ?? failed[0]];
@@ -218,10 +218,10 @@ function stalledBeside(problem, unknown, options, best) {
 function isShorterAnyway(problem, path, best, { tolerance }) {
   const { status, length, lengthError } = path;
   const least = best.length * (1 - tolerance) - best.lengthError;
-  if (status <= CONVERGED || status === STALLED || !(length - Math.min(lengthError, MARGIN * length) < least)) return false;
+  if (status <= CONVERGED || status === STALLED || !(length < least)) return false;
   if (length + lengthError < least) return true;
   const finer = solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST });
-  return holds({ path: finer }) ? estimate(finer) < least : length < least;
+  return !(holds({ path: finer }) && estimate(finer) >= least);
 }
 
 /**

@@ -178,3 +178,10 @@ test('corrugated iron, 26 waves with slopes of 4: what converges is as long as u
   }
   assert.ok(converged >= 23, `${converged} of 30`);
 });
+
+test('half axes 20, 20 and 1: chords that cut through the body lead nowhere, what passes the pole is solved to the end', () => {
+  const body = surfpath.parametric({ x: '20sin(v)cos(u)', y: '20sin(v)sin(u)', z: 'cos(v)', u: [0, '2pi'], v: [0, 'pi'] });
+  const path = body.shortestPath([1.780235837034216, 0.36651914291880916], [1.9896753472735356, 3.089232776029963]);
+  // As the implicit form, and elements from 1,000 chords, have it.
+  assert.ok(path.converged && Math.abs(path.length / 32.00172170121 - 1) < RIGHT, `${path.status} ${path.length}`);
+});
