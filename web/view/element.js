@@ -55,6 +55,8 @@ export class SurfacePathElement extends Base {
   /** Whether the look of the surface is to be made again as soon as it is on screen. */
   #isUndrawn = true;
   #isUnplayed = true;
+  /** Whether what stands in the element is a complaint about how it is to be drawn. */
+  #isUndrawable = false;
   /** @type {AbortController | null} */ #connection = null;
 
   constructor() {
@@ -225,8 +227,10 @@ export class SurfacePathElement extends Base {
     this.#isUndrawn = false;
     try {
       this.#draw(this.#surface);
-      this.#tell();
+      if (this.#isUndrawable) this.#tell();
+      this.#isUndrawable = false;
     } catch (error) {
+      this.#isUndrawable = true;
       this.#complain(error);
     }
   }
