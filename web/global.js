@@ -43,6 +43,8 @@ const CANDIDATE_POINTS = 65;
 const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 8;
+/** What every path is shorter than. */
+const NONE = { length: Infinity, lengthError: 0 };
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
 /** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
@@ -137,11 +139,11 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
     else failed.push(followed.path);
   usable.push(...over.filter(({ path }) => path.length < lengthOfShortest(usable) - path.lengthError).slice(0, 1));
   const chosen = distinct(usable);
+  const best = chosen[0]?.path;
   const weak =
     most === 1 &&
-    chosen.length > 0 &&
-    (failed.find((path) => isShorterAnyway(problem, path, chosen[0].path, options)) ??
-      stalledBeside(problem, unknown, options, chosen[0].path));
+    (failed.flatMap((path) => shorterAnyway(problem, path, best ?? NONE, options) ?? []).sort((a, b) => a.length - b.length)[0] ??
+      (best && stalledBeside(problem, unknown, options, best)));
   if (weak) return [weak];
   if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   const apart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
@@ -211,17 +213,21 @@ function stalledBeside(problem, unknown, options, best) {
 }
 
 /**
- * Whether a path that was not solved to the tolerance (iteration-limit, tolerance-not-met) may be shorter than the best of those that were: it is one on the surface.
- * Where its error leaves that open, a fine polyline tells.
- * @param {Problem} problem @param {RawPath} path @param {RawPath} best @param {SolveOptions} options
+ * A path that was not solved to the tolerance (iteration-limit, tolerance-not-met) but may be shorter than the best of those that were: it is one on the surface.
+ * A fine polyline tells whether its error leaves that open, and may lead to it; null: it is not shorter.
+ * @param {Problem} problem @param {RawPath} path @param {{ length: number, lengthError: number }} best @param {SolveOptions} options @returns {RawPath | null}
  */
-function isShorterAnyway(problem, path, best, { tolerance }) {
+function shorterAnyway(problem, path, best, options) {
   const { status, length, lengthError } = path;
-  const least = best.length * (1 - tolerance) - best.lengthError;
-  if (status <= CONVERGED || status === STALLED || !(length < least)) return false;
-  if (length + lengthError < least) return true;
-  const finer = solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST });
-  return !(holds({ path: finer }) && estimate(finer) >= least);
+  const least = best.length * (1 - options.tolerance) - best.lengthError;
+  if (status <= CONVERGED || status === STALLED || !(length < least)) return null;
+  /* Who allows fewer steps than that takes wants to know where they end. */
+  if (options.maxIterations < ROUGHLY.maxIterations) return path;
+  const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
+  if (!holds(finer)) return path;
+  if (estimate(finer.path) >= least) return length + lengthError < least ? path : null;
+  const refined = solveFrom(problem, finer, options);
+  return holds({ path: refined }) && refined.length < least ? refined : path;
 }
 
 /**

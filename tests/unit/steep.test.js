@@ -185,3 +185,10 @@ test('half axes 20, 20 and 1: chords that cut through the body lead nowhere, wha
   // As the implicit form, and elements from 1,000 chords, have it.
   assert.ok(path.converged && Math.abs(path.length / 32.00172170121 - 1) < RIGHT, `${path.status} ${path.length}`);
 });
+
+test('a twisted tube of half axes 2 and 0.2: what rough chords lead to in too many steps, finer ones do', () => {
+  const [x, y] = ['cos(.8v)*2cos(u) - sin(.8v)*.2sin(u)', 'sin(.8v)*2cos(u) + cos(.8v)*.2sin(u)'];
+  const tube = surfpath.parametric({ x, y, z: 'v', u: [0, '2pi'], v: [-4, 4] });
+  const path = tube.shortestPath([3.168683043142399, 1.0598910441622147], [0.6129039571922414, -2.8155434338375924]);
+  assert.ok(path.converged && Math.abs(path.length / 6.04374011770085 - 1) < RIGHT, `${path.status} ${path.length}`);
+});
