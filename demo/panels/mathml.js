@@ -13,8 +13,9 @@ const POWER = 4;
 const ATOM = 5;
 /** Characters that fit into a line as they are typeset. */
 const ONE_LINE = 28;
-/** Longer formulas are not worth reading. */
+/** Longer formulas are not typeset: their beginning is shown as it was written, so many characters of it. */
 const MOST_STEPS = 400;
+const BEGINNING = 80;
 /** @type {Record<string, string>} */
 const GREEK = {
   alpha: 'α',
@@ -113,17 +114,20 @@ export function breakable(element) {
 /** Lists of pieces one after the other, each sticking to the one before it. @param {Element[][][]} lists */
 const joined = (...lists) => lists.reduce((all, [first, ...rest]) => [...all.slice(0, -1), [...(all.at(-1) ?? []), ...first], ...rest]);
 
+/** A formula as it was written, as far as it is worth reading. @param {string} source */
+const beginningOf = (source) => math('mtext', source.length > BEGINNING ? `${source.slice(0, BEGINNING).trimEnd()} …` : source);
+
 /**
  * @param {string} source
  * @param {readonly string[]} names that it may use besides functions and constants
- * @returns {Element | null} null: it has a mistake, or is too long
+ * @returns {Element | null} null: it has a mistake
  */
 export function typeset(source, names) {
   if (source.length > LIMITS.characters) return null;
   try {
     const scope = new Map([...['pi', 'e', 'tau'], ...names].map((name) => [name, { kind: /** @type {const} */ ('parameter'), value: 0 }]));
     const program = parse(source, scope);
-    if (program.length > MOST_STEPS) return null;
+    if (program.length > MOST_STEPS) return beginningOf(source);
     /** @type {Piece[]} */
     const stack = [];
     for (const step of program) stack.push(step.kind === 'call' ? call(step.name, stack.splice(-step.value)) : leaf(step));

@@ -165,7 +165,7 @@ function renderEnds({ kind, ends, via, task }) {
 function renderList(paths, chosen) {
   const rows = paths.map((path, i) => {
     const button = create('button', { type: 'button' }, create('strong', {}, formatNumber(path.length, 8)));
-    if (i > 0) button.append(create('span', { className: 'hint' }, ` +${(100 * (path.length / paths[0].length - 1)).toPrecision(3)} %`));
+    if (i > 0) button.append(create('span', { className: 'hint' }, ` +${formatNumber(100 * (path.length / paths[0].length - 1), 3)} %`));
     button.setAttribute('aria-pressed', String(i === chosen));
     button.addEventListener('click', () => change({ chosen: i }));
     return create('li', {}, button);

@@ -3,7 +3,10 @@
 /** @typedef {import('../state/sketch.js').Sketch} Sketch */
 
 const MINUS = '\u2212';
-const MOST_DIGITS = 9;
+/** Of a length: at most, and where its error is not known. */
+const [MOST_DIGITS, FEW_DIGITS] = [9, 7];
+/** Powers of ten from which, and below which, numbers are written without one. */
+const [LEAST_ORDER, MOST_ORDER] = [-4, 6];
 const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 /** @type {Record<string, [string, string]>} what happened, what to do, by Path.status */
@@ -84,29 +87,32 @@ export function namePath(status, { start, task, via }, isFirst) {
   return via.length > 0 || status === 'tolerance-not-met' ? 'Path' : 'Geodesic';
 }
 
-/** A number with so many significant digits, in the reader's typography. @param {number} x @param {number} [digits] */
+/** The power of ten of a number's first digit, once it is rounded. @param {number} x @param {number} digits */
+const orderOf = (x, digits) => Number(x.toExponential(digits - 1).split('e')[1]);
+
+/** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';
-  const [mantissa, exponent] = x.toPrecision(digits).split('e');
-  const text = mantissa.replace('-', MINUS);
-  if (exponent === undefined) return text;
-  const power = [...exponent].map((c) => (c === '-' ? '⁻' : c === '+' ? '' : DIGITS[Number(c)])).join('');
-  return `${text} × 10${power}`;
+  const order = orderOf(x, digits);
+  if (order >= LEAST_ORDER && order < Math.max(MOST_ORDER, digits))
+    return Number(x.toPrecision(digits))
+      .toFixed(Math.max(digits - 1 - order, 0))
+      .replace('-', MINUS);
+  const mantissa = x
+    .toExponential(digits - 1)
+    .replace(/e.*/, '')
+    .replace('-', MINUS);
+  return `${mantissa} × 10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
 }
 
-/** Decimals down to the first digit or two of what is uncertain, as far as a reader follows. @param {number} x @param {number} uncertainty */
+/** A number down to the first digit that is uncertain, as far as a reader follows. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
-  if (!Number.isFinite(x)) return '–';
-  const decimals = uncertainty > 0 ? Math.ceil(-Math.log10(uncertainty)) + 1 : 6;
-  const most = MOST_DIGITS - 1 - Math.floor(Math.log10(Math.max(Math.abs(x), 1)));
-  return x.toFixed(Math.max(Math.min(decimals, most), 0)).replace('-', MINUS);
+  const digits = uncertainty > 0 && uncertainty < Infinity ? orderOf(x, MOST_DIGITS) - orderOf(uncertainty, 1) + 1 : FEW_DIGITS;
+  return formatNumber(x, Math.min(Math.max(digits, 1), MOST_DIGITS));
 }
 
 /** @param {number} x a small positive estimate */
-export function formatEstimate(x) {
-  if (!Number.isFinite(x) || x === 0) return '';
-  return `± ${x >= 1e-4 ? x.toFixed(Math.ceil(-Math.log10(x)) + 1 > 1 ? Math.ceil(-Math.log10(x)) + 1 : 1) : formatNumber(x, 1)}`;
-}
+export const formatEstimate = (x) => (Number.isFinite(x) && x !== 0 ? `± ${formatNumber(x, 1)}` : '');
 
 /** @param {number} milliseconds */
 export const formatTime = (milliseconds) => `${milliseconds < 100 ? Number(milliseconds.toPrecision(2)) : Math.round(milliseconds)} ms`;

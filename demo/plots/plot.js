@@ -6,7 +6,8 @@ import { pointList, svg, ticks } from './svg.js';
 /** @typedef {{ label: string, log?: boolean, zero?: boolean }} Axis zero: begins there */
 
 const [WIDTH, HEIGHT] = [320, 210];
-const BOX = { left: 46, right: 312, top: 10, bottom: 172 };
+/** At the right there is room for the half of a number that stands under the last mark. */
+const BOX = { left: 46, right: 305, top: 10, bottom: 172 };
 const MARKS = ['mark-round', 'mark-square'];
 
 /** @param {number} x */
