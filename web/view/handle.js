@@ -1,7 +1,6 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import { enterDomain } from '../domain.js';
 import { checkOptions } from '../path.js';
 import { HandleButton } from './button.js';
 import { checkDrawable } from './check.js';
@@ -94,7 +93,7 @@ export class DragHandle extends Group {
   setPoint(point) {
     const surface = this.#surface;
     const given = Array.from(point);
-    const place = surface.domain ? inside(surface.domain, given) : surface.project(given);
+    const place = surface.domain ? given : surface.project(given);
     const position = surface.domain ? surface.evaluate(place) : place;
     if (place.length !== (surface.domain ? 2 : 3) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
       throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
@@ -239,7 +238,3 @@ export class DragHandle extends Group {
     onDragEnd?.(this);
   }
 }
-
-/** A place of the rectangle; throws RangeError for one beyond its walls. @param {NonNullable<Surface['domain']>} domain @param {number[]} place */
-const inside = ({ u, v, periodic }, place) =>
-  enterDomain({ lower: [u[0], v[0]], upper: [u[1], v[1]], periodic: [periodic.u, periodic.v] }, place, 'DragHandle: point');
