@@ -6,15 +6,12 @@ import { fitView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
-/** CSS pixels that are covered: below by the player, and on small screens by the scale above it; above by the legend there. */
-const COVERED = { top: 0, bottom: 64 };
-const COVERED_SMALL = { top: 20, bottom: 84 };
-/** Width of a small screen, in CSS pixels; as in styles/small.css. */
-const SMALL = 760;
 /** Share of the view that stays free around the surface, both sides together. */
 const MARGIN = 0.1;
 /** In CSS pixels, at least. */
 const LEAST_MARGIN = 44;
+
+/** @typedef {{ top: number, bottom: number }} Covered CSS pixels at the edges of the view that other things stand over */
 
 export class Eye {
   camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
@@ -23,6 +20,7 @@ export class Eye {
   /** What must fit into the view. @type {import('three').BufferAttribute | import('three').InterleavedBufferAttribute | null} */ #points =
     null;
   #size = { width: 1, height: 1 };
+  /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
   /** Whether the reader has turned the view: then it is not ours to change. */
   #touched = false;
 
@@ -62,17 +60,14 @@ export class Eye {
     this.#fit(towards);
   }
 
-  /** @param {number} width in CSS pixels @param {number} height */
-  resize(width, height) {
+  /** @param {number} width in CSS pixels @param {number} height @param {Covered} covered */
+  resize(width, height, covered) {
     this.#size = { width, height };
+    this.#covered = covered;
     this.camera.aspect = width / height;
-    const { top, bottom } = this.#covered;
+    const { top, bottom } = covered;
     this.camera.setViewOffset(width, height, 0, (bottom - top) / 2, width, height);
     if (!this.#touched) this.#fit(this.camera.position.clone().sub(this.controls.target).normalize());
-  }
-
-  get #covered() {
-    return this.#size.width < SMALL ? COVERED_SMALL : COVERED;
   }
 
   /** @param {Vector3} towards the camera, unit length */

@@ -235,7 +235,9 @@ export class View {
     this.#size = { width, height };
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
     this.#renderer.setSize(width, height, false);
-    this.#eye.resize(width, height);
+    // The style sheet knows what stands over the view: it is the view's padding.
+    const { paddingTop, paddingBottom } = getComputedStyle(element);
+    this.#eye.resize(width, height, { top: Number.parseFloat(paddingTop), bottom: Number.parseFloat(paddingBottom) });
     // A resized canvas is empty until it is drawn: draw before the browser paints.
     this.draw();
   }
