@@ -277,8 +277,11 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     struct sp_system walled = sp_storage_keep(&storage, &newton->system);
     struct run runs[SP_MAX_ARCS];
-    int32_t touching = find_runs(&walled.line, runs), lone = 0, fits;
-    touching = without_lone_ends(&walled.line, runs, touching);
+    int32_t lone = 0, fits, touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs));
+    if (touching == 0) { /* too short a contact for so few chords */
+        walled = *given;
+        touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs));
+    }
     size_t bottom = arena->used;
     int32_t kept = newton->steps_left / KEPT;
     newton->steps_left -= kept;

@@ -23,6 +23,8 @@ static const double UNEVEN = 3, EVENLY = 1e-6;
 enum { SPREAD_NODES = 64 };
 /* Of more chords projected Newton frees about one a step from a wall. */
 enum { WALLED_CHORDS = 256 };
+/* Elements of so many nodes that touch a wall show where: more do not settle, there the path bends aside. */
+enum { TOUCHING_NODES = 768 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
@@ -302,6 +304,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         error = larger(uneven_by, follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change);
         if (agrees && !astray && change <= allowed && uneven_by <= allowed && is_settled(now.moved, moved, allowed))
             return finish(newton, now, error);
+        if (now.outcome.active && now.outcome.status == SP_CONVERGED && rung.degree * rung.count >= TOUCHING_NODES)
+            return now.outcome.status = SP_TOLERANCE_NOT_MET, finish(newton, now, error);
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
