@@ -4,7 +4,7 @@
 #include "metric.h"
 #include <string.h>
 
-static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9;
+static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
 enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
@@ -29,9 +29,10 @@ static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
     return found;
 }
 
-/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. */
-static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_ARCS]) {
-    int32_t count = 0, last = line->fold.inner + 1;
+/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. `lone`: an end of the path that is alone on its
+ * edge is one, too. */
+static int32_t find_runs(const struct sp_polyline *line, int32_t lone, struct run runs[SP_MAX_ARCS]) {
+    int32_t count = 0, kept = 0, last = line->fold.inner + 1;
     for (int32_t i = 0; i <= last; i++) {
         int32_t edge = edge_of(line, i);
         if (edge < 0) continue;
@@ -41,16 +42,8 @@ static int32_t find_runs(const struct sp_polyline *line, struct run runs[SP_MAX_
         else if (count < SP_MAX_ARCS)
             runs[count++] = (struct run){i, i, edge / 2, edge % 2};
     }
-    return count;
-}
-
-/* Leaves out an end of the path that is alone on its edge. */
-static int32_t without_lone_ends(const struct sp_polyline *line, struct run *runs, int32_t count) {
-    int32_t kept = 0, last = line->fold.inner + 1;
-    for (int32_t r = 0; r < count; r++) {
-        int alone = runs[r].first == runs[r].last && (runs[r].first == 0 || runs[r].first == last);
-        if (!alone) runs[kept++] = runs[r];
-    }
+    for (int32_t r = 0; r < count; r++)
+        if (lone || runs[r].first < runs[r].last || (runs[r].first > 0 && runs[r].first < last)) runs[kept++] = runs[r];
     return kept;
 }
 
@@ -107,12 +100,15 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
     return 1;
 }
 
-/* Newton. */
+/* Newton; first on the few elements of a rough solve, where most of the way is gone. */
 static int fit(struct sp_newton *newton, const struct sp_options *options, int wanted, struct sp_piece *piece, struct sp_arena *arena) {
     double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
     if (enough < LEAST_SINE) enough = LEAST_SINE;
-    for (int round = 0, checked = wanted; round < CONTACT_ROUNDS; round++) {
-        if (!solve_piece(newton, options, checked, piece, arena)) return 0;
+    struct sp_options now = *options;
+    if (now.tolerance < ROUGHLY) now.tolerance = ROUGHLY;
+    for (int round = 0, checked = 0; round < CONTACT_ROUNDS; round++) {
+        if (!solve_piece(newton, &now, checked, piece, arena)) return 0;
+        now.tolerance = options->tolerance;
         int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
         if (fits && (checked || !wanted)) return 1;
         checked = fits;
@@ -183,9 +179,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
     struct run runs[SP_MAX_ARCS];
-    int32_t count = find_runs(&system->line, runs);
-    count = without_lone_ends(&system->line, runs, count);
-    contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
+    contact->made = cut(system, runs, find_runs(&system->line, 0, runs), contact->pieces, &contact->arcs);
 }
 
 int sp_contact_assemble(struct sp_contact *contact) {
@@ -275,35 +269,36 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
                                                                                    : count;
     struct sp_refined chords = sp_refine_chords(newton, options, chosen, given, arena);
     if (chords.outcome.status < 0) return chords;
-    struct sp_system walled = sp_storage_keep(&storage, &newton->system);
+    struct sp_system kept = sp_storage_keep(&storage, &newton->system);
+    const struct sp_system *walled = &kept;
     struct run runs[SP_MAX_ARCS];
-    int32_t lone = 0, fits, touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs));
+    int32_t lone = 0, fits, touching = find_runs(&walled->line, 0, runs);
     if (touching == 0) { /* too short a contact for so few chords */
-        walled = *given;
-        touching = without_lone_ends(&walled.line, runs, find_runs(&walled.line, runs));
+        walled = given;
+        touching = find_runs(&walled->line, 0, runs);
     }
     size_t bottom = arena->used;
-    int32_t kept = newton->steps_left / KEPT;
-    newton->steps_left -= kept;
+    int32_t spared = newton->steps_left / KEPT;
+    newton->steps_left -= spared;
     for (;; arena->used = bottom) {
-        contact.made = cut(&walled, runs, touching, contact.pieces, &contact.arcs);
+        contact.made = cut(walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = sp_contact_solve(newton, options, &contact, arena, &refined);
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
-        int may_try = contact.made >= 0 && 2 * (newton->steps_left + kept) > options->max_iterations;
+        int may_try = contact.made >= 0 && 2 * (newton->steps_left + spared) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
         if (touching == 0)
-            touching = find_runs(&walled.line, runs), lone = 1;
+            lone = 1, touching = find_runs(&walled->line, lone, runs);
         else if (may_try)
             drop_shortest(runs, touching--);
         else
             touching = 0;
     }
-    newton->steps_left += kept;
+    newton->steps_left += spared;
     *arcs = contact.arcs;
     refined.outcome.active = touching > 0;
     /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
     if (fits && !(lone && absolute(refined.length - chords.length) > 3 * chords.length_error)) return refined;
     arena->used = bottom, arcs->count = 0;
-    return fall_back(newton, options, &walled, arena);
+    return fall_back(newton, options, walled, arena);
 }
