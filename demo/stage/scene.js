@@ -9,7 +9,6 @@ import { Strokes } from './strokes.js';
 import { SurfaceObject } from './surface-object.js';
 
 /** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
-/** @typedef {{ element: HTMLElement, point: ArrayLike<number> }} Anchor an element that stands over a point */
 /** @typedef {import('./curve-lines.js').Curves} Curves */
 
 const MOST_PIXELS = 2;
@@ -17,15 +16,6 @@ const MOST_PIXELS = 2;
 const DOT = /** @type {const} */ ([4.5, 2]);
 
 const INK = '#1d2733';
-
-/** Width and height that an anchor's element takes, in CSS pixels. */
-const ROOM = [54, 25];
-
-/** The place nearest below a wanted one that no other element has. @param {number} x @param {number} y @param {number[][]} taken */
-function freePlace(x, y, taken) {
-  const near = taken.filter(([other]) => Math.abs(other - x) < ROOM[0]).sort((a, b) => a[1] - b[1]);
-  return near.reduce((place, [, other]) => (Math.abs(other - place) < ROOM[1] ? other + ROOM[1] : place), y);
-}
 
 export class View {
   #renderer;
@@ -37,7 +27,6 @@ export class View {
   #strokes = new Strokes();
   #dot = new Marker();
   #rays = new Raycaster();
-  /** @type {Anchor[]} */ #anchors = [];
   #size = { width: 1, height: 1 };
   #pending = false;
   /** Shaders are being compiled, beside the page's thread: what is seen stays until they are ready. */
@@ -156,12 +145,6 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {Anchor[]} anchors */
-  setAnchors(anchors) {
-    this.#anchors = anchors;
-    this.invalidate();
-  }
-
   /** Looks at the whole surface. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] see `Eye` */
   frame(something, direction) {
     this.#eye.frame(something, direction);
@@ -203,7 +186,6 @@ export class View {
   draw() {
     this.#eye.update();
     this.#scene.updateMatrixWorld();
-    this.#placeAnchors();
     this.onDraw();
     this.#renderer.render(this.#scene, this.camera);
     if (this.onFirst && this.#surface.geometry.index) {
@@ -216,16 +198,6 @@ export class View {
   toScreen(point) {
     const place = new Vector3(point[0], point[1], point[2]).project(this.camera);
     return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
-  }
-
-  #placeAnchors() {
-    /** @type {number[][]} */ const taken = [];
-    for (const { element, point } of this.#anchors) {
-      const [x, wanted] = this.toScreen(point);
-      const y = freePlace(x, wanted, taken);
-      taken.push([x, y]);
-      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-    }
   }
 
   /** @param {HTMLElement} element */
