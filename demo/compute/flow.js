@@ -29,7 +29,8 @@ let timer = 0;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @type {{ setSurface(mesh: SurfaceMesh): boolean, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void } | null} */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh): void, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
+/** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
 
@@ -39,7 +40,7 @@ export function connect(solver, solved) {
   onSolved = solved;
 }
 
-/** Surfaces are shown in a view from now on; one that is there already, at once. @param {typeof stage} view null: there is no 3D */
+/** Surfaces are shown in a view from now on; one that is there already, at once. @param {Stage | null} view null: there is no 3D */
 export function showIn(view) {
   stage = view;
   if (!state.mesh) return;
@@ -93,10 +94,11 @@ export async function rebuild({ frame, direction }) {
   let isSeen = false;
   const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
     if (mine !== builds) return;
-    const outgrown = adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
+    adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     toLookFrom = direction;
-    if (frame || outgrown) stage?.frame(middle(), direction);
+    if (frame) stage?.frame(middle(), direction);
+    else stage?.refit();
   };
   try {
     opened = openSurfaces(surfpath, surfaceOf(sketch));
@@ -117,14 +119,13 @@ export async function rebuild({ frame, direction }) {
   await solve(true);
 }
 
-/** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh @returns {boolean | undefined} whether it is of another size */
+/** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
 function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
-  const outgrown = stage?.setSurface(mesh);
+  stage?.setSurface(mesh);
   render();
-  return outgrown;
 }
 
 const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
@@ -246,6 +247,8 @@ async function refine() {
     if (mine === turn) give({ problem: problemOf(error, shown.kind, shown.texts) });
     return;
   }
+  // Not while it moves: who changes its size sees it change.
+  stage?.refit();
   repairEnds();
   await solve(false);
 }

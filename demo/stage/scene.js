@@ -104,11 +104,11 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh */
   setSurface(mesh) {
     this.#surface.setMesh(mesh);
     this.#compile();
-    return this.#eye.setSurface(this.#surface.geometry);
+    this.#eye.setSurface(this.#surface.geometry);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
@@ -148,6 +148,12 @@ export class View {
   /** Looks at the whole surface. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] see `Eye` */
   frame(something, direction) {
     this.#eye.frame(something, direction);
+    this.invalidate();
+  }
+
+  /** Looks at the whole surface again if it does not fit any more, or is tiny. */
+  refit() {
+    this.#eye.refit();
     this.invalidate();
   }
 

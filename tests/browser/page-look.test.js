@@ -21,6 +21,12 @@ describe('lengths of all geodesics', () => {
         .map((element) => ({ name: element.textContent ?? '', box: element.getBoundingClientRect().toJSON() })),
     );
 
+  before(async () => {
+    await page.check('[name=task][value=all]');
+    await page.waitForTimeout(300);
+    await settled(page);
+  });
+
   for (const [width, height] of [
     [320, 568],
     [390, 844],
@@ -29,9 +35,6 @@ describe('lengths of all geodesics', () => {
   ])
     test(`${width} × ${height}: they cover neither each other nor anything else, the shortest is there`, async () => {
       await page.setViewportSize({ width, height });
-      await openEntry(page, 'parametricTorus');
-      await page.evaluate(() => /** @type {HTMLInputElement} */ (document.querySelector('[name=task][value=all]')).click());
-      await settled(page);
       await nextFrame(page);
       const found = await boxes();
       assert.ok(found.some(({ name }) => name.startsWith('8.447')));
@@ -40,6 +43,87 @@ describe('lengths of all geodesics', () => {
           if (/\d\.\d/.test(name + other))
             assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${name} covers ${other}`);
     });
+});
+
+describe('the view follows a surface that changes its size', () => {
+  const doing = async (/** @type {() => Promise<unknown>} */ work) => {
+    await work();
+    await page.waitForTimeout(300);
+    await settled(page);
+    await nextFrame(page);
+  };
+  /** How much of the view's height and width the surface takes, from the middle: at most 1 if it is all seen. */
+  const reach = () =>
+    page.evaluate(() => {
+      const { surface, camera } = /** @type {any} */ (window).surfpathView;
+      const points = surface.geometry.getAttribute('position');
+      const place = surface.position.clone();
+      let most = 0;
+      for (let i = 0; i < points.count; i++) {
+        place.fromBufferAttribute(points, i).project(camera);
+        most = Math.max(most, Math.abs(place.x), Math.abs(place.y));
+      }
+      return most;
+    });
+  const isFitted = async () => {
+    const share = await reach();
+    return share > 0.5 && share < 1;
+  };
+  const wheel = async (/** @type {number} */ by) => {
+    await page.mouse.move(300, 250);
+    await page.mouse.wheel(0, by);
+    await page.waitForTimeout(500);
+    await nextFrame(page);
+  };
+
+  before(async () => {
+    await page.setViewportSize({ width: 1040, height: 640 });
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', 'c*x*y');
+    await doing(() => page.click('#problem-z .offer'));
+  });
+
+  test('by a formula, tenfold and back', async () => {
+    for (const formula of ['10*c*x*y', '60*c*x*y', '0.1*c*x*y']) {
+      await doing(() => page.fill('#field-z', formula));
+      assert.ok(await isFitted(), `${formula}: ${await reach()}`);
+    }
+  });
+
+  test('by ranges, little by little', async () => {
+    for (const bound of [3.2, 4, 5.2, 6.8, 9, 12]) await doing(() => page.fill('#field-x-to', String(bound)));
+    assert.ok(await isFitted(), String(await reach()));
+    await doing(() => page.fill('#field-x-to', '2.5'));
+  });
+
+  test('by a slider, once it rests', async () => {
+    await doing(() => page.fill('#value-c', '100'));
+    assert.ok(await isFitted(), String(await reach()));
+    await doing(() => page.fill('#value-c', '1'));
+    assert.ok(await isFitted(), String(await reach()));
+  });
+
+  test('but not where the reader has come near, while it stays about as large', async () => {
+    await wheel(-800);
+    const near = await reach();
+    assert.ok(near > 1.2, String(near));
+    await doing(() => page.fill('#value-c', '1.1'));
+    assert.ok((await reach()) > 1.2);
+    await doing(() => page.fill('#value-c', '100'));
+    assert.ok(await isFitted(), String(await reach()));
+  });
+
+  test('nor where the reader has stepped back, while it fits', async () => {
+    await wheel(600);
+    // The controls write it anew with each frame, from angles.
+    const camera = () =>
+      page.evaluate(() =>
+        /** @type {any} */ (window).surfpathView.camera.position.toArray().map((/** @type {number} */ x) => x.toFixed(6)),
+      );
+    const before = await camera();
+    await doing(() => page.fill('#value-c', '110'));
+    assert.deepEqual(await camera(), before);
+  });
 });
 
 test('the console stayed silent', () => {
