@@ -126,6 +126,44 @@ describe('the view follows a surface that changes its size', () => {
   });
 });
 
+describe('colours that the system forces', () => {
+  before(async () => {
+    await page.setViewportSize({ width: 1040, height: 640 });
+    await page.emulateMedia({ forcedColors: 'active' });
+    await openEntry(page, 'parametricTorus');
+  });
+  after(() => page.emulateMedia({ forcedColors: null }));
+
+  /** What the browser paints. @param {string} selector @param {string} property @param {string} [part] */
+  const painted = (selector, property, part = '') =>
+    page.evaluate(
+      ([find, name, pseudo]) => getComputedStyle(/** @type {Element} */ (document.querySelector(find)), pseudo).getPropertyValue(name),
+      [selector, property, part],
+    );
+
+  test('leave the lines of the legend apart', async () => {
+    const [path, start] = await Promise.all(['path', 'start'].map((name) => painted(`.legend-${name}`, 'border-top-color', '::before')));
+    assert.notEqual(path, start);
+  });
+
+  test('show what is selected, and where the focus is', async () => {
+    const [chosen, other] = await Promise.all(
+      ['path', 'all'].map((task) => painted(`[name=task][value=${task}] + span`, 'background-color')),
+    );
+    assert.notEqual(chosen, other);
+    await page.focus('#points');
+    assert.deepEqual([await painted('#points', 'outline-style'), await painted('#points', 'outline-width')], ['solid', '2px']);
+  });
+
+  test('leave the scale its colours', async () => {
+    await page.selectOption('#colour', 'curvature');
+    await settled(page);
+    await page.waitForSelector('#scale:not([hidden])');
+    assert.match(await painted('.scale i', 'background-image'), /gradient/);
+    await page.selectOption('#colour', 'plain');
+  });
+});
+
 test('the console stayed silent', () => {
   assert.deepEqual(complaints, []);
 });
