@@ -76,14 +76,14 @@ function ranked() {
 export function placeLengths(view, handles) {
   if (labels.length === 0) return;
   // All is measured before anything is moved: the browser lays the page out once.
-  const { clientWidth, clientHeight } = view.canvas;
+  const { width, height } = view.size;
   const obstacles = [...boxesOver(view), ...handles];
   sizes = labels.map(({ firstElementChild: text, hidden }, i) =>
     hidden && sizes[i] ? sizes[i] : [/** @type {HTMLElement} */ (text).offsetWidth, /** @type {HTMLElement} */ (text).offsetHeight],
   );
   const order = ranked();
   const wanted = order.map((i) => ({ line: lineOf(view, pathsShown[i]), size: sizes[i], last: places[i] }));
-  const found = placeLabels(wanted, obstacles, { left: 2, top: 2, right: clientWidth - 2, bottom: clientHeight - 2 });
+  const found = placeLabels(wanted, obstacles, { left: 2, top: 2, right: width - 2, bottom: height - 2 });
   for (const [k, i] of order.entries()) {
     const place = found[k];
     places[i] = place;

@@ -18,6 +18,7 @@ const DOT = /** @type {const} */ ([4.5, 2]);
 const INK = '#1d2733';
 
 export class View {
+  #element;
   #renderer;
   #eye;
   #scene = new Scene();
@@ -37,6 +38,7 @@ export class View {
 
   /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
   constructor(element, canvas) {
+    this.#element = element;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'low-power' });
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#eye = new Eye(canvas, () => this.invalidate());
@@ -45,8 +47,8 @@ export class View {
     addLights(this.#scene, this.camera, this.#sky);
     this.#scene.add(this.camera, this.#surface, this.#strokes, this.#curves, this.#dot);
     this.#compile();
-    this.#resize(element);
-    new ResizeObserver(() => this.#resize(element)).observe(element);
+    this.resize();
+    new ResizeObserver(() => this.resize()).observe(element);
   }
 
   get canvas() {
@@ -200,23 +202,33 @@ export class View {
     }
   }
 
+  /** Width and height, in CSS pixels. */
+  get size() {
+    return this.#size;
+  }
+
   /** Where a point of space is on the screen, in CSS pixels of the view. @param {ArrayLike<number>} point @returns {[number, number]} */
   toScreen(point) {
     const place = new Vector3(point[0], point[1], point[2]).project(this.camera);
     return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
   }
 
-  /** @param {HTMLElement} element */
-  #resize(element) {
-    const { width, height } = element.getBoundingClientRect();
+  /** As large as its place in the page. */
+  resize() {
+    const { width, height } = this.#element.getBoundingClientRect();
     if (width < 1 || height < 1) return;
-    this.#size = { width, height };
-    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
-    this.#renderer.setSize(width, height, false);
     // The style sheet knows what stands over the view: it is the view's padding.
-    const { paddingTop, paddingBottom } = getComputedStyle(element);
-    this.#eye.resize(width, height, { top: Number.parseFloat(paddingTop), bottom: Number.parseFloat(paddingBottom) });
-    // A resized canvas is empty until it is drawn: draw before the browser paints.
+    const { paddingTop, paddingBottom } = getComputedStyle(this.#element);
+    const covered = { top: Number.parseFloat(paddingTop), bottom: Number.parseFloat(paddingBottom) };
+    this.setSize({ width, height }, covered, Math.min(window.devicePixelRatio, MOST_PIXELS));
+  }
+
+  /** Draws at once, since a resized canvas is empty until then. @param {{ width: number, height: number }} size CSS pixels @param {import('./eye.js').Covered} covered @param {number} ratio pixels a CSS pixel */
+  setSize(size, covered, ratio) {
+    this.#size = size;
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(size.width, size.height, false);
+    this.#eye.resize(size.width, size.height, covered);
     this.draw();
   }
 }

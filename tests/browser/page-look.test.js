@@ -164,6 +164,68 @@ describe('colours that the system forces', () => {
   });
 });
 
+describe('on paper', () => {
+  /** What is seen of the page as the sheet has it. */
+  const printed = () =>
+    page.evaluate(() => {
+      dispatchEvent(new Event('beforeprint'));
+      const { theme, size } = /** @type {any} */ (window).surfpathView;
+      return { halo: theme.halo, size };
+    });
+  const finished = () => page.evaluate(() => dispatchEvent(new Event('afterprint')));
+
+  test('it is one sheet with a picture, from any screen, and the page is as it was', async () => {
+    for (const [width, height] of [
+      [1040, 640],
+      [390, 844],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await openEntry(page, 'parametricTorus');
+      const size = () => page.evaluate(() => /** @type {any} */ (window).surfpathView.size);
+      const before = await size();
+      const sheet = (await page.pdf({ format: 'A4' })).toString('latin1');
+      assert.equal(sheet.match(/\/Type\s*\/Page\b/g)?.length, 1);
+      assert.match(sheet, /\/Subtype\s*\/Image/);
+      await nextFrame(page);
+      assert.deepEqual(await size(), before);
+    }
+  });
+
+  test('light, whatever the theme', async () => {
+    await page.emulateMedia({ colorScheme: 'light' });
+    const light = await page.evaluate(() => /** @type {any} */ (window).surfpathView.theme.halo);
+    await page.emulateMedia({ colorScheme: 'dark' });
+    assert.equal((await printed()).halo, light);
+    await finished();
+    assert.notEqual(await page.evaluate(() => /** @type {any} */ (window).surfpathView.theme.halo), light);
+    await page.emulateMedia({ colorScheme: 'light' });
+  });
+
+  test('formula, ranges, measure, ends and result are there, though their cards are closed; nothing to press is', async () => {
+    await openEntry(page, 'grained');
+    await page.evaluate(() => {
+      /** @type {HTMLDetailsElement} */ (document.getElementById('formula-card')).open = false;
+    });
+    await printed();
+    await page.emulateMedia({ media: 'print' });
+    const isSeen = (/** @type {string} */ selector) => page.locator(selector).first().isVisible();
+    for (const selector of ['#canvas', '#length', '#status', '#typeset', '#field-u-from', '[id="field-metric.E"]', '#end-0-0', '#value-k'])
+      assert.ok(await isSeen(selector), selector);
+    for (const selector of ['.panel button', '#player', '#colour', '#parameter-k', '#field-density', '#tabs', '#plane'])
+      assert.ok(!(await isSeen(selector)), selector);
+    await page.emulateMedia({ media: null });
+    await finished();
+    assert.equal(await page.getAttribute('#formula-card', 'open'), null);
+    await page.setViewportSize({ width: 1040, height: 640 });
+  });
+});
+
+test('a scale of one number says that number', async () => {
+  await openEntry(page, 'sphere');
+  await page.selectOption('#colour', 'curvature');
+  await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '1.00 everywhere');
+});
+
 test('the console stayed silent', () => {
   assert.deepEqual(complaints, []);
 });
