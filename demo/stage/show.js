@@ -45,7 +45,7 @@ function frameAt(film, t) {
 
 /** @param {View} view */
 function renderCurves(view) {
-  const { solved, moment, chosen, sketch } = state;
+  const { solved, moment, chosen, sketch, moving } = state;
   const path = chosenPath();
   const several = solved.starts.length > 0;
   const playing = stepsShown() > 0 && moment < 1;
@@ -60,7 +60,7 @@ function renderCurves(view) {
   const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
   renderLegend({
-    path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0) : '',
+    path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0 && !moving) : '',
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
     hidden: curves.paths.length > 0 ? 'Hidden part' : '',
