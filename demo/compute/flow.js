@@ -113,10 +113,15 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
-  // A formula that was changed may have left its ends behind.
-  if (chosenPath()?.status !== 'off-surface') return;
+  if (!areLeftBehind()) return;
   state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
   await solve(true);
+}
+
+/** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
+function areLeftBehind() {
+  const isLost = (/** @type {number[]} */ end) => state.drawn !== null && placeOf(state.drawn, end) === null;
+  return chosenPath()?.status === 'off-surface' || (state.sketch.ends.some(isLost) && meshNow().indices.length > 0);
 }
 
 /** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
