@@ -70,11 +70,14 @@ function drawable(mesh) {
   if (positions.every(Number.isFinite) && normals.every(Number.isFinite)) return mesh;
   const good = (/** @type {number} */ i) =>
     [0, 1, 2].every((k) => Number.isFinite(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
-  const indices = [];
+  /** @type {number[]} */ const indices = [];
   for (let i = 0; i < mesh.indices.length; i += 3) {
     const corners = mesh.indices.subarray(i, i + 3);
     if (corners.every(good)) indices.push(...corners);
   }
-  const finite = (/** @type {number} */ x) => (Number.isFinite(x) ? x : 0);
-  return { ...mesh, positions: positions.map(finite), normals: normals.map(finite), indices: Uint32Array.from(indices) };
+  // Vertices of no triangle are put onto one that is drawn: what is fitted into the view is what is seen.
+  const used = new Set(indices);
+  const place = (/** @type {Float64Array} */ list) =>
+    list.map((x, i) => (used.has(Math.floor(i / 3)) ? x : indices.length > 0 ? list[3 * indices[0] + (i % 3)] : 0));
+  return { ...mesh, positions: place(positions), normals: place(normals), indices: Uint32Array.from(indices) };
 }

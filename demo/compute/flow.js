@@ -29,7 +29,8 @@ let timer = 0;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @type {{ setSurface(mesh: SurfaceMesh): boolean, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void } | null} */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh): void, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
+/** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
 
@@ -39,7 +40,7 @@ export function connect(solver, solved) {
   onSolved = solved;
 }
 
-/** Surfaces are shown in a view from now on; one that is there already, at once. @param {typeof stage} view null: there is no 3D */
+/** Surfaces are shown in a view from now on; one that is there already, at once. @param {Stage | null} view null: there is no 3D */
 export function showIn(view) {
   stage = view;
   if (!state.mesh) return;
@@ -93,10 +94,11 @@ export async function rebuild({ frame, direction }) {
   let isSeen = false;
   const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
     if (mine !== builds) return;
-    const outgrown = adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
+    adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     toLookFrom = direction;
-    if (frame || outgrown) stage?.frame(middle(), direction);
+    if (frame) stage?.frame(middle(), direction);
+    else stage?.refit();
   };
   try {
     opened = openSurfaces(surfpath, surfaceOf(sketch));
@@ -111,20 +113,24 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
-  // A formula that was changed may have left its ends behind.
-  if (chosenPath()?.status !== 'off-surface') return;
+  if (!areLeftBehind()) return;
   state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
   await solve(true);
 }
 
-/** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh @returns {boolean | undefined} whether it is of another size */
+/** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
+function areLeftBehind() {
+  const isLost = (/** @type {number[]} */ end) => state.drawn !== null && placeOf(state.drawn, end) === null;
+  return chosenPath()?.status === 'off-surface' || (state.sketch.ends.some(isLost) && meshNow().indices.length > 0);
+}
+
+/** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
 function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
-  const outgrown = stage?.setSurface(mesh);
+  stage?.setSurface(mesh);
   render();
-  return outgrown;
 }
 
 const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
@@ -246,6 +252,8 @@ async function refine() {
     if (mine === turn) give({ problem: problemOf(error, shown.kind, shown.texts) });
     return;
   }
+  // Not while it moves: who changes its size sees it change.
+  stage?.refit();
   repairEnds();
   await solve(false);
 }

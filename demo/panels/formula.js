@@ -71,6 +71,8 @@ export function formulaField(name, label, value) {
     value,
     spellcheck: false,
     autocapitalize: 'off',
+    // The style sheet knows an empty one by it.
+    placeholder: ' ',
   });
   input.setAttribute('aria-describedby', `problem-${name}`);
   input.addEventListener('input', () => grow(input));

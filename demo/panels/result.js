@@ -42,7 +42,7 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
     write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
   if (busy && (!surface || !path)) return;
-  const [words, advice] = path ? describeStatus(path.status, sketch) : ['No path', (problem ?? endProblem)?.message ?? ''];
+  const [words, advice] = path ? describeStatus(path.status, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
   write('advice', linkProblem ?? (path && problem ? 'The last good surface is shown.' : advice));
   if (!moving) find('status').dataset.status = path?.status ?? 'none';

@@ -59,15 +59,16 @@ function describeSingular(sketch) {
 /**
  * @param {string} status of a Path
  * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'density' | 'tensor'>} sketch that was asked
+ * @param {boolean} [isFollowed] while something moves, the path comes from the last one: others were not looked for
  * @returns {[string, string]} what happened, what to do
  */
-export function describeStatus(status, sketch) {
+export function describeStatus(status, sketch, isFollowed = false) {
   const { start, task } = sketch;
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
-  return [words, start === 'global' && task === 'path' ? 'No shorter path was found.' : advice];
+  return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];
 }
 
 /** The outcomes of a path that is not at rest: a step would still change it. */
@@ -77,7 +78,7 @@ const SHORTEST = ['converged', 'ill-conditioned'];
 
 /**
  * What a path may be called: the shortest one only if all others were looked for.
- * @param {string} status of the path @param {Pick<Sketch, 'start' | 'task' | 'via'>} sketch that was asked @param {boolean} isFirst of all that were found
+ * @param {string} status of the path @param {Pick<Sketch, 'start' | 'task' | 'via'>} sketch that was asked @param {boolean} isFirst of all that were found; none were looked for while something moves
  */
 export function namePath(status, { start, task, via }, isFirst) {
   if (task === 'trace') return 'Geodesic';

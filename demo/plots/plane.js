@@ -146,7 +146,7 @@ function indicatrices(frame) {
   const values = gauge.evaluate(Float64Array.from(places.flat()));
   const metrics = places
     .map((place, i) => ({ place, metric: values.subarray(3 * i, 3 * i + 3) }))
-    .filter(({ metric: [E, F, G] }) => determinantOf(E, F, G) > 0);
+    .filter(({ metric: [E, F, G] }) => E > 0 && determinantOf(E, F, G) > 0);
   const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...metrics.map(({ metric }) => longestRadius(metric)));
   return metrics.map(({ place, metric }) => ellipse(place, metric, size, frame));
 }

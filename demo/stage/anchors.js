@@ -1,12 +1,12 @@
-/** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys, and lengths of other paths. */
+/** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys. */
 
 import { DragHandle } from 'surfpath/three';
 import { change } from '../state/change.js';
-import { create, find } from '../panels/dom.js';
+import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
-import { formatNumber } from '../panels/words.js';
 import { isOnSurface, letterOf } from '../state/ends.js';
+import { placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
 import { surfaceOf } from '../state/sketch.js';
 
@@ -14,11 +14,12 @@ import { surfaceOf } from '../state/sketch.js';
 
 /** CSS pixels from a handle to its letter. */
 const LETTER = 23;
+/** Half the width of what marks a handle, in CSS pixels. */
+const MARKER = 10;
 /** How far along the path is what its letter keeps away from, in parts of it. */
 const BESIDE = 0.12;
 
 /** Of each point that has a place, by its index. @type {(DragHandle | null)[]} */ const handles = [];
-/** @type {HTMLElement[]} */ const labels = [];
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
 /** @type {unknown} */ let themeOfHandles = null;
@@ -26,8 +27,8 @@ const BESIDE = 0.12;
 /** @param {View} view */
 export function startAnchors(view) {
   onRender(() => renderHandles(view));
-  onRender(() => renderLabels(view));
-  view.onDraw = () => placeLetters(view);
+  onRender(() => renderLengths(view));
+  view.onDraw = () => placeLengths(view, placeLetters(view));
 }
 
 /** All points that can be moved: A, B, then those between. */
@@ -117,8 +118,12 @@ function alongPath(end) {
   return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
 }
 
-/** A letter stands on the side where the path does not run. @param {View} view */
+/** A box about a place. @param {number} x @param {number} y @param {number} reach */
+const boxAt = (x, y, reach) => ({ left: x - reach, top: y - reach, right: x + reach, bottom: y + reach });
+
+/** A letter stands on the side where the path does not run. @param {View} view @returns what handles and letters cover */
 function placeLetters(view) {
+  const boxes = [];
   for (const [i, handle] of handles.entries()) {
     if (!handle) continue;
     const [x, y] = view.toScreen(handle.position.toArray());
@@ -126,31 +131,9 @@ function placeLetters(view) {
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
     const far = LETTER / Math.max(Math.hypot(x - ox, y - oy), 1);
     const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
-    letter.style.transform = `translate(${((x - ox) * far).toFixed(1)}px, ${((y - oy) * far).toFixed(1)}px)`;
+    const [across, down] = [(x - ox) * far, (y - oy) * far];
+    letter.style.transform = `translate(${across.toFixed(1)}px, ${down.toFixed(1)}px)`;
+    boxes.push(boxAt(x, y, MARKER), boxAt(x + across, y + down, LETTER / 2));
   }
-}
-
-/** @param {number} index */
-function makeLabel(index) {
-  const button = create('button', { type: 'button', className: 'length-label' }, create('span', {}));
-  button.addEventListener('click', () => change({ chosen: index }));
-  find('anchors').append(button);
-  return button;
-}
-
-/** The lengths of all geodesics, each where its path is on its own. @param {View} view */
-function renderLabels(view) {
-  const { paths } = state.solved;
-  const count = paths.length > 1 ? paths.length : 0;
-  while (labels.length > count) labels.pop()?.remove();
-  while (labels.length < count) labels.push(makeLabel(labels.length));
-  const anchors = labels.map((label, i) => {
-    const all = placesOf(paths[i]);
-    const at = 3 * Math.floor((all.length / 3) * (0.42 + 0.16 * (i / labels.length)));
-    /** @type {HTMLElement} */ (label.firstElementChild).textContent = formatNumber(paths[i].length, 4);
-    label.setAttribute('aria-pressed', String(i === state.chosen));
-    label.setAttribute('aria-label', `Path ${i + 1}, length ${formatNumber(paths[i].length, 6)}`);
-    return { element: label, point: all.subarray(at, at + 3) };
-  });
-  view.setAnchors(anchors);
+  return boxes;
 }

@@ -2,7 +2,7 @@
 
 import { PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView } from './fit.js';
+import { fitView, shareOfView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
@@ -10,6 +10,8 @@ const FIELD_OF_VIEW = 32;
 const MARGIN = 0.1;
 /** In CSS pixels, at least. */
 const LEAST_MARGIN = 44;
+/** Share of the view below which a surface is too small to be seen well. */
+const TINY = 0.35;
 
 /** @typedef {{ top: number, bottom: number }} Covered CSS pixels at the edges of the view that other things stand over */
 
@@ -23,6 +25,8 @@ export class Eye {
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
   /** Whether the reader has turned the view: then it is not ours to change. */
   #touched = false;
+  /** Where the surface was then. */
+  #seen = new Sphere();
 
   /** @param {HTMLCanvasElement} canvas @param {() => void} onChange */
   constructor(canvas, onChange) {
@@ -32,17 +36,35 @@ export class Eye {
     this.controls.addEventListener('change', onChange);
     this.controls.addEventListener('start', () => {
       this.#touched = true;
+      this.#seen.copy(this.#bounds);
     });
   }
 
-  /** @param {import('three').BufferGeometry} geometry @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  /** @param {import('three').BufferGeometry} geometry */
   setSurface(geometry) {
-    const last = this.#bounds.clone();
     this.#bounds.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
     this.#points = geometry.getAttribute('position');
-    const growth = this.#bounds.radius / last.radius;
-    return growth > 1.5 || growth < 0.4 || this.#bounds.center.distanceTo(last.center) > last.radius;
+  }
+
+  /** Looks at the whole surface again, from the same side, if it has outgrown the view, left it, or become tiny in it; but not because of what the reader left out. */
+  refit() {
+    if (!this.#points || this.#isAsLeft()) return;
+    this.camera.updateMatrixWorld();
+    const { reach, extent } = shareOfView(this.#points, this.camera.matrixWorldInverse, this.#slopes(0));
+    if (reach > 1 || extent < TINY) this.#fit(this.#towards());
+  }
+
+  /** Whether the reader has chosen the view of a surface that was about as large, and there. */
+  #isAsLeft() {
+    const { center, radius } = this.#bounds;
+    const growth = radius / this.#seen.radius;
+    return this.#touched && growth < 1.5 && growth > 0.4 && center.distanceTo(this.#seen.center) < this.#seen.radius;
+  }
+
+  /** From what is looked at to the camera, unit length. */
+  #towards() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
   /** Looks at the whole surface from 30 degrees above, from the side where something is. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] to look from instead */
@@ -54,9 +76,6 @@ export class Eye {
     if (direction) towards.fromArray(direction).normalize();
     // Straight from above there is no "up": a hair from the front.
     if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
-    this.controls.minDistance = 0.15 * radius;
-    this.controls.maxDistance = 20 * radius;
-    this.#touched = false;
     this.#fit(towards);
   }
 
@@ -67,21 +86,29 @@ export class Eye {
     this.camera.aspect = width / height;
     const { top, bottom } = covered;
     this.camera.setViewOffset(width, height, 0, (bottom - top) / 2, width, height);
-    if (!this.#touched) this.#fit(this.camera.position.clone().sub(this.controls.target).normalize());
+    if (!this.#touched) this.#fit(this.#towards());
+  }
+
+  /** Tangents of half the angles of view, across and up, of what nothing stands over. @param {number} margin CSS pixels, both sides together */
+  #slopes(margin) {
+    const { width, height } = this.#size;
+    const { top, bottom } = this.#covered;
+    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
+    return [slope * (width - margin), slope * (height - top - bottom - margin)];
   }
 
   /** @param {Vector3} towards the camera, unit length */
   #fit(towards) {
     if (!this.#points) return;
     const { width, height } = this.#size;
-    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / height;
-    const margin = Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN);
-    const { top, bottom } = this.#covered;
-    const slopes = [slope * (width - margin), slope * (height - top - bottom - margin)];
-    const { target, distance } = fitView(this.#points, this.#bounds.center, towards, this.camera.up, slopes);
+    const { center, radius } = this.#bounds;
+    const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
+    const { target, distance } = fitView(this.#points, center, towards, this.camera.up, slopes);
+    Object.assign(this.controls, { minDistance: 0.15 * radius, maxDistance: 20 * radius });
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);
     this.controls.update();
+    this.#touched = false;
   }
 
   /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */

@@ -9,7 +9,6 @@ import { Strokes } from './strokes.js';
 import { SurfaceObject } from './surface-object.js';
 
 /** @typedef {Record<'surface' | 'halo' | 'path' | 'start' | 'other' | 'sky' | 'ground' | 'via', string>} Theme colours */
-/** @typedef {{ element: HTMLElement, point: ArrayLike<number> }} Anchor an element that stands over a point */
 /** @typedef {import('./curve-lines.js').Curves} Curves */
 
 const MOST_PIXELS = 2;
@@ -18,16 +17,8 @@ const DOT = /** @type {const} */ ([4.5, 2]);
 
 const INK = '#1d2733';
 
-/** Width and height that an anchor's element takes, in CSS pixels. */
-const ROOM = [54, 25];
-
-/** The place nearest below a wanted one that no other element has. @param {number} x @param {number} y @param {number[][]} taken */
-function freePlace(x, y, taken) {
-  const near = taken.filter(([other]) => Math.abs(other - x) < ROOM[0]).sort((a, b) => a[1] - b[1]);
-  return near.reduce((place, [, other]) => (Math.abs(other - place) < ROOM[1] ? other + ROOM[1] : place), y);
-}
-
 export class View {
+  #element;
   #renderer;
   #eye;
   #scene = new Scene();
@@ -37,7 +28,6 @@ export class View {
   #strokes = new Strokes();
   #dot = new Marker();
   #rays = new Raycaster();
-  /** @type {Anchor[]} */ #anchors = [];
   #size = { width: 1, height: 1 };
   #pending = false;
   /** Shaders are being compiled, beside the page's thread: what is seen stays until they are ready. */
@@ -48,6 +38,7 @@ export class View {
 
   /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
   constructor(element, canvas) {
+    this.#element = element;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'low-power' });
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#eye = new Eye(canvas, () => this.invalidate());
@@ -56,8 +47,8 @@ export class View {
     addLights(this.#scene, this.camera, this.#sky);
     this.#scene.add(this.camera, this.#surface, this.#strokes, this.#curves, this.#dot);
     this.#compile();
-    this.#resize(element);
-    new ResizeObserver(() => this.#resize(element)).observe(element);
+    this.resize();
+    new ResizeObserver(() => this.resize()).observe(element);
   }
 
   get canvas() {
@@ -115,11 +106,11 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh @returns {boolean} whether it is much larger or smaller than the last one, or elsewhere */
+  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh */
   setSurface(mesh) {
     this.#surface.setMesh(mesh);
     this.#compile();
-    return this.#eye.setSurface(this.#surface.geometry);
+    this.#eye.setSurface(this.#surface.geometry);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */
@@ -156,15 +147,15 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {Anchor[]} anchors */
-  setAnchors(anchors) {
-    this.#anchors = anchors;
-    this.invalidate();
-  }
-
   /** Looks at the whole surface. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] see `Eye` */
   frame(something, direction) {
     this.#eye.frame(something, direction);
+    this.invalidate();
+  }
+
+  /** Looks at the whole surface again if it does not fit any more, or is tiny. */
+  refit() {
+    this.#eye.refit();
     this.invalidate();
   }
 
@@ -203,7 +194,6 @@ export class View {
   draw() {
     this.#eye.update();
     this.#scene.updateMatrixWorld();
-    this.#placeAnchors();
     this.onDraw();
     this.#renderer.render(this.#scene, this.camera);
     if (this.onFirst && this.#surface.geometry.index) {
@@ -212,33 +202,33 @@ export class View {
     }
   }
 
+  /** Width and height, in CSS pixels. */
+  get size() {
+    return this.#size;
+  }
+
   /** Where a point of space is on the screen, in CSS pixels of the view. @param {ArrayLike<number>} point @returns {[number, number]} */
   toScreen(point) {
     const place = new Vector3(point[0], point[1], point[2]).project(this.camera);
     return [((place.x + 1) / 2) * this.#size.width, ((1 - place.y) / 2) * this.#size.height];
   }
 
-  #placeAnchors() {
-    /** @type {number[][]} */ const taken = [];
-    for (const { element, point } of this.#anchors) {
-      const [x, wanted] = this.toScreen(point);
-      const y = freePlace(x, wanted, taken);
-      taken.push([x, y]);
-      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-    }
+  /** As large as its place in the page. */
+  resize() {
+    const { width, height } = this.#element.getBoundingClientRect();
+    if (width < 1 || height < 1) return;
+    // The style sheet knows what stands over the view: it is the view's padding.
+    const { paddingTop, paddingBottom } = getComputedStyle(this.#element);
+    const covered = { top: Number.parseFloat(paddingTop), bottom: Number.parseFloat(paddingBottom) };
+    this.setSize({ width, height }, covered, Math.min(window.devicePixelRatio, MOST_PIXELS));
   }
 
-  /** @param {HTMLElement} element */
-  #resize(element) {
-    const { width, height } = element.getBoundingClientRect();
-    if (width < 1 || height < 1) return;
-    this.#size = { width, height };
-    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_PIXELS));
-    this.#renderer.setSize(width, height, false);
-    // The style sheet knows what stands over the view: it is the view's padding.
-    const { paddingTop, paddingBottom } = getComputedStyle(element);
-    this.#eye.resize(width, height, { top: Number.parseFloat(paddingTop), bottom: Number.parseFloat(paddingBottom) });
-    // A resized canvas is empty until it is drawn: draw before the browser paints.
+  /** Draws at once, since a resized canvas is empty until then. @param {{ width: number, height: number }} size CSS pixels @param {import('./eye.js').Covered} covered @param {number} ratio pixels a CSS pixel */
+  setSize(size, covered, ratio) {
+    this.#size = size;
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(size.width, size.height, false);
+    this.#eye.resize(size.width, size.height, covered);
     this.draw();
   }
 }

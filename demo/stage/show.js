@@ -6,6 +6,7 @@ import { create, find, say, themeColor } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
 import { startPointing } from './pointing.js';
+import { startPrinting } from './print.js';
 import { chosenPath, stepsShown, onRender, render, state } from '../state/state.js';
 import { formatNumber, namePath } from '../panels/words.js';
 
@@ -23,6 +24,7 @@ export function startShow(view) {
     applyTheme(view);
     render();
   });
+  startPrinting(view, () => applyTheme(view));
   onRender(() => renderShade(view));
   onRender(() => renderCurves(view));
   startAnchors(view);
@@ -43,7 +45,7 @@ function frameAt(film, t) {
 
 /** @param {View} view */
 function renderCurves(view) {
-  const { solved, moment, chosen, sketch } = state;
+  const { solved, moment, chosen, sketch, moving } = state;
   const path = chosenPath();
   const several = solved.starts.length > 0;
   const playing = stepsShown() > 0 && moment < 1;
@@ -58,7 +60,7 @@ function renderCurves(view) {
   const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
   renderLegend({
-    path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0) : '',
+    path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0 && !moving) : '',
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
     hidden: curves.paths.length > 0 ? 'Hidden part' : '',
@@ -113,5 +115,6 @@ function renderShade(view) {
 function endsOfScale({ low, high }, values) {
   const [first, last] = [low, high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
   const isOne = values && Array.from(values).every((x) => Math.abs(x - values[0]) <= SAME * Math.abs(values[0]));
-  return (first === '0' && last === '0') || isOne ? [`${first} everywhere`] : [first, last];
+  if (isOne) return [`${first === last ? first : formatNumber(values[0], 3)} everywhere`];
+  return first === '0' && last === '0' ? ['0 everywhere'] : [first, last];
 }

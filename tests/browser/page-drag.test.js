@@ -125,6 +125,27 @@ test('a drag is one step of undo, however long the hand rests in it, and the nex
   }
 });
 
+test('the path that follows is called shortest only once the others were looked for', async () => {
+  await openEntry(page, 'parametricTorus');
+  await page.check('[name=task][value=all]');
+  await page.waitForTimeout(300);
+  await settled(page);
+  await page.locator('#paths button').nth(2).click();
+  const name = () => page.textContent('.legend-path');
+  assert.equal(await name(), 'Geodesic');
+  // In one go: nothing has time to settle.
+  const during = await page.evaluate(() => {
+    const input = /** @type {HTMLInputElement} */ (document.getElementById('end-1-0'));
+    input.valueAsNumber += 0.01;
+    input.dispatchEvent(new InputEvent('input', { bubbles: true }));
+    return document.querySelector('.legend-path')?.textContent;
+  });
+  assert.equal(during, 'Geodesic');
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.equal(await name(), 'Shortest path');
+});
+
 test('in the plane of the parameters', async () => {
   await openEntry(page, 'saddle');
   const start = await ends();

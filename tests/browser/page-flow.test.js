@@ -50,6 +50,25 @@ describe('changes that overtake each other', () => {
     assert.ok(Math.abs(Math.hypot(x, y, z) - 0.2) < 0.01, `A is at ${[x, y, z]}`);
   });
 
+  test('and so are those where it has no value', async () => {
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', 'sqrt(4-x^2-y^2)');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
+    assert.equal(await page.locator('.surfpath-handle').count(), 2);
+  });
+
+  test('a metric that is none has no ellipses', async () => {
+    await openEntry(page, 'own-metric');
+    await page.fill('#field-E', '-1');
+    await page.fill('#field-F', '0');
+    await page.fill('#field-G', '-1');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await page.locator('.indicatrix').count(), 0);
+  });
+
   test('a slider that makes the surface vanish says so, the last good one stays, and the way back is open', async () => {
     await openEntry(page, 'sphere');
     const before = await text('#length');

@@ -42,3 +42,10 @@ for (const [what, definition] of /** @type {[string, any][]} */ ([
     const values = await shade(open(definition), { colour: 'density', from: [0, 0], resolution: 8 }, job, surfpath);
     assert.ok(values && values.length > 0 && values.every(Number.isNaN));
   });
+
+test('where a formula has no value there are no vertices either: what is fitted into the view is what is seen', () => {
+  const definition = { kind: 'parametric', x: 'u', y: 'v', z: 'sqrt(1-u^2-v^2)', u: [-5, 5], v: [-5, 5] };
+  const { positions, indices } = meshOf(open(definition), 64, surfpath);
+  assert.ok(indices.length > 0);
+  for (let i = 0; i < positions.length; i += 3) assert.ok(Math.hypot(...positions.subarray(i, i + 3)) < 1 + 1e-9);
+});

@@ -14,6 +14,11 @@ test('each status is said in words', () => {
     }
 });
 
+test('while an end moves no other path was looked for', () => {
+  assert.match(describeStatus('converged', sketchOf('saddle'))[1], /No shorter path was found/);
+  assert.match(describeStatus('converged', sketchOf('saddle'), true)[1], /No path nearby is shorter/);
+});
+
 test('a measure of length that is none is told as what it is', () => {
   const advice = (/** @type {string} */ entry) => describeStatus('singular-metric', sketchOf(entry))[1];
   assert.match(advice('saddle'), /crease or a tip/);

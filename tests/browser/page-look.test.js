@@ -1,0 +1,231 @@
+// How the page looks: labels that stand apart, a view that follows the surface, colours that are forced, a sheet of paper.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { COARSE, nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+
+/** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
+/** @type {import('playwright-core').Page} */ let page;
+/** @type {string[]} */ let complaints;
+
+before(async () => {
+  ({ browser, page, complaints } = await openSettled([], COARSE));
+});
+after(() => browser?.close());
+
+describe('lengths of all geodesics', () => {
+  /** The boxes of what stands over the view, by their words. */
+  const boxes = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('.length-label span, .letter-tag, #legend, #scale, #player, .corner')]
+        .filter((element) => element.checkVisibility())
+        .map((element) => ({ name: element.textContent ?? '', box: element.getBoundingClientRect().toJSON() })),
+    );
+
+  before(async () => {
+    await page.check('[name=task][value=all]');
+    await page.waitForTimeout(300);
+    await settled(page);
+  });
+
+  for (const [width, height] of [
+    [320, 568],
+    [390, 844],
+    [640, 360],
+    [1280, 800],
+  ])
+    test(`${width} × ${height}: they cover neither each other nor anything else, the shortest is there`, async () => {
+      await page.setViewportSize({ width, height });
+      await nextFrame(page);
+      const found = await boxes();
+      assert.ok(found.some(({ name }) => name.startsWith('8.447')));
+      for (const [i, { name, box: a }] of found.entries())
+        for (const { name: other, box: b } of found.slice(0, i))
+          if (/\d\.\d/.test(name + other))
+            assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${name} covers ${other}`);
+    });
+});
+
+describe('the view follows a surface that changes its size', () => {
+  const doing = async (/** @type {() => Promise<unknown>} */ work) => {
+    await work();
+    await page.waitForTimeout(300);
+    await settled(page);
+    await nextFrame(page);
+  };
+  /** How much of the view's height and width the surface takes, from the middle: at most 1 if it is all seen. */
+  const reach = () =>
+    page.evaluate(() => {
+      const { surface, camera } = /** @type {any} */ (window).surfpathView;
+      const points = surface.geometry.getAttribute('position');
+      const place = surface.position.clone();
+      let most = 0;
+      for (let i = 0; i < points.count; i++) {
+        place.fromBufferAttribute(points, i).project(camera);
+        most = Math.max(most, Math.abs(place.x), Math.abs(place.y));
+      }
+      return most;
+    });
+  const isFitted = async () => {
+    const share = await reach();
+    return share > 0.5 && share < 1;
+  };
+  const wheel = async (/** @type {number} */ by) => {
+    await page.mouse.move(300, 250);
+    await page.mouse.wheel(0, by);
+    await page.waitForTimeout(500);
+    await nextFrame(page);
+  };
+
+  before(async () => {
+    await page.setViewportSize({ width: 1040, height: 640 });
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', 'c*x*y');
+    await doing(() => page.click('#problem-z .offer'));
+  });
+
+  test('by a formula, tenfold and back', async () => {
+    for (const formula of ['10*c*x*y', '60*c*x*y', '0.1*c*x*y']) {
+      await doing(() => page.fill('#field-z', formula));
+      assert.ok(await isFitted(), `${formula}: ${await reach()}`);
+    }
+  });
+
+  test('by ranges, little by little', async () => {
+    for (const bound of [3.2, 4, 5.2, 6.8, 9, 12]) await doing(() => page.fill('#field-x-to', String(bound)));
+    assert.ok(await isFitted(), String(await reach()));
+    await doing(() => page.fill('#field-x-to', '2.5'));
+  });
+
+  test('by a slider, once it rests', async () => {
+    await doing(() => page.fill('#value-c', '100'));
+    assert.ok(await isFitted(), String(await reach()));
+    await doing(() => page.fill('#value-c', '1'));
+    assert.ok(await isFitted(), String(await reach()));
+  });
+
+  test('but not where the reader has come near, while it stays about as large', async () => {
+    await wheel(-800);
+    const near = await reach();
+    assert.ok(near > 1.2, String(near));
+    await doing(() => page.fill('#value-c', '1.1'));
+    assert.ok((await reach()) > 1.2);
+    await doing(() => page.fill('#value-c', '100'));
+    assert.ok(await isFitted(), String(await reach()));
+  });
+
+  test('nor where the reader has stepped back, while it fits', async () => {
+    await wheel(600);
+    // The controls write it anew with each frame, from angles.
+    const camera = () =>
+      page.evaluate(() =>
+        /** @type {any} */ (window).surfpathView.camera.position.toArray().map((/** @type {number} */ x) => x.toFixed(6)),
+      );
+    const before = await camera();
+    await doing(() => page.fill('#value-c', '110'));
+    assert.deepEqual(await camera(), before);
+  });
+});
+
+describe('colours that the system forces', () => {
+  before(async () => {
+    await page.setViewportSize({ width: 1040, height: 640 });
+    await page.emulateMedia({ forcedColors: 'active' });
+    await openEntry(page, 'parametricTorus');
+  });
+  after(() => page.emulateMedia({ forcedColors: null }));
+
+  /** What the browser paints. @param {string} selector @param {string} property @param {string} [part] */
+  const painted = (selector, property, part = '') =>
+    page.evaluate(
+      ([find, name, pseudo]) => getComputedStyle(/** @type {Element} */ (document.querySelector(find)), pseudo).getPropertyValue(name),
+      [selector, property, part],
+    );
+
+  test('leave the lines of the legend apart', async () => {
+    const [path, start] = await Promise.all(['path', 'start'].map((name) => painted(`.legend-${name}`, 'border-top-color', '::before')));
+    assert.notEqual(path, start);
+  });
+
+  test('show what is selected, and where the focus is', async () => {
+    const [chosen, other] = await Promise.all(
+      ['path', 'all'].map((task) => painted(`[name=task][value=${task}] + span`, 'background-color')),
+    );
+    assert.notEqual(chosen, other);
+    await page.focus('#points');
+    assert.deepEqual([await painted('#points', 'outline-style'), await painted('#points', 'outline-width')], ['solid', '2px']);
+  });
+
+  test('leave the scale its colours', async () => {
+    await page.selectOption('#colour', 'curvature');
+    await settled(page);
+    await page.waitForSelector('#scale:not([hidden])');
+    assert.match(await painted('.scale i', 'background-image'), /gradient/);
+    await page.selectOption('#colour', 'plain');
+  });
+});
+
+describe('on paper', () => {
+  /** What is seen of the page as the sheet has it. */
+  const printed = () =>
+    page.evaluate(() => {
+      dispatchEvent(new Event('beforeprint'));
+      const { theme, size } = /** @type {any} */ (window).surfpathView;
+      return { halo: theme.halo, size };
+    });
+  const finished = () => page.evaluate(() => dispatchEvent(new Event('afterprint')));
+
+  test('it is one sheet with a picture, from any screen, and the page is as it was', async () => {
+    for (const [width, height] of [
+      [1040, 640],
+      [390, 844],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await openEntry(page, 'parametricTorus');
+      const size = () => page.evaluate(() => /** @type {any} */ (window).surfpathView.size);
+      const before = await size();
+      const sheet = (await page.pdf({ format: 'A4' })).toString('latin1');
+      assert.equal(sheet.match(/\/Type\s*\/Page\b/g)?.length, 1);
+      assert.match(sheet, /\/Subtype\s*\/Image/);
+      await nextFrame(page);
+      assert.deepEqual(await size(), before);
+    }
+  });
+
+  test('light, whatever the theme', async () => {
+    await page.emulateMedia({ colorScheme: 'light' });
+    const light = await page.evaluate(() => /** @type {any} */ (window).surfpathView.theme.halo);
+    await page.emulateMedia({ colorScheme: 'dark' });
+    assert.equal((await printed()).halo, light);
+    await finished();
+    assert.notEqual(await page.evaluate(() => /** @type {any} */ (window).surfpathView.theme.halo), light);
+    await page.emulateMedia({ colorScheme: 'light' });
+  });
+
+  test('formula, ranges, measure, ends and result are there, though their cards are closed; nothing to press is', async () => {
+    await openEntry(page, 'grained');
+    await page.evaluate(() => {
+      /** @type {HTMLDetailsElement} */ (document.getElementById('formula-card')).open = false;
+    });
+    await printed();
+    await page.emulateMedia({ media: 'print' });
+    const isSeen = (/** @type {string} */ selector) => page.locator(selector).first().isVisible();
+    for (const selector of ['#canvas', '#length', '#status', '#typeset', '#field-u-from', '[id="field-metric.E"]', '#end-0-0', '#value-k'])
+      assert.ok(await isSeen(selector), selector);
+    for (const selector of ['.panel button', '#player', '#colour', '#parameter-k', '#field-density', '#tabs', '#plane'])
+      assert.ok(!(await isSeen(selector)), selector);
+    await page.emulateMedia({ media: null });
+    await finished();
+    assert.equal(await page.getAttribute('#formula-card', 'open'), null);
+    await page.setViewportSize({ width: 1040, height: 640 });
+  });
+});
+
+test('a scale of one number says that number', async () => {
+  await openEntry(page, 'sphere');
+  await page.selectOption('#colour', 'curvature');
+  await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '1.00 everywhere');
+});
+
+test('the console stayed silent', () => {
+  assert.deepEqual(complaints, []);
+});

@@ -1,0 +1,37 @@
+// The camera of the page: it stands where all points just fill the view, and how much of the view they take is told.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { BufferAttribute, Matrix4, PerspectiveCamera, Vector3 } from 'three';
+import { fitView, shareOfView } from '../../../demo/stage/fit.js';
+
+const SLOPES = [0.4, 0.3];
+const CUBE = new BufferAttribute(Float32Array.from([-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].flatMap((z) => [x, y, z])))), 3);
+
+/** To the camera that looks at a place from a distance. @param {Vector3} target @param {Vector3} towards @param {number} distance */
+function matrixFrom(target, towards, distance) {
+  const camera = new PerspectiveCamera();
+  camera.up.set(0, 0, 1);
+  camera.position.copy(target).addScaledVector(towards, distance);
+  camera.lookAt(target);
+  camera.updateMatrixWorld();
+  return camera.matrixWorldInverse;
+}
+
+test('what is fitted reaches the edge of the view, and not beyond', () => {
+  const towards = new Vector3(0.5, -0.7, 0.4).normalize();
+  const { target, distance } = fitView(CUBE, new Vector3(), towards, new Vector3(0, 0, 1), SLOPES);
+  const { reach, extent } = shareOfView(CUBE, matrixFrom(target, towards, distance), SLOPES);
+  // The target moves a last time after the distance is known.
+  assert.ok(reach > 0.99 && reach < 1.01, String(reach));
+  assert.ok(extent > 0.98 && extent < 1.01, String(extent));
+});
+
+test('from afar it takes less, in parts of the view', () => {
+  const { reach, extent } = shareOfView(CUBE, new Matrix4().makeTranslation(0, 0, -101), SLOPES);
+  assert.ok(Math.abs(reach - 1 / (100 * 0.3)) < 1e-12);
+  assert.ok(Math.abs(extent - reach) < 1e-12);
+});
+
+test('behind the camera nothing is seen', () => {
+  assert.equal(shareOfView(CUBE, new Matrix4(), SLOPES).reach, Infinity);
+});
