@@ -8,7 +8,7 @@ import { challenge } from './challenge.js';
 import { comesNear, distinct, estimate, firsts, isAmong, isSame } from './distinct.js';
 import { neighbours } from './lifts.js';
 import { besidePoles, overPoles, refine } from './poles.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import {
   CONVERGED,
   DISCONNECTED,

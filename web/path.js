@@ -26,7 +26,7 @@ import { STATUS } from './runtime/status.js';
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle (where the surface is not smooth around a pole, that may be the pole)
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular; with `'singular-metric'`: that is why there is none
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
- * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.
+ * @property {import('./runtime/result.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.
  *   'elements': energies on the scale of the last discretisation; of a path of arcs the steps before it was cut into them
  */
 
@@ -170,7 +170,7 @@ export function readStart(caller, start, dimension) {
   return copy;
 }
 
-/** @param {import('./runtime/heap.js').RawPath} raw @returns {Path} */
+/** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {
   const status = /** @type {Status} */ (STATUS.get(raw.status));
   return {

@@ -6,12 +6,12 @@ import { findPaths } from './global.js';
 import { copies, liftEnds, moveOnto } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
-/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/result.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
@@ -77,7 +77,7 @@ export function findGlobal(field, ends, options, most) {
 
 /**
  * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
- * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/heap.js').RawPath[]} find
+ * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/result.js').RawPath[]} find
  * @returns {Path[]}
  */
 function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {

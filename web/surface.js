@@ -12,7 +12,7 @@ import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { checkOptions, describe, makePath, readOptions, readStart } from './path.js';
 import { gap } from './rectangle.js';
 import { ReferenceFinder } from './reference.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STATUS, TOLERANCE_NOT_MET } from './runtime/status.js';
 import { findGeodesics, findPath, placed, placeIn } from './pieces.js';
 import { readShape } from './shapes.js';
