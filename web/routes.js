@@ -15,6 +15,11 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
+ * A call of the solver. record: address of the surface as it measures length; shape: where the surface is installed as space measures it.
+ * @template T @typedef {(heap: Heap, record: number, shape: { record: number, value: number }) => T} Call
+ */
+
+/**
  * @typedef {object} Field a surface, as far as finding paths on it needs to know
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
@@ -23,7 +28,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
- * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
+ * @property {<T>(call: Call<T>) => T} run
  */
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
