@@ -23,7 +23,7 @@ const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
  * Solves the rough paths finely, as many as may be the shortest, or as are wanted.
  * @param {Problem} problem @param {SolveOptions} options @param {number} most
  * @param {{ rough: Found[], passing: Found[], over: Way[] }} candidates passing: those that hold beside poles; over: those over poles
- * @returns {{ usable: Found[], failed: RawPath[] }}
+ * @returns {[usable: Found[], failed: RawPath[]]}
  */
 export function solveFinely(problem, options, most, { rough, passing, over }) {
   /* In space the error is known by its sign, in a metric by its size only. */
@@ -54,7 +54,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
   }
-  return { usable, failed };
+  return [usable, failed];
 }
 
 /**

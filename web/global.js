@@ -58,7 +58,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways }) {
   const unknown = tried.filter(
     (one) => !isKnown(problem, one, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
   );
-  const { usable, failed } = solveFinely(problem, options, most, { rough, passing, over });
+  const [usable, failed] = solveFinely(problem, options, most, { rough, passing, over });
   const unfollowed = unfollowedOf(problem, unknown, lengthOfShortest([...rough, ...passing, ...over]));
   for (const followed of followAsTheyAre(problem, options, unfollowed, usable.length > 0))
     if (holds(followed)) usable.push(followed);

@@ -21,6 +21,7 @@ export class Manifold {
   /** Where an implicit surface is searched. @type {number[] | null} */ box = null;
   /** @type {Domain | null} */ domain = null;
   /** @type {Record<string, number>} */ parameters;
+  isDisposed = false;
   #solver;
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
@@ -79,6 +80,7 @@ export class Manifold {
 
   /** Frees memory and table slots. */
   dispose() {
+    this.isDisposed = true;
     this.#dropGraphs();
     this.#uninstall();
   }
@@ -184,6 +186,8 @@ export class Manifold {
 
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
+    /* By a getter, say, of the options of a call that has begun. */
+    if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
     if (this.#generation === this.#solver.generation) return;
     for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(null);
     try {

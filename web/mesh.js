@@ -49,7 +49,7 @@ function gridTriangles(resolution) {
  */
 export function meshSurface(manifold, caller, wanted) {
   const { kind, domain, box } = manifold;
-  const resolution = wanted ?? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (kind)];
+  const resolution = wanted === undefined ? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (kind)] : wanted;
   if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
     throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
   if (domain) return meshRectangle(manifold, domain.written, resolution);

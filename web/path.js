@@ -70,7 +70,7 @@ export function describe(value) {
   if (value === null) return 'null';
   if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
   if (Array.isArray(value)) return `an array of ${value.length}`;
-  return typeof value === 'object' ? 'an object' : String(value);
+  return /** @type {Record<string, string>} */ ({ object: 'an object', function: 'a function' })[typeof value] ?? String(value);
 }
 
 /** @param {string} name @param {unknown} value */
@@ -110,7 +110,7 @@ export function checkBoolean(caller, name, value) {
  */
 export function readOptions(caller, given, others = []) {
   const options = checkOptions(caller, given, [...KNOWN, ...others]);
-  const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
+  const { points = 64, gradientTolerance, record = false, start = 'global', via = [], tolerance = 1e-9 } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
@@ -129,7 +129,7 @@ export function readOptions(caller, given, others = []) {
   checkBoolean(caller, 'record', record);
   if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
   const solve = {
-    tolerance: readTolerance(caller, options.tolerance ?? 1e-9, 1e-15, 0.1),
+    tolerance: readTolerance(caller, tolerance, 1e-15, 0.1),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
     points: wholeNumber(caller, 'points', points, 1, MOST_POINTS),

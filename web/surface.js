@@ -1,7 +1,7 @@
 /** A surface as its users see it: every question that can be asked about it, with its arguments checked, and handed on. Does no mathematics. */
 
 import { readPairs, readPairOptions } from './batch.js';
-import { checkList, checkParameters, readNumbers } from './definition.js';
+import { readList, checkParameters, readNumbers } from './definition.js';
 import { DISPOSE } from './dispose.js';
 import { measureField, readFieldOptions } from './field.js';
 import { SHAPE } from './kind.js';
@@ -36,7 +36,6 @@ const AT_NO_REST = ['stalled', 'iteration-limit'];
 export class Surface {
   #manifold;
   #forget;
-  #disposed = false;
 
   /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
@@ -177,8 +176,8 @@ export class Surface {
    */
   evaluate(points) {
     const caller = Surface.#enter(this, 'evaluate');
-    checkList(`${caller}: points`, points, this.#variables, 'point');
-    return this.#manifold.kind === 'parametric' ? evaluateNormals(this.#manifold, points) : this.#manifold.evaluate('value', points);
+    const places = readList(`${caller}: points`, points, this.#variables, 'point');
+    return this.#manifold.kind === 'parametric' ? evaluateNormals(this.#manifold, places) : this.#manifold.evaluate('value', places);
   }
 
   /**
@@ -224,8 +223,7 @@ export class Surface {
 
   /** Frees the surface's memory and table slots. Using it afterwards throws; disposing twice does not. */
   dispose() {
-    if (this.#disposed) return;
-    this.#disposed = true;
+    if (this.#manifold.isDisposed) return;
     this.#manifold.dispose();
     this.#forget();
   }
@@ -241,7 +239,7 @@ export class Surface {
    */
   static #enter(surface, caller) {
     if (!(surface instanceof Surface)) throw new TypeError(`${caller} belongs to a surface: call it as surface.${caller}`);
-    if (surface.#disposed) throw new Error(`${caller}: this surface was disposed`);
+    if (surface.#manifold.isDisposed) throw new Error(`${caller}: this surface was disposed`);
     return caller;
   }
 

@@ -7,6 +7,8 @@ import { CONVERGED, OUT_OF_MEMORY } from './status.js';
 
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
+/** Structs of wasm/surfpath.h that hold options, requests or results are at most so large. */
+export const MOST_STRUCT_BYTES = 128;
 const MOST_TRACE_STEPS = 200_000;
 
 /** @typedef {{ kind: number, metric: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
@@ -26,33 +28,19 @@ const MOST_TRACE_STEPS = 200_000;
  */
 
 export class Heap extends Memory {
-  // Addresses of structs, kept for the life of the instance.
+  // Addresses of what a call is asked and answers, for the life of the instance; those of the next call lie in the same places.
   #options;
   #request;
   #result;
-  #traceRequest;
-  #traceOptions;
-  #traceResult;
-  #mesh;
-  #graphOptions;
-  #graphAnswer;
-  #fieldRequest;
   /** Address of eight numbers. */
   #numbers;
 
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
     super(exports);
-    this.#options = this.allocate(layout.sp_options_bytes);
-    this.#request = this.allocate(layout.sp_request_bytes);
-    this.#result = this.allocate(layout.sp_result_bytes);
-    this.#traceRequest = this.allocate(layout.sp_trace_request_bytes);
-    this.#traceOptions = this.allocate(layout.sp_trace_options_bytes);
-    this.#traceResult = this.allocate(layout.sp_trace_result_bytes);
-    this.#mesh = this.allocate(layout.sp_mesh_bytes);
-    this.#graphOptions = this.allocate(layout.sp_graph_options_bytes);
-    this.#graphAnswer = this.allocate(layout.sp_graph_answer_bytes);
-    this.#fieldRequest = this.allocate(layout.sp_field_request_bytes);
+    this.#options = this.allocate(MOST_STRUCT_BYTES);
+    this.#request = this.allocate(MOST_STRUCT_BYTES);
+    this.#result = this.allocate(MOST_STRUCT_BYTES);
     this.#numbers = this.allocate(64);
   }
 
@@ -122,14 +110,14 @@ export class Heap extends Memory {
    * @returns {RawPath | null} null: the direction is normal to the surface
    */
   trace(surface, request, options) {
-    this.writeDoubles(this.#traceOptions, [options.tolerance]);
-    this.words(this.#traceOptions + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
-    if (!this.reserve(this.exports.sp_trace_bytes(request.kind, this.#traceOptions))) return emptyPath(OUT_OF_MEMORY);
-    this.writePoint(this.#traceRequest, request.from);
-    this.writePoint(this.#traceRequest + layout.sp_trace_request_direction, request.direction);
-    this.writeDoubles(this.#traceRequest + layout.sp_trace_request_length, [request.length]);
-    this.exports.sp_trace_path(surface, this.#traceRequest, this.#traceOptions, this.openArena(), this.#traceResult);
-    return readTrace(this, this.#traceResult, options.points + 2);
+    this.writeDoubles(this.#options, [options.tolerance]);
+    this.words(this.#options + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
+    if (!this.reserve(this.exports.sp_trace_bytes(request.kind, this.#options))) return emptyPath(OUT_OF_MEMORY);
+    this.writePoint(this.#request, request.from);
+    this.writePoint(this.#request + layout.sp_trace_request_direction, request.direction);
+    this.writeDoubles(this.#request + layout.sp_trace_request_length, [request.length]);
+    this.exports.sp_trace_path(surface, this.#request, this.#options, this.openArena(), this.#result);
+    return readTrace(this, this.#result, options.points + 2);
   }
 
   /**
@@ -159,8 +147,8 @@ export class Heap extends Memory {
     for (let attempt = 0; ; attempt++) {
       const bytes = this.exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
-      const status = this.exports.sp_mesh_implicit(value, numbers, resolution, this.openArena(), this.#mesh);
-      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.words(this.#mesh, 5);
+      const status = this.exports.sp_mesh_implicit(value, numbers, resolution, this.openArena(), this.#result);
+      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.words(this.#result, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
         [vertices, triangles] = [vertexCount, triangleCount];
         continue;
@@ -182,13 +170,13 @@ export class Heap extends Memory {
    */
   buildGraph(surface, kind, { box, cell, resolution, loose, reach = 0 }) {
     const at = this.allocate(layout.sp_graph_bytes);
-    this.writeDoubles(this.#graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
-    this.writeDoubles(this.#graphOptions + layout.sp_graph_options_reach, [reach]);
-    this.words(this.#graphOptions + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
+    this.writeDoubles(this.#options, [...[...box, 0, 0].slice(0, 6), cell]);
+    this.writeDoubles(this.#options + layout.sp_graph_options_reach, [reach]);
+    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
     let status = OUT_OF_MEMORY;
-    for (let bytes = this.exports.sp_graph_build_bytes(kind, this.#graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
+    for (let bytes = this.exports.sp_graph_build_bytes(kind, this.#options); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.reserve(bytes)) break;
-      status = this.exports.sp_graph_build(surface, this.#graphOptions, this.openArena(), at);
+      status = this.exports.sp_graph_build(surface, this.#options, this.openArena(), at);
     }
     const bytes = status === CONVERGED ? this.exports.sp_graph_bytes(at) : 0;
     const block = status === CONVERGED ? this.allocate(bytes) : 0;
@@ -227,10 +215,10 @@ export class Heap extends Memory {
       return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
     this.writePoint(numbers, from);
     this.writePoint(numbers + 24, to);
-    const status = this.exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.openArena(), this.#graphAnswer);
-    const [places, , count, written] = this.words(this.#graphAnswer + layout.sp_graph_answer_places, 4);
+    const status = this.exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.openArena(), this.#result);
+    const [places, , count, written] = this.words(this.#result + layout.sp_graph_answer_places, 4);
     const candidates = Array.from({ length: count }, (_, i) => this.copyDoubles(places + 8 * dimension * written * i, dimension * written));
-    return { status, distance: this.allDoubles()[this.#graphAnswer >> 3], candidates };
+    return { status, distance: this.allDoubles()[this.#result >> 3], candidates };
   }
 
   /**
@@ -245,9 +233,9 @@ export class Heap extends Memory {
     const base = this.arenaBase;
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
-    this.writePoint(this.#fieldRequest, from);
-    this.words(this.#fieldRequest + layout.sp_field_request_places, 3).set([base, lengths, count]);
-    const status = this.exports.sp_graph_field(surface, graph.at, this.#fieldRequest, this.openArena(own));
+    this.writePoint(this.#request, from);
+    this.words(this.#request + layout.sp_field_request_places, 3).set([base, lengths, count]);
+    const status = this.exports.sp_graph_field(surface, graph.at, this.#request, this.openArena(own));
     return { status, lengths: this.copyDoubles(lengths, count) };
   }
 
