@@ -1,6 +1,6 @@
 /**
- * A surface as a manifold: its domain, and what measures length on it, for the present values of its parameters. Compiled and installed in the solver, and
- * installed again where that has begun anew. Answers no questions of its own.
+ * A surface as a manifold: its domain, and what measures length on it, for the present values of its parameters. Compiled and installed in the
+ * solver, and installed again where that has begun anew. Answers no questions of its own.
  */
 
 import { checkBounds, checkParameters, checkPeriodic, readNumbers } from './definition.js';

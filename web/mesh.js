@@ -1,4 +1,4 @@
-/** Triangle meshes, for drawing: of a parametric surface a grid of its rectangle. Implicit surfaces are meshed in C; here only the result is judged. */
+/** Triangle meshes, for drawing: a grid of the rectangle. Implicit surfaces are meshed in C; here only the result is judged. */
 
 import { evaluateNormals } from './normals.js';
 import { describe } from './path.js';

@@ -22,7 +22,10 @@ export function projectOnto(manifold, caller, target, near) {
   throw new RangeError(`${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`);
 }
 
-/** The vertex of a mesh nearest to a point of space, as u v or x y z; without any, the point. @param {Manifold} manifold @param {string} caller @param {number[]} target */
+/**
+ * The vertex of a mesh nearest to a point of space, as u v or x y z; without any, the point.
+ * @param {Manifold} manifold @param {string} caller @param {number[]} target
+ */
 function nearestVertex(manifold, caller, target) {
   const { positions, parameters } = meshSurface(manifold, caller, SEARCH);
   let [best, least] = [-1, Infinity];

@@ -1,4 +1,4 @@
-/** Where paths between two ends are started from: straight lines to the lifts of the second end, and ways through a graph of the surface. */
+/** Where paths between two ends are started from: straight lines to lifts of the second end, and ways through a graph of the surface. */
 
 import { holds } from './candidates.js';
 import { neighbours } from './lifts.js';

@@ -1,4 +1,4 @@
-/** A surface as its users see it: every question that can be asked about it, with its arguments checked, and handed on. Does no mathematics. */
+/** A surface as its users see it: every question that can be asked about it, its arguments checked, and handed on. No mathematics. */
 
 import { readPairs, readPairOptions } from './batch.js';
 import { readList, checkParameters, readNumbers } from './definition.js';

@@ -1,4 +1,4 @@
-/** The picture of the parameter rectangle: its grid, the path with its neighbours and starts, the ends; on the page, and as a file of its own. */
+/** The picture of the parameter rectangle: grid, path, neighbours, starts and ends; on the page, and as a file of its own. */
 
 import { coordinates } from '../state/definition.js';
 import { inside, liftNear, unrollings } from '../state/lifts.js';

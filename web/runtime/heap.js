@@ -1,4 +1,4 @@
-/** Calls of the solver: each writes its arguments into linear memory, reserves the arena, runs an exported function, and copies the result out. */
+/** Calls of the solver: each writes its arguments into memory, reserves the arena, runs an exported function, and copies the result out. */
 
 import * as layout from './layout.js';
 import { Memory } from './memory.js';

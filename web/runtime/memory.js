@@ -1,6 +1,6 @@
 /**
- * The solver's linear memory: blocks of it, an arena for one call at a time, and numbers in and out. The only file that looks into it. Views are asked
- * for right before use, because memory may grow in any call, and copies are handed out.
+ * The solver's linear memory: blocks of it, an arena for one call at a time, and numbers in and out. The only file that makes views of it. They are
+ * asked for right before use, because memory may grow in any call; what leaves `web/runtime/` is a copy.
  */
 
 import { sp_arena_bytes } from './layout.js';
