@@ -1,6 +1,6 @@
 /** Many pairs of points in one flat array, checked: what is wrong with one pair is that pair's status, what is wrong with the array is an exception. */
 
-import { checkList } from './definition.js';
+import { readList } from './definition.js';
 import { enterDomain } from './domain.js';
 import { readOptions } from './path.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
@@ -20,8 +20,7 @@ export function readPairOptions(caller, given) {
 
 /** @param {string} caller @param {any} pairs @param {string[]} variables @returns {Float64Array} a copy */
 export function readPairNumbers(caller, pairs, variables) {
-  checkList(`${caller}: pairs`, pairs, [...variables, ...variables], 'pair');
-  return Float64Array.from(/** @type {ArrayLike<number>} */ (pairs));
+  return readList(`${caller}: pairs`, pairs, [...variables, ...variables], 'pair');
 }
 
 /** @param {number[]} point @param {import('./domain.js').Domain | null} domain @returns {number[] | null} null: outside the rectangle */

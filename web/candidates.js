@@ -3,7 +3,7 @@
 import { estimate } from './distinct.js';
 import { CONVERGED, ILL_CONDITIONED } from './runtime/status.js';
 
-/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/result.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */

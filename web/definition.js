@@ -88,14 +88,15 @@ export function checkPeriodic(caller, periodic = 'auto') {
   return { ...periodic };
 }
 
-/** Points or pairs as a flat list; looked at one by one, as its length may be anything. @param {string} name for messages, of points @param {any} list @param {string[]} variables of one @param {string} one what one is */
-export function checkList(name, list, variables, one) {
+/** Points or pairs as a flat list; looked at one by one, as its length may be anything. @param {string} name for messages, of points @param {any} list @param {string[]} variables of one @param {string} one what one is @returns {Float64Array} a copy, which no getter can change */
+export function readList(name, list, variables, one) {
   const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a ${one}`;
   if (typeof list !== 'object' || list === null || typeof list.length !== 'number')
     throw new TypeError(`${name} must be ${what}, not ${describe(list)}`);
   for (let i = 0; i < list.length; i++)
     if (typeof list[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(list[i])}`);
   if (list.length % variables.length) throw new RangeError(`${name} must be ${what}, not ${list.length} numbers`);
+  return new Float64Array(list);
 }
 
 /** @param {string} caller @param {unknown} given @returns {Record<string, number>} a copy without prototype */

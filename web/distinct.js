@@ -2,7 +2,7 @@
 
 import { gap } from './rectangle.js';
 
-/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/result.js').RawPath} RawPath */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;

@@ -107,10 +107,15 @@ export class Surfpath {
   /** @param {Surfpath} to @param {string} kind @param {any} definition */
   static #add(to, kind, definition) {
     if (!(to instanceof Surfpath)) throw new TypeError(`${kind} belongs to what load() gives: call it as surfpath.${kind}`);
-    if (!to.#solver) throw new Error(`${kind}: this instance was disposed`);
-    const surface = new Surface(to.#solver, kind, definition, () => to.#surfaces.delete(surface));
-    to.#surfaces.add(surface);
-    return surface;
+    /** @type {Surface | null} */
+    const surface = to.#solver && new Surface(to.#solver, kind, definition, () => to.#surfaces.delete(/** @type {Surface} */ (surface)));
+    if (to.#solver && surface) {
+      to.#surfaces.add(surface);
+      return surface;
+    }
+    /* Before, or by a getter of the definition. */
+    surface?.dispose();
+    throw new Error(`${kind}: this instance was disposed`);
   }
 }
 
@@ -119,20 +124,22 @@ const compiled = new Map();
 
 /** @typedef {{ wasm?: WasmSource }} LoadOptions wasm: another place to take the module from */
 
+/** Compiles the module, for one who is named. @typedef {(caller: string, options?: LoadOptions) => Promise<WebAssembly.Module>} Compile */
+
 /**
- * Makes `compileModule` for an entry.
+ * Makes what compiles an entry's module.
  * @param {() => WasmSource | Promise<WasmSource>} inlined the entry's own module
- * @returns {(options?: LoadOptions) => Promise<WebAssembly.Module>}
+ * @returns {Compile}
  */
 export function makeCompile(inlined) {
-  return async function compileModule(options) {
-    const { wasm } = checkOptions('load', options, ['wasm']);
+  return async (caller, options) => {
+    const { wasm } = checkOptions(caller, options, ['wasm']);
     const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
     /* Bytes are the caller's, and an answer is read once. */
-    if (typeof key === 'object') return compileSolver(key);
+    if (typeof key === 'object') return compileSolver(caller, key);
     let module = compiled.get(key);
     if (!module) {
-      module = compileSolver(wasm ?? inlined());
+      module = compileSolver(caller, wasm ?? inlined());
       compiled.set(key, module);
       module.catch(() => compiled.delete(key));
     }
@@ -142,11 +149,11 @@ export function makeCompile(inlined) {
 
 /**
  * Makes `load` for an entry.
- * @param {(options?: LoadOptions) => Promise<WebAssembly.Module>} compileModule the entry's own
+ * @param {Compile} compile the entry's own
  * @returns {(options?: LoadOptions) => Promise<Surfpath>}
  */
-export function makeLoad(compileModule) {
+export function makeLoad(compile) {
   return async function load(options) {
-    return new Surfpath(await compileModule(options));
+    return new Surfpath(await compile('load', options));
   };
 }

@@ -1,4 +1,10 @@
-/** Triangle mesh of a parametric surface: a grid of its rectangle, for drawing. Implicit surfaces are meshed in C; here only the result is judged. */
+/** Triangle meshes, for drawing: a grid of the rectangle. Implicit surfaces are meshed in C; here only the result is judged. */
+
+import { evaluateNormals } from './normals.js';
+import { describe } from './path.js';
+import { STATUS } from './runtime/status.js';
+
+/** @typedef {import('./manifold.js').Manifold} Manifold */
 
 /**
  * @typedef {object} Mesh
@@ -8,6 +14,9 @@
  * @property {Uint32Array} indices three a triangle, counter-clockwise seen from the normals' side
  */
 
+const RESOLUTION = { parametric: 96, implicit: 64 };
+/** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
+const FINER = 96;
 /** How far, in parts of the rectangle, a vertex without a normal (a pole) looks inwards for one. */
 const INWARDS = 1e-4;
 
@@ -35,13 +44,31 @@ function gridTriangles(resolution) {
 }
 
 /**
- * @param {(points: ArrayLike<number>) => Float64Array} evaluate position and unit normal, 6 numbers a point (u, v); a normal that does not exist is NaN
- * @param {ArrayLike<number>} lower @param {ArrayLike<number>} upper @param {number} resolution cells a direction
+ * @param {Manifold} manifold that has positions @param {string} caller @param {number} [wanted] resolution
  * @returns {Mesh}
  */
-export function meshRectangle(evaluate, lower, upper, resolution) {
+export function meshSurface(manifold, caller, wanted) {
+  const { kind, domain, box } = manifold;
+  const resolution = wanted === undefined ? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (kind)] : wanted;
+  if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
+    throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
+  if (domain) return meshRectangle(manifold, domain.written, resolution);
+  if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
+  const mesh = meshImplicit(manifold, caller, box, resolution);
+  return wanted === undefined && bridgesSheets(mesh) ? meshImplicit(manifold, caller, box, FINER) : mesh;
+}
+
+/** @param {Manifold} manifold @param {string} caller @param {number[]} box @param {number} resolution @returns {Mesh} */
+function meshImplicit(manifold, caller, box, resolution) {
+  const { status, ...mesh } = manifold.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution));
+  if (status < 0) throw new RangeError(`${caller}: no mesh (${STATUS.get(status)}); try a lower resolution`);
+  return mesh;
+}
+
+/** @param {Manifold} manifold @param {import('./rectangle.js').Range} range @param {number} resolution cells a direction @returns {Mesh} */
+function meshRectangle(manifold, { lower, upper }, resolution) {
   const parameters = gridPoints(lower, upper, resolution);
-  const evaluated = evaluate(parameters);
+  const evaluated = evaluateNormals(manifold, parameters);
   const count = parameters.length / 2;
   const [positions, normals] = [new Float64Array(3 * count), new Float64Array(3 * count)];
   for (let i = 0; i < count; i++) {
@@ -49,7 +76,7 @@ export function meshRectangle(evaluate, lower, upper, resolution) {
     let normal = evaluated.subarray(6 * i + 3, 6 * i + 6);
     if (Number.isNaN(normal[0])) {
       const inwards = [0, 1].map((k) => parameters[2 * i + k] + INWARDS * ((lower[k] + upper[k]) / 2 - parameters[2 * i + k]));
-      normal = evaluate(inwards).subarray(3, 6);
+      normal = evaluateNormals(manifold, inwards).subarray(3, 6);
     }
     normals.set(normal, 3 * i);
   }
@@ -61,7 +88,7 @@ export function meshRectangle(evaluate, lower, upper, resolution) {
  * it, some triangles join one to the other, and the mesh has holes where the surface has none.
  * @param {Mesh} mesh
  */
-export function bridgesSheets({ positions, normals, indices }) {
+function bridgesSheets({ positions, normals, indices }) {
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
     let facing = 0;

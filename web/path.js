@@ -26,7 +26,7 @@ import { STATUS } from './runtime/status.js';
  * @property {boolean} touchesBoundary some inner point lies on an edge of the parameter rectangle (where the surface is not smooth around a pole, that may be the pole)
  * @property {boolean} crossesSingularity the path crosses a curve where the surface is singular; with `'singular-metric'`: that is why there is none
  * @property {number | null} conjugate traced: length at which the first point conjugate to the start lies, null if there is none on the path; else null
- * @property {import('./runtime/heap.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.
+ * @property {import('./runtime/result.js').Iterate[]} history one entry a step and one for the end: energy, gradientNorm, decrement, step; with `record` the points. NaN: not needed, so not computed.
  *   'elements': energies on the scale of the last discretisation; of a path of arcs the steps before it was cut into them
  */
 
@@ -70,7 +70,7 @@ export function describe(value) {
   if (value === null) return 'null';
   if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
   if (Array.isArray(value)) return `an array of ${value.length}`;
-  return typeof value === 'object' ? 'an object' : String(value);
+  return /** @type {Record<string, string>} */ ({ object: 'an object', function: 'a function' })[typeof value] ?? String(value);
 }
 
 /** @param {string} name @param {unknown} value */
@@ -110,7 +110,7 @@ export function checkBoolean(caller, name, value) {
  */
 export function readOptions(caller, given, others = []) {
   const options = checkOptions(caller, given, [...KNOWN, ...others]);
-  const { points = 64, gradientTolerance, record = false, start = 'global', via = [] } = options;
+  const { points = 64, gradientTolerance, record = false, start = 'global', via = [], tolerance = 1e-9 } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
@@ -129,7 +129,7 @@ export function readOptions(caller, given, others = []) {
   checkBoolean(caller, 'record', record);
   if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
   const solve = {
-    tolerance: readTolerance(caller, options.tolerance ?? 1e-9, 1e-15, 0.1),
+    tolerance: readTolerance(caller, tolerance, 1e-15, 0.1),
     gradientTolerance: gradientTolerance ?? 0,
     algorithm: code,
     points: wholeNumber(caller, 'points', points, 1, MOST_POINTS),
@@ -170,7 +170,7 @@ export function readStart(caller, start, dimension) {
   return copy;
 }
 
-/** @param {import('./runtime/heap.js').RawPath} raw @returns {Path} */
+/** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {
   const status = /** @type {Status} */ (STATUS.get(raw.status));
   return {

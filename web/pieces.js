@@ -9,7 +9,7 @@ import { moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
 import { makePath } from './path.js';
 import { findGlobal, isAfter, reverse, solveNear } from './routes.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
 
 /** @typedef {import('./path.js').Path} Path */

@@ -8,7 +8,7 @@ import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
 import { gap } from './rectangle.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */

@@ -6,13 +6,18 @@ import { findPaths } from './global.js';
 import { copies, liftEnds, moveOnto } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
-import { emptyPath } from './runtime/heap.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
-/** @typedef {import('./runtime/heap.js').RawPath} RawPath */
+/** @typedef {import('./runtime/result.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+
+/**
+ * A call of the solver. record: address of the surface as it measures length; shape: where the surface is installed as space measures it.
+ * @template T @typedef {(heap: Heap, record: number, shape: { record: number, value: number }) => T} Call
+ */
 
 /**
  * @typedef {object} Field a surface, as far as finding paths on it needs to know
@@ -23,7 +28,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
- * @property {<T>(call: (heap: Heap, record: number) => T) => T} run record: the surface as it measures length
+ * @property {<T>(call: Call<T>) => T} run
  */
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
@@ -77,7 +82,7 @@ export function findGlobal(field, ends, options, most) {
 
 /**
  * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
- * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/heap.js').RawPath[]} find
+ * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/result.js').RawPath[]} find
  * @returns {Path[]}
  */
 function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {

@@ -1,6 +1,7 @@
 /** Shapes: what every kind of definition is made of. Graphs, surfaces of revolution, tubes and sweeps become parametric surfaces here, put together
  * as nodes of the graph in which formulas are differentiated, so that their derivatives are exact. Knows nothing of paths. */
 
+import { evaluateConstant } from './expression/compile.js';
 import { checkDefinition, checkExpressions, checkRange } from './definition.js';
 import { COS, SIN } from './expression/functions.js';
 import { frameAlong } from './frame.js';
@@ -151,4 +152,23 @@ function carriedAlong({ name, sources, reference }, profile) {
     const [x, y] = profile(formulas);
     return curve.map((node, i) => graph.add(node, graph.add(graph.multiply(x, left[i]), graph.multiply(y, up[i]))));
   };
+}
+
+/**
+ * The rectangle of a shape, as its parameters make it.
+ * @param {string} caller @param {Shape} shape @param {Record<string, number>} parameters @param {import('./expression/compile.js').Apply} apply
+ * @returns {import('./seams.js').Asked}
+ */
+export function evaluateRanges(caller, { ranges }, parameters, apply) {
+  const [lower, upper] = [
+    [0, 0],
+    [0, 0],
+  ];
+  for (const [j, [name, ends]] of ranges.entries()) {
+    const range = ends.map((end) => evaluateConstant(end, parameters, apply, name));
+    if (!range.every(Number.isFinite) || !(range[0] < range[1]))
+      throw new RangeError(`${caller}: ${name} must be a range of two numbers, the smaller first, not [${range}]`);
+    [lower[j], upper[j]] = range;
+  }
+  return { lower, upper, caller };
 }

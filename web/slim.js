@@ -3,16 +3,19 @@
 import { makeCompile, makeLoad } from './instance.js';
 
 export { ExpressionError } from './expression/error.js';
+
+const compile = makeCompile(() => new URL('./surfpath.wasm', import.meta.url));
+
 /**
  * The solver's module, compiled: it can be posted to a worker, and loaded there by `load({ wasm: module })`. Cached.
  * @type {(options?: import('./instance.js').LoadOptions) => Promise<WebAssembly.Module>}
  */
-export const compileModule = makeCompile(() => new URL('./surfpath.wasm', import.meta.url));
+export const compileModule = (options) => compile('compileModule', options);
 /**
  * Loads the solver. Each call gives a new, independent instance; the compiled module is cached. Rejects, in words, without WebAssembly SIMD.
  * @type {(options?: import('./instance.js').LoadOptions) => Promise<import('./instance.js').Surfpath>}
  */
-export const load = makeLoad(compileModule);
+export const load = makeLoad(compile);
 
 /** @typedef {import('./instance.js').Surfpath} Surfpath */
 /** @typedef {import('./instance.js').AnyDefinition} AnyDefinition */

@@ -1,7 +1,14 @@
-/** What a caller may ask of a traced geodesic, checked. */
+/** A geodesic from a point in a direction: what a caller may ask of it, checked, and its trace. */
 
 import { readNumbers } from './definition.js';
-import { checkOptions, describe, MOST_POINTS, readTolerance, wholeNumber } from './path.js';
+import { KIND } from './kind.js';
+import { checkOptions, describe, makePath, MOST_POINTS, readTolerance, wholeNumber } from './path.js';
+import { placed, placeIn } from './pieces.js';
+import { CONVERGED, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
+
+/** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
+const MAY_CROSS = [TOLERANCE_NOT_MET, SINGULAR_METRIC];
+const [LOOSER, LOOSEST] = [100, 1e-5];
 
 /**
  * @typedef {object} TraceOptions
@@ -26,4 +33,26 @@ export function readTrace(caller, direction, length, dimension) {
 export function readTraceOptions(caller, given) {
   const { points = 64, tolerance = 1e-12 } = checkOptions(caller, given, ['points', 'tolerance']);
   return { points: wholeNumber(caller, 'points', points, 1, MOST_POINTS), tolerance: readTolerance(caller, tolerance, 1e-14, 0.01) };
+}
+
+/**
+ * @param {import('./manifold.js').Manifold} manifold @param {string} caller @param {number[]} start @param {ReturnType<typeof readTrace>} asked
+ * @param {ReturnType<typeof readTraceOptions>} wanted
+ * @returns {import('./path.js').Path}
+ */
+export function traceFrom(manifold, caller, start, asked, wanted) {
+  const { domain, place } = placeIn(manifold.field(), start);
+  const request = { kind: KIND[manifold.kind], from: place, ...asked };
+  let { tolerance } = wanted;
+  const run = () => manifold.run((heap, record) => heap.trace(record, request, { ...wanted, tolerance }), domain);
+  let path = run();
+  /* Near a curve where an implicit surface's gradient vanishes rounding keeps steps short, and turns them: longer ones lead across. */
+  while (manifold.kind === 'implicit' && path && MAY_CROSS.includes(path.status) && tolerance < LOOSEST) {
+    tolerance *= LOOSER;
+    const next = run();
+    if (next && next.status >= CONVERGED) path = next;
+  }
+  if (path?.status === CONVERGED && tolerance > wanted.tolerance) path.status = TOLERANCE_NOT_MET;
+  if (path) return place === start ? makePath(path) : placed(manifold.domain, makePath(path), start);
+  throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
 }

@@ -3,7 +3,7 @@
 import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
 import { toHash } from '../state/link.js';
-import { planeFile } from '../plots/plane.js';
+import { planeFile } from '../plots/plane-picture.js';
 import { runsOf } from '../compute/legs.js';
 import { surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { challenge } from '../../web/challenge.js';
-import { emptyPath } from '../../web/runtime/heap.js';
+import { emptyPath } from '../../web/runtime/result.js';
 import { CONVERGED, SHEET_JUMP, STALLED } from '../../web/runtime/status.js';
 import { anything } from '../helpers/refuses.js';
 

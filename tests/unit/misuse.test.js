@@ -1,7 +1,7 @@
 // What goes wrong before any mathematics: a method without its surface, a surface that is gone, a seam that does not close, a module that is not found.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { load } from '../../web/index.js';
+import { compileModule, load } from '../../web/index.js';
 import { anything, refuses } from '../helpers/refuses.js';
 
 const surfpath = await load();
@@ -55,4 +55,71 @@ test('a product with the number 0 is 0, whatever the other factor; with a parame
   assert.equal(named.evaluate([-0.5, 0])[2], NaN);
   assert.ok(Math.abs(written.shortestPath([-0.5, 0], [0.5, 0]).length - 1) < 1e-14);
   assert.equal(named.shortestPath([-0.5, 0], [0.5, 0]).status, 'not-finite');
+});
+
+test('a function in place of a value is told as one, not with its source', () => {
+  const surface = plane();
+  const secret = () => 'secret';
+  refuses(() => surface.shortestPath([0, 0], [1, 1], { points: anything(secret) }), TypeError, /points must be a number, not a function$/);
+  refuses(() => surface.shortestPath(anything(secret), [1, 1]), TypeError, /from must be \[u, v\], not a function$/);
+  refuses(() => surfpath.surface(anything({ kind: class Kind {} })), RangeError, /, not a function$/);
+});
+
+test('null is no resolution and no tolerance', () => {
+  const surface = plane();
+  refuses(() => surface.mesh({ resolution: anything(null) }), RangeError, /^mesh: options\.resolution must be a whole .*, not null$/);
+  refuses(
+    () => surface.distanceField([0, 0], { resolution: anything(null) }),
+    RangeError,
+    /^distanceField: options\.resolution .*, not null$/,
+  );
+  refuses(() => surface.shortestPath([0, 0], [1, 1], { tolerance: anything(null) }), TypeError, /tolerance must be a number, not null$/);
+});
+
+test('load and compileModule complain in their own names', async () => {
+  for (const [name, call] of Object.entries({ load, compileModule })) {
+    await assert.rejects(call(anything({ bogus: 1 })), new RegExp(`^TypeError: ${name}: there is no option 'bogus'`));
+    await assert.rejects(call({ wasm: new Uint8Array(4) }), new RegExp(`^TypeError: ${name}: options\\.wasm is not surfpath\\.wasm$`));
+  }
+});
+
+test('what is disposed in the middle of a call, by a getter, ends it', async () => {
+  const gone = /^surfpath: this surface was disposed$/;
+  /** @param {string} name @param {unknown} value @param {(surface: ReturnType<typeof plane>, options: any) => unknown} call */
+  const ends = (name, value, call) => {
+    const surface = plane();
+    const get = () => {
+      surface.dispose();
+      return value;
+    };
+    refuses(() => call(surface, Object.defineProperty({}, name, { get, enumerable: true })), Error, gone);
+  };
+  ends('points', 8, (surface, options) => surface.shortestPath([0, 0], [1, 1], options));
+  ends('start', 'straight', (surface, options) => surface.shortestPath([0, 0], [1, 1], options));
+  ends('max', 2, (surface, options) => surface.geodesics([0, 0], [1, 1], options));
+  ends('points', 8, (surface, options) => surface.lengths([0, 0, 1, 1], options));
+  ends('points', 8, (surface, options) => surface.trace([0, 0], [1, 0], 1, options));
+  ends('resolution', 8, (surface, options) => surface.mesh(options));
+  ends('resolution', 8, (surface, options) => surface.distanceField([0, 0], options));
+  ends('0', 0.5, (surface, point) => surface.project(Object.assign(point, { length: 3, 1: 0, 2: 0 })));
+  ends('0', 0.5, (surface, point) => surface.evaluate(Object.assign(point, { length: 2, 1: 0 })));
+  const graph = surfpath.graph({ z: 'k', x: [0, 1], y: [0, 1], parameters: { k: 1 } });
+  const changed = {
+    get k() {
+      graph.dispose();
+      return 2;
+    },
+  };
+  refuses(() => graph.set(changed), Error, gone);
+
+  const instance = await load();
+  const definition = {
+    get z() {
+      instance.dispose();
+      return 'x';
+    },
+    x: anything([0, 1]),
+    y: anything([0, 1]),
+  };
+  refuses(() => instance.graph(definition), Error, /^graph: this instance was disposed$/);
 });

@@ -141,7 +141,7 @@ describe('options', () => {
         assert.equal(entry.points?.length, 3 * (points + 2));
         assert.deepEqual([entry.points?.slice(0, 3), entry.points?.slice(-3)], [path.points.slice(0, 3), path.points.slice(-3)]);
       }
-      const last = /** @type {import('../../web/runtime/heap.js').Iterate} */ (path.history.at(-1));
+      const last = /** @type {import('../../web/runtime/result.js').Iterate} */ (path.history.at(-1));
       assert.deepEqual([last.step, last.energy, last.gradientNorm], [0, path.energy, path.gradientNorm]);
       assert.deepEqual(last.points, path.points);
       for (const { history } of [plain, path]) {

@@ -1,35 +1,19 @@
-/**
- * Traffic with the solver's linear memory: the only file that touches it. Views are asked for right before use, because memory may grow in any
- * call, and results are copies.
- */
+/** Calls of the solver: each writes its arguments into memory, reserves the arena, runs an exported function, and copies the result out. */
 
 import * as layout from './layout.js';
+import { Memory } from './memory.js';
+import { emptyPath, readResult, readTrace } from './result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './status.js';
 
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
+/** Structs of wasm/surfpath.h that hold options, requests or results are at most so large. */
+export const MOST_STRUCT_BYTES = 128;
 const MOST_TRACE_STEPS = 200_000;
 
 /** @typedef {{ kind: number, metric: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
+/** @typedef {import('./result.js').RawPath} RawPath */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
-/** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
-/**
- * @typedef {object} RawPath what sp_solve_path or sp_trace_path wrote, copied
- * @property {number} status
- * @property {number} length
- * @property {number} lengthError
- * @property {number} energy
- * @property {number} gradientNorm
- * @property {number} iterations
- * @property {number} index
- * @property {boolean} touchesBoundary
- * @property {boolean} crossesSingularity
- * @property {number | null} conjugate
- * @property {Float64Array} points
- * @property {Float64Array | null} parameters
- * @property {Iterate[]} history
- */
-
 /**
  * @typedef {object} Graph a graph of a surface, in linear memory until {@link Heap.releaseGraph}
  * @property {number} status
@@ -43,66 +27,26 @@ const MOST_TRACE_STEPS = 200_000;
  * @property {boolean} resolved its lengths are nearly those of the surface
  */
 
-export class Heap {
-  /** @type {any} */ #exports;
-  // Addresses of structs, kept for the life of the instance.
+export class Heap extends Memory {
+  // Addresses of what a call is asked and answers, for the life of the instance; those of the next call lie in the same places.
   #options;
   #request;
   #result;
-  #traceRequest;
-  #traceOptions;
-  #traceResult;
-  #arena;
-  #mesh;
-  #graphOptions;
-  #graphAnswer;
-  #fieldRequest;
   /** Address of eight numbers. */
   #numbers;
-  #arenaBase = 0;
-  #arenaSize = 0;
-  #float64 = new Float64Array(0);
-  #int32 = new Int32Array(0);
 
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
-    this.#exports = exports;
-    this.#options = this.allocate(layout.sp_options_bytes);
-    this.#request = this.allocate(layout.sp_request_bytes);
-    this.#result = this.allocate(layout.sp_result_bytes);
-    this.#traceRequest = this.allocate(layout.sp_trace_request_bytes);
-    this.#traceOptions = this.allocate(layout.sp_trace_options_bytes);
-    this.#traceResult = this.allocate(layout.sp_trace_result_bytes);
-    this.#arena = this.allocate(layout.sp_arena_bytes);
-    this.#mesh = this.allocate(layout.sp_mesh_bytes);
-    this.#graphOptions = this.allocate(layout.sp_graph_options_bytes);
-    this.#graphAnswer = this.allocate(layout.sp_graph_answer_bytes);
-    this.#fieldRequest = this.allocate(layout.sp_field_request_bytes);
+    super(exports);
+    this.#options = this.allocate(MOST_STRUCT_BYTES);
+    this.#request = this.allocate(MOST_STRUCT_BYTES);
+    this.#result = this.allocate(MOST_STRUCT_BYTES);
     this.#numbers = this.allocate(64);
-  }
-
-  /** A block aligned to 16 bytes; 0 if memory is exhausted. Free it with {@link release}. @param {number} bytes @returns {number} */
-  allocate(bytes) {
-    const raw = this.#exports.malloc(bytes + 16);
-    if (!raw) return 0;
-    const block = (raw + 16) & ~15;
-    this.#words(block - 4, 1)[0] = raw;
-    return block;
-  }
-
-  /** @param {number} block of {@link allocate}, or 0 */
-  release(block) {
-    if (block) this.#exports.free(this.#words(block - 4, 1)[0]);
-  }
-
-  /** @param {number} at @param {ArrayLike<number>} numbers */
-  writeDoubles(at, numbers) {
-    this.#doubles(at, numbers.length).set(numbers);
   }
 
   /** @param {number} at @param {SurfaceRecord} surface */
   writeSurface(at, surface) {
-    this.#words(at, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
+    this.words(at, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
     this.writeDoubles(at + layout.sp_surface_lower, surface.lower);
     this.writeDoubles(at + layout.sp_surface_upper, surface.upper);
     this.writeDoubles(at + layout.sp_surface_extent, [surface.extent]);
@@ -119,15 +63,15 @@ export class Heap {
     const count = points.length / inputs;
     const pairs = (count + 1) >> 1;
     const bytes = pairs * 16 * (inputs + outputs);
-    if (!this.#reserve(bytes)) return null;
-    const input = this.#doubles(this.#arenaBase, 2 * pairs * inputs);
+    if (!this.reserve(bytes)) return null;
+    const input = this.doubles(this.arenaBase, 2 * pairs * inputs);
     for (let i = 0; i < 2 * pairs; i++) {
       const point = Math.min(i, count - 1) * inputs;
       for (let j = 0; j < inputs; j++) input[2 * (inputs * (i >> 1) + j) + (i & 1)] = points[point + j];
     }
-    const at = this.#arenaBase + pairs * 16 * inputs;
-    evaluate(pairs, this.#arenaBase, at);
-    const output = this.#doubles(at, 2 * pairs * outputs);
+    const at = this.arenaBase + pairs * 16 * inputs;
+    evaluate(pairs, this.arenaBase, at);
+    const output = this.doubles(at, 2 * pairs * outputs);
     const result = new Float64Array(count * outputs);
     for (let i = 0; i < count; i++)
       for (let j = 0; j < outputs; j++) result[outputs * i + j] = output[2 * (outputs * (i >> 1) + j) + (i & 1)];
@@ -148,14 +92,14 @@ export class Heap {
     const start = request.start;
     const startCount = start ? start.length / dimension : 0;
     const startBytes = (8 * (start ? start.length : 0) + 15) & ~15;
-    const bytes = this.#exports.sp_solve_bytes(surface, this.#options, startCount);
-    if (!this.#reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
-    if (start) this.writeDoubles(this.#arenaBase, start);
-    this.#writePoint(this.#request, request.from);
-    this.#writePoint(this.#request + layout.sp_request_to, request.to);
-    this.#writeWords(this.#request + layout.sp_request_start, start ? this.#arenaBase : 0, startCount, request.pole ?? 0);
-    this.#exports.sp_solve_path(surface, this.#request, this.#options, this.#openArena(startBytes), this.#result);
-    return this.#readResult(options.points + 2);
+    const bytes = this.exports.sp_solve_bytes(surface, this.#options, startCount);
+    if (!this.reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
+    if (start) this.writeDoubles(this.arenaBase, start);
+    this.writePoint(this.#request, request.from);
+    this.writePoint(this.#request + layout.sp_request_to, request.to);
+    this.writeWords(this.#request + layout.sp_request_start, start ? this.arenaBase : 0, startCount, request.pole ?? 0);
+    this.exports.sp_solve_path(surface, this.#request, this.#options, this.openArena(startBytes), this.#result);
+    return readResult(this, this.#result, options.points + 2);
   }
 
   /**
@@ -166,33 +110,14 @@ export class Heap {
    * @returns {RawPath | null} null: the direction is normal to the surface
    */
   trace(surface, request, options) {
-    this.writeDoubles(this.#traceOptions, [options.tolerance]);
-    this.#words(this.#traceOptions + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
-    if (!this.#reserve(this.#exports.sp_trace_bytes(request.kind, this.#traceOptions))) return emptyPath(OUT_OF_MEMORY);
-    this.#writePoint(this.#traceRequest, request.from);
-    this.#writePoint(this.#traceRequest + layout.sp_trace_request_direction, request.direction);
-    this.writeDoubles(this.#traceRequest + layout.sp_trace_request_length, [request.length]);
-    this.#exports.sp_trace_path(surface, this.#traceRequest, this.#traceOptions, this.#openArena(), this.#traceResult);
-    return this.#readTrace(options.points + 2);
-  }
-
-  /** Copies the result struct of a trace and its arrays. @param {number} count points of the path @returns {RawPath | null} */
-  #readTrace(count) {
-    const at = this.#traceResult;
-    const [length, lengthError, conjugate] = this.#doubles(at, 3);
-    const [pointsAt, parametersAt, status, steps, touches, normal] = this.#words(at + layout.sp_trace_result_points, 6);
-    if (normal) return null;
-    if (!pointsAt && !parametersAt) return emptyPath(status);
-    return {
-      ...emptyPath(status),
-      length,
-      lengthError,
-      iterations: steps,
-      touchesBoundary: touches !== 0,
-      conjugate: Number.isNaN(conjugate) ? null : conjugate,
-      points: pointsAt ? this.#copyDoubles(pointsAt, 3 * count) : new Float64Array(0),
-      parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
-    };
+    this.writeDoubles(this.#options, [options.tolerance]);
+    this.words(this.#options + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
+    if (!this.reserve(this.exports.sp_trace_bytes(request.kind, this.#options))) return emptyPath(OUT_OF_MEMORY);
+    this.writePoint(this.#request, request.from);
+    this.writePoint(this.#request + layout.sp_trace_request_direction, request.direction);
+    this.writeDoubles(this.#request + layout.sp_trace_request_length, [request.length]);
+    this.exports.sp_trace_path(surface, this.#request, this.#options, this.openArena(), this.#result);
+    return readTrace(this, this.#result, options.points + 2);
   }
 
   /**
@@ -204,8 +129,8 @@ export class Heap {
     const at = this.#numbers;
     this.writeDoubles(at, point);
     this.writeDoubles(at + 24, place);
-    const status = this.#exports.sp_project_point(surface, at, at + 24);
-    return { status, place: Array.from(this.#doubles(at + 24, place.length)) };
+    const status = this.exports.sp_project_point(surface, at, at + 24);
+    return { status, place: Array.from(this.doubles(at + 24, place.length)) };
   }
 
   /**
@@ -220,10 +145,10 @@ export class Heap {
     let vertices = 0;
     let triangles = 0;
     for (let attempt = 0; ; attempt++) {
-      const bytes = this.#exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
-      if (!this.#reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
-      const status = this.#exports.sp_mesh_implicit(value, numbers, resolution, this.#openArena(), this.#mesh);
-      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.#words(this.#mesh, 5);
+      const bytes = this.exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
+      if (!this.reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
+      const status = this.exports.sp_mesh_implicit(value, numbers, resolution, this.openArena(), this.#result);
+      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.words(this.#result, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
         [vertices, triangles] = [vertexCount, triangleCount];
         continue;
@@ -231,9 +156,9 @@ export class Heap {
       if (status !== CONVERGED) return emptyMesh(status);
       return {
         status,
-        positions: this.#copyDoubles(positionsAt, 3 * vertexCount),
-        normals: this.#copyDoubles(normalsAt, 3 * vertexCount),
-        indices: new Uint32Array(this.#words(indicesAt, 3 * triangleCount)),
+        positions: this.copyDoubles(positionsAt, 3 * vertexCount),
+        normals: this.copyDoubles(normalsAt, 3 * vertexCount),
+        indices: new Uint32Array(this.words(indicesAt, 3 * triangleCount)),
       };
     }
   }
@@ -245,26 +170,26 @@ export class Heap {
    */
   buildGraph(surface, kind, { box, cell, resolution, loose, reach = 0 }) {
     const at = this.allocate(layout.sp_graph_bytes);
-    this.writeDoubles(this.#graphOptions, [...[...box, 0, 0].slice(0, 6), cell]);
-    this.writeDoubles(this.#graphOptions + layout.sp_graph_options_reach, [reach]);
-    this.#words(this.#graphOptions + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
+    this.writeDoubles(this.#options, [...[...box, 0, 0].slice(0, 6), cell]);
+    this.writeDoubles(this.#options + layout.sp_graph_options_reach, [reach]);
+    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
     let status = OUT_OF_MEMORY;
-    for (let bytes = this.#exports.sp_graph_build_bytes(kind, this.#graphOptions); status === OUT_OF_MEMORY; bytes *= 2) {
-      if (!at || bytes > MOST_GRAPH_BYTES || !this.#reserve(bytes)) break;
-      status = this.#exports.sp_graph_build(surface, this.#graphOptions, this.#openArena(), at);
+    for (let bytes = this.exports.sp_graph_build_bytes(kind, this.#options); status === OUT_OF_MEMORY; bytes *= 2) {
+      if (!at || bytes > MOST_GRAPH_BYTES || !this.reserve(bytes)) break;
+      status = this.exports.sp_graph_build(surface, this.#options, this.openArena(), at);
     }
-    const bytes = status === CONVERGED ? this.#exports.sp_graph_bytes(at) : 0;
+    const bytes = status === CONVERGED ? this.exports.sp_graph_bytes(at) : 0;
     const block = status === CONVERGED ? this.allocate(bytes) : 0;
-    if (block) this.#exports.sp_graph_keep(at, block);
+    if (block) this.exports.sp_graph_keep(at, block);
     else this.release(at);
-    const word = (/** @type {number} */ offset) => (block ? this.#words(at + offset, 1)[0] : 0);
+    const word = (/** @type {number} */ offset) => (block ? this.words(at + offset, 1)[0] : 0);
     return {
       status: block ? CONVERGED : status || OUT_OF_MEMORY,
       at: block && at,
       block,
       bytes,
       vertices: word(layout.sp_graph_vertex_count),
-      spacing: block && this.#doubles(at, 1)[0],
+      spacing: block && this.doubles(at, 1)[0],
       unique: word(layout.sp_graph_unique) !== 0,
       singular: word(layout.sp_graph_singular) !== 0,
       resolved: word(layout.sp_graph_resolved) !== 0,
@@ -286,16 +211,14 @@ export class Heap {
   searchGraph(surface, graph, from, to, points, all) {
     const numbers = this.#numbers;
     const dimension = from.length;
-    if (!this.#reserve(this.#exports.sp_graph_search_bytes(graph.at, points)))
+    if (!this.reserve(this.exports.sp_graph_search_bytes(graph.at, points)))
       return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
-    this.#writePoint(numbers, from);
-    this.#writePoint(numbers + 24, to);
-    const status = this.#exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.#openArena(), this.#graphAnswer);
-    const [places, , count, written] = this.#words(this.#graphAnswer + layout.sp_graph_answer_places, 4);
-    const candidates = Array.from({ length: count }, (_, i) =>
-      this.#copyDoubles(places + 8 * dimension * written * i, dimension * written),
-    );
-    return { status, distance: this.#allDoubles()[this.#graphAnswer >> 3], candidates };
+    this.writePoint(numbers, from);
+    this.writePoint(numbers + 24, to);
+    const status = this.exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.openArena(), this.#result);
+    const [places, , count, written] = this.words(this.#result + layout.sp_graph_answer_places, 4);
+    const candidates = Array.from({ length: count }, (_, i) => this.copyDoubles(places + 8 * dimension * written * i, dimension * written));
+    return { status, distance: this.allDoubles()[this.#result >> 3], candidates };
   }
 
   /**
@@ -306,147 +229,25 @@ export class Heap {
   measureField(surface, graph, from, places) {
     const count = places.length / from.length;
     const own = (8 * (places.length + count) + 15) & ~15;
-    if (!this.#reserve(own + this.#exports.sp_graph_field_bytes(graph.at))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
-    const base = this.#arenaBase;
+    if (!this.reserve(own + this.exports.sp_graph_field_bytes(graph.at))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
+    const base = this.arenaBase;
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
-    this.#writePoint(this.#fieldRequest, from);
-    this.#words(this.#fieldRequest + layout.sp_field_request_places, 3).set([base, lengths, count]);
-    const status = this.#exports.sp_graph_field(surface, graph.at, this.#fieldRequest, this.#openArena(own));
-    return { status, lengths: this.#copyDoubles(lengths, count) };
+    this.writePoint(this.#request, from);
+    this.words(this.#request + layout.sp_field_request_places, 3).set([base, lengths, count]);
+    const status = this.exports.sp_graph_field(surface, graph.at, this.#request, this.openArena(own));
+    return { status, lengths: this.copyDoubles(lengths, count) };
   }
 
   /** @param {SolveOptions} options */
   #writeOptions(options) {
     const at = this.#options;
-    const doubles = this.#allDoubles();
+    const doubles = this.allDoubles();
     doubles[at >> 3] = options.tolerance;
     doubles[(at >> 3) + 1] = options.gradientTolerance;
-    this.#writeWords(at + 16, options.algorithm, options.points, options.maxIterations);
-    this.#allWords()[(at + layout.sp_options_record) >> 2] = options.record ? 1 : 0;
+    this.writeWords(at + 16, options.algorithm, options.points, options.maxIterations);
+    this.allWords()[(at + layout.sp_options_record) >> 2] = options.record ? 1 : 0;
   }
-
-  /** Two or three numbers, as three. @param {number} at @param {number[]} point */
-  #writePoint(at, point) {
-    const doubles = this.#allDoubles();
-    for (let j = 0; j < 3; j++) doubles[(at >> 3) + j] = point[j] ?? 0;
-  }
-
-  /** @param {number} at @param {number} a @param {number} b @param {number} c */
-  #writeWords(at, a, b, c) {
-    const words = this.#allWords();
-    const i = at >> 2;
-    words[i] = a;
-    words[i + 1] = b;
-    words[i + 2] = c;
-  }
-
-  /** A copy. @param {number} at @param {number} count */
-  #copyDoubles(at, count) {
-    return this.#allDoubles().slice(at >> 3, (at >> 3) + count);
-  }
-
-  /** Copies the result struct and its arrays. @param {number} count points of a polyline @returns {RawPath} */
-  #readResult(count) {
-    const at = this.#result;
-    const words = this.#allWords();
-    const word = (/** @type {number} */ offset) => words[(at + offset) >> 2];
-    const doubles = this.#allDoubles();
-    const parametersAt = word(layout.sp_result_parameters);
-    return {
-      status: word(layout.sp_result_status),
-      length: doubles[at >> 3],
-      lengthError: doubles[(at + layout.sp_result_length_error) >> 3],
-      energy: doubles[(at + layout.sp_result_energy) >> 3],
-      gradientNorm: doubles[(at + layout.sp_result_gradient_norm) >> 3],
-      iterations: word(layout.sp_result_iterations),
-      index: word(layout.sp_result_index),
-      touchesBoundary: word(layout.sp_result_touches_boundary) !== 0,
-      crossesSingularity: word(layout.sp_result_crosses_singularity) !== 0,
-      conjugate: null,
-      points: word(layout.sp_result_points) ? this.#copyDoubles(word(layout.sp_result_points), 3 * count) : new Float64Array(0),
-      parameters: parametersAt ? this.#copyDoubles(parametersAt, 2 * count) : null,
-      history: this.#readHistory(
-        word(layout.sp_result_history),
-        word(layout.sp_result_record),
-        word(layout.sp_result_history_count),
-        count,
-      ),
-    };
-  }
-
-  /** @param {number} at @param {number} recordAt @param {number} entries @param {number} count @returns {Iterate[]} */
-  #readHistory(at, recordAt, entries, count) {
-    const doubles = this.#allDoubles();
-    /** @type {Iterate[]} */
-    const history = [];
-    for (let i = 0; i < entries; i++) {
-      const k = (at >> 3) + 4 * i;
-      /** @type {Iterate} */
-      const iterate = { energy: doubles[k], gradientNorm: doubles[k + 1], decrement: doubles[k + 2], step: doubles[k + 3] };
-      if (recordAt) iterate.points = this.#copyDoubles(recordAt + 24 * count * i, 3 * count);
-      history.push(iterate);
-    }
-    return history;
-  }
-
-  /** Makes the arena at least this large; false if memory is exhausted (the arena is then gone, and made anew by the next call). @param {number} bytes */
-  #reserve(bytes) {
-    if (bytes <= this.#arenaSize) return true;
-    if (bytes > 0x7fff0000) return false;
-    this.release(this.#arenaBase);
-    this.#arenaSize = 0;
-    const rounded = (bytes + 0xffff) & ~0xffff;
-    this.#arenaBase = this.allocate(rounded);
-    if (this.#arenaBase) this.#arenaSize = rounded;
-    return this.#arenaBase !== 0;
-  }
-
-  /** An arena for the next call, all but its first bytes; the address of its struct. */
-  #openArena(taken = 0) {
-    this.#writeWords(this.#arena, this.#arenaBase + taken, this.#arenaSize - taken, 0);
-    return this.#arena;
-  }
-
-  /** All memory; made anew where it grew, which detaches the last view. */
-  #allDoubles() {
-    if (this.#float64.length === 0) this.#float64 = new Float64Array(this.#exports.memory.buffer);
-    return this.#float64;
-  }
-
-  #allWords() {
-    if (this.#int32.length === 0) this.#int32 = new Int32Array(this.#exports.memory.buffer);
-    return this.#int32;
-  }
-
-  /** @param {number} at @param {number} count */
-  #doubles(at, count) {
-    return new Float64Array(this.#exports.memory.buffer, at, count);
-  }
-
-  /** @param {number} at @param {number} count */
-  #words(at, count) {
-    return new Int32Array(this.#exports.memory.buffer, at, count);
-  }
-}
-
-/** @param {number} status @returns {RawPath} */
-export function emptyPath(status) {
-  return {
-    status,
-    length: Number.NaN,
-    lengthError: Number.NaN,
-    energy: Number.NaN,
-    gradientNorm: Number.NaN,
-    iterations: 0,
-    index: -1,
-    touchesBoundary: false,
-    crossesSingularity: false,
-    conjugate: null,
-    points: new Float64Array(0),
-    parameters: null,
-    history: [],
-  };
 }
 
 /** @param {number} status */

@@ -4,7 +4,7 @@ import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
 import { checkOptions, describe, makePath } from '../path.js';
 import { Crew } from './crew.js';
-import { emptyPath } from './heap.js';
+import { emptyPath } from './result.js';
 import { Job } from './job.js';
 import { NOT_FINITE } from './status.js';
 import { countProcessors, startThread } from './thread.js';

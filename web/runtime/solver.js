@@ -25,13 +25,13 @@ function checkEngine() {
 
 /**
  * The bytes behind a URL: fetched, or, as Node.js does not fetch files, read. Not by `import`, behind which every bundler for browsers would look.
- * @param {URL | string} url
+ * @param {string} caller @param {URL | string} url
  * @returns {Promise<Response | BufferSource>}
  */
-async function open(url) {
+async function open(caller, url) {
   const target = String(url);
   if (!globalThis.location && !URL.canParse(target))
-    throw new TypeError(`load: options.wasm '${target}' has no base here: pass new URL('${target}', import.meta.url), or the bytes`);
+    throw new TypeError(`${caller}: options.wasm '${target}' has no base here: pass new URL('${target}', import.meta.url), or the bytes`);
   const files = target.startsWith('file:') && globalThis.process?.getBuiltinModule?.('node:fs/promises');
   return files ? files.readFile(new URL(target)) : fetch(target);
 }
@@ -45,20 +45,22 @@ const compile = (bytes, name) =>
 
 /**
  * Compiles the solver's module.
+ * @param {string} caller
  * @param {WasmSource | Promise<WasmSource>} given the module, its bytes, or where they are
  * @returns {Promise<WebAssembly.Module>}
  */
-export async function compileSolver(given) {
+export async function compileSolver(caller, given) {
   checkEngine();
   const source = await given;
   if (source instanceof WebAssembly.Module) return source;
-  const found = typeof source === 'string' || source instanceof URL ? await open(source) : source;
+  const found = typeof source === 'string' || source instanceof URL ? await open(caller, source) : source;
   // Bytes first: to name Response takes Node.js 10 ms of a cold process.
-  if (found instanceof ArrayBuffer || ArrayBuffer.isView(found)) return compile(/** @type {BufferSource} */ (found), 'load: options.wasm');
+  if (found instanceof ArrayBuffer || ArrayBuffer.isView(found))
+    return compile(/** @type {BufferSource} */ (found), `${caller}: options.wasm`);
   if (typeof Response !== 'function' || !(found instanceof Response))
-    throw new TypeError('load: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module');
+    throw new TypeError(`${caller}: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module`);
   if (!found.ok) throw new Error(`surfpath: ${found.url} answered ${found.status}; it should be the file surfpath.wasm`);
-  return compile(await found.arrayBuffer(), `load: ${found.url}`);
+  return compile(await found.arrayBuffer(), `${caller}: ${found.url}`);
 }
 
 /** What a compiled surface needs from the solver: table slots, the addresses of its data and of a struct sp_surface, and where: see `generation`. @typedef {{ jet: number, value: number, data: number, record: number, generation: number }} Slots */

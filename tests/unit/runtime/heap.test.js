@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { MOST_STRUCT_BYTES } from '../../../web/runtime/heap.js';
 import { STATUS } from '../../../web/runtime/status.js';
 import * as layout from '../../../web/runtime/layout.js';
 
@@ -14,6 +15,10 @@ test('structs lie where the compiler puts them', () => {
   for (const [, name, field, offset] of read('surfpath.h').matchAll(/^SP_AT\((\w+), (\w+), (\d+)\);/gm))
     asserted[`${name}_${field}`] = Number(offset);
   assert.deepEqual({ ...layout }, asserted);
+});
+
+test('every struct fits into the room that calls share', () => {
+  for (const [name, bytes] of Object.entries(layout)) if (name.endsWith('_bytes')) assert.ok(bytes <= MOST_STRUCT_BYTES, name);
 });
 
 test('statuses have the numbers and the words of the core', () => {

@@ -166,6 +166,13 @@ test('a question is answered while a batch is under way', async () => {
   await Promise.all([assert.rejects(batch, /this pool was disposed/), one.dispose()]);
 });
 
+test('what `await using` calls ends the workers', async () => {
+  const one = createPool({ workers: 1 });
+  await one.lengths(gallery.saddle, [0, 0, 1, 1]);
+  await one[Symbol.asyncDispose]();
+  await assert.rejects(one.lengths(gallery.saddle, [0, 0, 1, 1]), /this pool was disposed/);
+});
+
 describe('the exceptions of the main thread', () => {
   const cyclic = /** @type {any} */ ({ ...gallery.saddle });
   cyclic.parameters = { cyclic };

@@ -1,0 +1,85 @@
+/** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
+
+import { ELEMENTS, holds, lengthOfShortest, MARGIN } from './candidates.js';
+import { comesNear, distinct, estimate, isAmong } from './distinct.js';
+import { refine } from './poles.js';
+import { isOneOfMany, isTooCoarse, sharpen } from './rough.js';
+
+/** @typedef {import('./candidates.js').Found} Found */
+/** @typedef {import('./candidates.js').Problem} Problem */
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
+/** @typedef {import('./candidates.js').Tried} Tried */
+/** @typedef {import('./candidates.js').Way} Way */
+
+/** Of the rough paths that may be the shortest so many are solved finely. */
+const MOST_FINE = 8;
+/** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
+export const BESIDE = 0.1;
+/** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
+const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
+
+/**
+ * Solves the rough paths finely, as many as may be the shortest, or as are wanted.
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most
+ * @param {{ rough: Found[], passing: Found[], over: Way[] }} candidates passing: those that hold beside poles; over: those over poles
+ * @returns {[usable: Found[], failed: RawPath[]]}
+ */
+export function solveFinely(problem, options, most, { rough, passing, over }) {
+  /* In space the error is known by its sign, in a metric by its size only. */
+  const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
+  /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
+  const mayBeShortest = (/** @type {Found} */ { path }) =>
+    solved < MOST_FINE &&
+    estimate(path) - doubt(path) <= Math.max(estimate(rough[0].path) + doubt(rough[0].path), lengthOfShortest(usable));
+  /** @type {Found[]} */
+  let usable = [...passing];
+  /** @type {RawPath[]} */
+  const failed = [];
+  let solved = 0;
+  for (let queue = rough; queue.length > 0; ) {
+    const [found, ...rest] = queue;
+    queue = rest;
+    if (most > 1 ? usable.length === most : !mayBeShortest(found)) break;
+    const beside = over.filter(({ at }) => comesNear(found.path, at));
+    if (isAmong(passing, found) || isAmong(beside, found, BESIDE)) continue;
+    if (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path)) continue;
+    const sharper = sharpen(problem, found);
+    if (sharper) {
+      if (!isAmong(usable, sharper)) queue = distinct([sharper, ...rest]);
+      continue;
+    }
+    solved++;
+    const refined = { to: found.to, path: refine(problem, found, options) };
+    if (holds(refined)) usable = distinct([...usable, refined]);
+    else failed.push(refined.path);
+  }
+  return [usable, failed];
+}
+
+/**
+ * Those of the starts that rough polylines could not follow, and that may lead to the shortest path.
+ * @param {Problem} problem @param {Tried[]} unknown @param {number} shortest length of the shortest path so far
+ */
+export const unfollowedOf = (problem, unknown, shortest) =>
+  unknown.filter(
+    ({ start, path }) => start && (path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > shortest)),
+  );
+
+/**
+ * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
+ * @param {Problem} problem @param {SolveOptions} options @param {Tried[]} unfollowed @param {boolean} isFound some path holds already
+ */
+export function followAsTheyAre({ solve }, options, unfollowed, isFound) {
+  const most = isFound ? LEAST_UNFOLLOWED : MOST_UNFOLLOWED;
+  /** @type {Found[]} */
+  const found = [];
+  if (options.algorithm !== ELEMENTS) return found;
+  for (const { to, start, path } of unfollowed.slice(0, most))
+    if (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds)))
+      found.push({ to, path: solve(to, start, options) });
+  return found;
+}
+
+/** Whether no other places are singular than poles and apices: a path that is singular there leads across nothing, and ways over them are solved as such. @param {Problem} problem */
+const isPointed = ({ domain, graph }) => !!domain?.poles.length && !graph(0)?.singular;

@@ -1,0 +1,267 @@
+/**
+ * A surface as a manifold: its domain, and what measures length on it, for the present values of its parameters. Compiled and installed in the
+ * solver, and installed again where that has begun anew. Answers no questions of its own.
+ */
+
+import { checkBounds, checkParameters, checkPeriodic, readNumbers } from './definition.js';
+import { enterDomain, findDomain } from './domain.js';
+import { compile } from './expression/compile.js';
+import { Graphs } from './graphs.js';
+import { KIND, SHAPE } from './kind.js';
+import { compileMetric, METRIC, readMeasure } from './metric.js';
+import { gap } from './rectangle.js';
+import { ReferenceFinder } from './reference.js';
+import { evaluateRanges, readShape } from './shapes.js';
+
+/** @typedef {import('./domain.js').Domain} Domain */
+/** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
+
+export class Manifold {
+  /** @type {'parametric' | 'implicit' | 'metric'} */ kind;
+  /** Where an implicit surface is searched. @type {number[] | null} */ box = null;
+  /** @type {Domain | null} */ domain = null;
+  /** @type {Record<string, number>} */ parameters;
+  isDisposed = false;
+  #solver;
+  /** @type {import('./shapes.js').Shape} */ #shape;
+  /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
+  /** With what measures length, if it is not space alone, and the reference direction of its frame. @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, reference: number[] | null }} */
+  #compiled;
+  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
+  /** @type {ReferenceFinder | null} */ #finder = null;
+  /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
+  /** @type {Installed | null} */ #installed = null;
+  /** @type {Installed | null} */ #installedMetric = null;
+  #graphs;
+  /** Those of the pieces of its domain. @type {Graphs[]} */ #graphsOfPieces = [];
+  /** The domain whose walls the solver knows now. @type {Domain | null} */ #walls = null;
+  /** The solver's instance in which it is installed; 0: in none. */
+  #generation = 0;
+
+  /** @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition */
+  constructor(solver, kind, definition) {
+    this.#shape = readShape(kind, definition);
+    this.#measure = readMeasure(kind, definition);
+    this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
+    this.#graphs = new Graphs(KIND[this.kind]);
+    this.#solver = solver;
+    this.#periodic = checkPeriodic(kind, definition.periodic);
+    this.parameters = checkParameters(kind, definition.parameters ?? {});
+    if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.parameters);
+    if (kind === 'implicit') this.box = checkBounds(kind, definition.bounds);
+    const range = this.#readRange(kind);
+    this.#compiled = this.#compile();
+    this.#install();
+    try {
+      this.#settle(range);
+    } catch (error) {
+      this.#uninstall();
+      throw error;
+    }
+  }
+
+  /** Changes parameters; with an error, none. @param {string} caller @param {Record<string, number>} changed */
+  set(caller, changed) {
+    const [before, reference, compiled, domain] = [this.parameters, this.#reference, this.#compiled, this.domain];
+    this.#wake();
+    this.parameters = Object.assign(Object.create(null), before, changed);
+    try {
+      const range = this.#readRange(caller);
+      this.#dropGraphs();
+      this.#refresh();
+      this.#settle(range);
+    } catch (error) {
+      [this.parameters, this.#reference, this.#compiled, this.domain] = [before, reference, compiled, domain];
+      this.#dropGraphs();
+      this.#uninstall();
+      throw error;
+    }
+  }
+
+  /** Frees memory and table slots. */
+  dispose() {
+    this.isDisposed = true;
+    this.#dropGraphs();
+    this.#uninstall();
+  }
+
+  /** Diagonal of the bounds; 0 without. */
+  get extent() {
+    const box = this.box;
+    return box ? gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) : 0;
+  }
+
+  /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
+  readPoint(caller, name, point) {
+    const numbers = readNumbers(caller, name, point, SHAPE[this.kind].variables.length);
+    return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`) : numbers;
+  }
+
+  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
+  evaluate(what, points) {
+    const { variables, jet, value } = SHAPE[this.kind];
+    if (points.length === 0) return new Float64Array(0);
+    this.#wake();
+    const { call } = /** @type {Installed} */ (this.#installed);
+    return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
+  }
+
+  /**
+   * Runs something on the solver's memory, after making sure that this surface is installed there.
+   * @template T @param {import('./routes.js').Call<T>} call @param {Domain | null} [domain] its own, or that of a piece
+   * @returns {T}
+   */
+  run(call, domain = this.domain) {
+    this.#wake();
+    if (this.#walls !== domain) this.#writeRecord(domain);
+    const shape = /** @type {Installed} */ (this.#installed);
+    return this.#solver.run(() => call(this.#solver.heap, (this.#installedMetric ?? shape).record, shape));
+  }
+
+  /** What a question needs of this surface, or of a piece of it. @param {Domain | null} [domain] @param {Graphs} [graphs] @returns {import('./routes.js').Field} */
+  field(domain = this.domain, graphs = this.#graphs) {
+    const isAbstract = this.kind === 'metric';
+    const pieces = domain?.pinches?.pieces ?? [];
+    return {
+      kind: KIND[this.kind],
+      domain,
+      box: this.box,
+      graphs,
+      isPlain: !isAbstract && !this.#compiled.metric,
+      positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
+      run: (call) => this.run(call, domain),
+      pieces: pieces.map((piece, i) => {
+        this.#graphsOfPieces[i] ??= new Graphs(KIND[this.kind]);
+        return this.field(piece, this.#graphsOfPieces[i]);
+      }),
+    };
+  }
+
+  #compile() {
+    const { outputs, names, variables } = this.#shape;
+    const reference = this.#reference;
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, this.#solver.apply);
+    const compiled = compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
+      names,
+      variables,
+      parameters: this.parameters,
+      apply: this.#solver.apply,
+      valueOrder: SHAPE[this.kind].valueOrder,
+    });
+    return { ...compiled, metric, reference };
+  }
+
+  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
+  #refresh() {
+    if (this.#compiled.reference === this.#reference) return this.#writeParameters();
+    this.#compiled = this.#compile();
+    this.#uninstall();
+    this.#install();
+    this.#writeRecord();
+  }
+
+  /** Compiles the modules into the solver's present instance: both or, with an error, neither. */
+  #install() {
+    const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) =>
+      this.#solver.install(module, data, dataBytes);
+    const installed = install(this.#compiled);
+    try {
+      this.#installedMetric = this.#compiled.metric && install(this.#compiled.metric.compiled);
+    } catch (error) {
+      this.#solver.remove(installed);
+      throw error;
+    }
+    this.#installed = installed;
+    this.#generation = this.#solver.generation;
+    this.#writeParameters();
+  }
+
+  /** Gives back what the solver's present instance holds of it, if anything; {@link #wake} installs it again. */
+  #uninstall() {
+    this.#generation = 0;
+    for (const installed of [this.#installed, this.#installedMetric]) if (installed) this.#solver.remove(installed);
+    this.#installed = this.#installedMetric = null;
+  }
+
+  /** Installs the surface again where a trap has made the solver begin anew. */
+  #wake() {
+    /* By a getter, say, of the options of a call that has begun. */
+    if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
+    if (this.#generation === this.#solver.generation) return;
+    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(null);
+    try {
+      this.#install();
+      this.#writeRecord();
+    } catch (error) {
+      this.#uninstall();
+      throw error;
+    }
+  }
+
+  #writeParameters() {
+    for (const installed of [this.#installed, this.#installedMetric])
+      if (installed) this.#solver.heap.writeDoubles(installed.data, Object.values(this.parameters));
+  }
+
+  /** Tells the solver what it is: as space measures it, and as it measures length. */
+  #writeRecord(domain = this.domain) {
+    const { jet, value, record } = /** @type {Installed} */ (this.#installed);
+    this.#walls = domain;
+    const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
+    const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
+    const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
+    const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent: this.extent };
+    const { heap } = this.#solver;
+    const { metric } = this.#compiled;
+    const measured = this.#installedMetric;
+    heap.writeSurface(record, this.kind === 'metric' ? { ...shape, metric: METRIC.tensor, value: 0 } : shape);
+    if (metric && measured) heap.writeSurface(measured.record, { ...shape, metric: metric.code, jet: measured.jet });
+  }
+
+  /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
+  #evaluateMetric(points) {
+    const { metric } = this.#compiled;
+    if (!metric) return [];
+    const count = metric.compiled.jet.length;
+    this.#wake();
+    const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installedMetric).call.jet, points, 2, count);
+    return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
+  }
+
+  /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */
+  #tensors() {
+    if (this.#compiled.metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
+    if (this.kind !== 'metric') return null;
+    return (points) => {
+      const jets = this.evaluate('jet', points);
+      return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
+    };
+  }
+
+  /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
+  #readRange(caller) {
+    if (this.kind === 'implicit') return null;
+    const range = evaluateRanges(caller, this.#shape, this.parameters, this.#solver.apply);
+    if (this.#finder) this.#reference = this.#finder.find(this.parameters, [range.lower[1], range.upper[1]]);
+    return range;
+  }
+
+  /** Finds out which directions are periodic, and tells the solver. @param {import('./seams.js').Asked | null} range */
+  #settle(range) {
+    const surface = {
+      jets: (/** @type {number[]} */ points) => this.evaluate('jet', points),
+      metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
+      tensors: this.#tensors(),
+    };
+    const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
+    if (range) this.domain = findDomain(periodic, surface, range);
+    this.#writeRecord();
+  }
+
+  /** Frees the graphs: they are those of other parameters, or no longer needed. */
+  #dropGraphs() {
+    const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
+    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(heap);
+  }
+}

@@ -1,0 +1,69 @@
+/** Starts solved with few points, to learn which paths there are: as many points as that takes. */
+
+import { holds, leaps, solveFrom } from './candidates.js';
+import { isSame } from './distinct.js';
+import { ILL_CONDITIONED, SHEET_JUMP, STALLED } from './runtime/status.js';
+
+/** @typedef {import('./candidates.js').Found} Found */
+/** @typedef {import('./candidates.js').Problem} Problem */
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').Start} Start */
+/** @typedef {import('./candidates.js').Tried} Tried */
+
+/** Inner points of the rough solves, until one holds; and of one that must tell what elements did not. */
+const ROUGH = [31, 63, 127, 255];
+const MOST_ROUGH = 255;
+export const FINEST = 1023;
+export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
+/** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
+const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
+/** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
+const [AT_REST, NEAR_REST] = [1e-9, 1e-4];
+
+/** @param {RawPath} path @returns {boolean} more points may help */
+export const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
+
+/**
+ * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds. At a hole, which chords jump over, so look the ways on both
+ * sides of it; at a pole they are one.
+ * @param {Problem} problem @param {{ to: number[], coarse: RawPath }} one @param {Tried[]} tried
+ */
+export const isKnown = ({ domain }, { to, coarse }, tried) =>
+  coarse.status === STALLED &&
+  tried.some(
+    (other) =>
+      holds(other) &&
+      (isOneOfMany(other.coarse, coarse) ||
+        (Math.abs(other.coarse.length / coarse.length - 1) <= (domain?.poles.length ? NEAR_REST : AT_REST) &&
+          (!domain || domain.poles.length > 0 || other.to.every((x, j) => 2 * Math.abs(x - to[j]) < domain.upper[j] - domain.lower[j])) &&
+          isSame(other.coarse, coarse))),
+  );
+
+/** Whether a path is as long as one that is one of many: between the poles of a surface of revolution each meridian is as good. @param {RawPath} one @param {RawPath} path */
+export const isOneOfMany = (one, path) => one.status === ILL_CONDITIONED && Math.abs(one.length / path.length - 1) <= AT_REST;
+
+/**
+ * Solves with few points, and with more where that does not hold, unless that was done.
+ * @param {Problem} problem @param {Start} start @param {Tried[]} tried
+ * @returns {Tried}
+ */
+export function solveRoughly(problem, { to, start }, tried) {
+  const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...ROUGHLY, points });
+  const coarse = solve(ROUGH[0]);
+  let path = coarse;
+  const more = start && !isKnown(problem, { to, coarse }, tried) ? ROUGH.slice(1) : [];
+  for (const points of more) if (isTooCoarse(path)) path = solve(points);
+  return { to, start, path, coarse };
+}
+
+/**
+ * The path under a rough one that is too coarse to be judged, or to be compared, with twice the points; null where no more are needed, or they lead nowhere.
+ * @param {Problem} problem @param {Found} found @returns {Found | null}
+ */
+export function sharpen(problem, { to, path }) {
+  const [least, error] = problem.isPlain ? JUDGED.space : JUDGED.metric;
+  const inner = (path.parameters ? path.parameters.length / 2 : path.points.length / 3) - 2;
+  if (inner >= MOST_ROUGH || (inner >= least && !(path.lengthError > error * path.length))) return null;
+  const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * inner + 1 }) };
+  return holds(sharper) && !leaps(problem, sharper.path) ? sharper : null;
+}
