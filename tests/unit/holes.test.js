@@ -104,8 +104,7 @@ describe('a sphere whose range is not quite that of a sphere', () => {
   });
 });
 
-/* By positions, and as lengths alone: its contacts with the rim are shorter than the chords that first look for them. */
-/** @type {Record<string, import('../../web/instance.js').AnyDefinition>} */
+/** By positions, and as lengths alone: its contacts with the rim are shorter than the chords that first look for them. @type {Record<string, import('../../web/instance.js').AnyDefinition>} */
 const MERCATOR = {
   'of space': { kind: 'parametric', x: 'cos(u)/cosh(v)', y: 'sin(u)/cosh(v)', z: 'tanh(v)', u: ['-pi', 'pi'], v: [-5, 5] },
   'by E, F, G': { kind: 'metric', E: '1/cosh(v)^2', F: 0, G: '1/cosh(v)^2', u: ['-pi', 'pi'], v: [-5, 5], periodic: { u: true } },
