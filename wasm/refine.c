@@ -304,8 +304,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         error = larger(uneven_by, follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change);
         if (agrees && !astray && change <= allowed && uneven_by <= allowed && is_settled(now.moved, moved, allowed))
             return finish(newton, now, error);
-        if (now.outcome.active && now.outcome.status == SP_CONVERGED && rung.degree * rung.count >= TOUCHING_NODES)
-            return now.outcome.status = SP_TOLERANCE_NOT_MET, finish(newton, now, error);
+        if (now.outcome.active && !astray && rung.degree * rung.count >= TOUCHING_NODES) break;
         moved = from_elements && !astray && first->elements.reference.degree == 1 ? now.moved : 0;
         if (astray)
             before = *first;
@@ -386,10 +385,12 @@ static void close_in(double least, double spread[SP_SPREAD + 1]) {
     spread[0] = 0, spread[SP_SPREAD] = 1;
 }
 
-/* Whether the surface bends aside just beyond an end of the path by more than a smooth one does. MATH.md, "The ladder". */
+/* Whether the surface bends aside just beyond an end of the path by more than a smooth one does; not asked where rounding is all there is.
+ * MATH.md, "The ladder". */
 static int bends_aside(const struct sp_newton *newton, double tolerance, double length) {
     const struct sp_system *system = &newton->system;
-    return system->line.kind->components == 0 && sp_sample_bend(system, newton->scale, REACH * root(tolerance)) > tolerance * length;
+    return tolerance < 1 && system->line.kind->components == 0 &&
+           sp_sample_bend(system, newton->scale, REACH * root(tolerance)) > tolerance * length;
 }
 
 /* The path again, on elements that close in on its ends. */
