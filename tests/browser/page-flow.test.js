@@ -143,9 +143,9 @@ describe('changes that overtake each other', () => {
     assert.equal(await text('#entry-title'), 'Vase');
   });
 
-  test('a hundred changes in a row end in the last one', async () => {
+  test('many changes in a row end in the last one', async () => {
     await openEntry(page, 'parametricTorus');
-    const values = Array.from({ length: 100 }, (_, i) => String(1 + (i % 10) / 20));
+    const values = Array.from({ length: process.env.EVERY_RELEASE ? 100 : 25 }, (_, i) => String(1 + (i % 10) / 20));
     await page.evaluate(async (all) => {
       const input = /** @type {HTMLInputElement} */ (document.getElementById('value-a'));
       for (const value of all) {
