@@ -3,7 +3,7 @@
 import { ELEMENTS, holds, lengthOfShortest, MARGIN } from './candidates.js';
 import { comesNear, distinct, estimate, isAmong } from './distinct.js';
 import { refine } from './poles.js';
-import { isOneOfMany, isTooCoarse, sharpen } from './rough.js';
+import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -19,6 +19,12 @@ export const BESIDE = 0.1;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
+/** In space the error of a rough path is known by its sign, in a metric by its size only, and that not well from few points. @param {Problem} problem @param {RawPath} path */
+const doubt = (problem, path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : (isJudged(problem, path) ? 2 : 4) * path.lengthError);
+
+/** What the path under a rough one is long at least. @param {Problem} problem @param {RawPath} path */
+export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
+
 /**
  * Solves the rough paths finely, as many as may be the shortest, or as are wanted.
  * @param {Problem} problem @param {SolveOptions} options @param {number} most
@@ -26,12 +32,10 @@ const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
  * @returns {[usable: Found[], failed: RawPath[]]}
  */
 export function solveFinely(problem, options, most, { rough, passing, over }) {
-  /* In space the error is known by its sign, in a metric by its size only. */
-  const doubt = (/** @type {RawPath} */ path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : 2 * path.lengthError);
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
     solved < MOST_FINE &&
-    estimate(path) - doubt(path) <= Math.max(estimate(rough[0].path) + doubt(rough[0].path), lengthOfShortest(usable));
+    atLeast(problem, path) <= Math.max(estimate(rough[0].path) + doubt(problem, rough[0].path), lengthOfShortest(usable));
   /** @type {Found[]} */
   let usable = [...passing];
   /** @type {RawPath[]} */

@@ -7,9 +7,10 @@ import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
 import { distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
-import { BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
+import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveRoughly } from './rough.js';
+import { emptyPath } from './runtime/result.js';
 import { CONVERGED, STALLED } from './runtime/status.js';
 import { findStarts } from './starts.js';
 
@@ -27,15 +28,48 @@ import { findStarts } from './starts.js';
  * @returns {RawPath[]}
  */
 export function findPaths(problem, options, most) {
-  if (problem.domain && problem.graph(0)?.unique) {
-    const path = problem.solve(problem.to, null, options);
-    if (path.status === CONVERGED) return [path];
-  }
+  const only = solveOnly(problem, options);
+  if (only) return [only];
   /* Without a rectangle there is one straight start. */
   const tried = problem.domain ? [] : [solveRoughly(problem, { to: problem.to, start: null }, [])];
   const { starts, status } = findStarts(problem, most > 1, tried[0]);
+  return solveBest(problem, options, most, status, tryAll(problem, starts, tried));
+}
+
+/**
+ * The shortest of the paths that some starts lead to, none if no one is shorter than what is known, and after it, as they are roughly, all of them.
+ * @param {Problem} problem @param {SolveOptions} options @param {import('./candidates.js').Start[]} starts @param {number} shortest length of the shortest path so far
+ */
+export function findPathsFrom(problem, options, starts, shortest) {
+  const only = solveOnly(problem, options);
+  if (only) return [only];
+  const candidates = tryAll(problem, starts, []);
+  const { tried, rough } = candidates;
+  const isLonger = tried.every((one) => holds(one) && !leaps(problem, one.path) && atLeast(problem, one.path) > shortest);
+  const [path] = isLonger ? [emptyPath(STALLED)] : solveBest(problem, options, 1, CONVERGED, candidates);
+  return [path, ...rough.map((found) => found.path)];
+}
+
+/** The path where there is only one, as no curvature is positive. @param {Problem} problem @param {SolveOptions} options */
+function solveOnly(problem, options) {
+  const path = problem.domain && problem.graph(0)?.unique ? problem.solve(problem.to, null, options) : null;
+  return path?.status === CONVERGED ? path : null;
+}
+
+/**
+ * Solves all starts roughly.
+ * @param {Problem} problem @param {import('./candidates.js').Start[]} starts @param {Tried[]} tried before them
+ */
+function tryAll(problem, starts, tried) {
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
-  const rough = distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
+  return { tried, rough: distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path))) };
+}
+
+/**
+ * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {number} status of the search
+ * @param {ReturnType<typeof tryAll>} candidates @returns {RawPath[]}
+ */
+function solveBest(problem, options, most, status, { tried, rough }) {
   const ways = overPoles(problem, options, tried, rough);
   const found = choosePaths(problem, options, most, { tried, status, rough, ways });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);

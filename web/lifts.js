@@ -110,3 +110,20 @@ export function moveNear(glued, parameters, near) {
     [0, 1].map((j) => lifted[j] - first[j]),
   );
 }
+
+/**
+ * A start from a line between points near two ends: moved to the lift of the first one, and slid along so that it joins them.
+ * @param {{ domain: Glued | null, from: number[], to: number[] }} ends @param {Float64Array} line is overwritten
+ * @returns {{ to: number[], start: Float64Array }} to: the lift of the second end
+ */
+export function slide({ domain, from, to }, line) {
+  const width = from.length;
+  if (domain) moveNear(domain, line, from);
+  const last = line.length - width;
+  const end = domain ? turnNear(domain, to, Array.from(line.subarray(last))) : to;
+  const by = [from.map((x, j) => x - line[j]), end.map((x, j) => x - line[last + j])];
+  for (let i = 0; i < line.length; i++) line[i] += by[0][i % width] + ((i - (i % width)) / last) * (by[1][i % width] - by[0][i % width]);
+  line.set(from);
+  line.set(end, last);
+  return { to: end, start: line };
+}

@@ -8,7 +8,7 @@ import { joinPieces } from './join.js';
 import { moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
 import { makePath } from './path.js';
-import { findGlobal, isAfter, reverse, solveNear } from './routes.js';
+import { findGlobal, findNear, isAfter, reverse, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
 
@@ -40,7 +40,7 @@ const findIn = (field, ends, options, start) =>
 const ROUNDING = 1e-14;
 
 /** @param {Path} path */
-const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
+export const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
 
 /** What the length of a path is at most; infinite where there is none. @param {Path} path */
 const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
@@ -60,7 +60,7 @@ export function placed(domain, path, from) {
 }
 
 /** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
-function thinned(path, count) {
+export function thinned(path, count) {
   const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
     const last = numbers.length / width - 1;
     const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
@@ -186,6 +186,15 @@ function findAcross(field, ends, options, start) {
   }
   const shortest = /** @type {Path} */ (best);
   return isPath(shortest) && missed < shortest.length ? { ...shortest, status: 'stalled', converged: false } : shortest;
+}
+
+/**
+ * As `findNear`, not for pieces.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {ArrayLike<number>[]} lines @param {number} shortest
+ */
+export function findBeside(field, ends, options, lines, shortest) {
+  const point = findPoint(field, ends, options);
+  return point ? [point] : findNear(field, ends, options, lines, shortest);
 }
 
 /**

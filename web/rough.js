@@ -56,14 +56,21 @@ export function solveRoughly(problem, { to, start }, tried) {
   return { to, start, path, coarse };
 }
 
+/** Inner points. @param {RawPath} path */
+const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
+
+/** Whether a rough path tells what lies under it, or no more points are tried. @param {Problem} problem @param {RawPath} path */
+export function isJudged({ isPlain }, path) {
+  const [least, error] = isPlain ? JUDGED.space : JUDGED.metric;
+  return innerOf(path) >= MOST_ROUGH || (innerOf(path) >= least && !(path.lengthError > error * path.length));
+}
+
 /**
  * The path under a rough one that is too coarse to be judged, or to be compared, with twice the points; null where no more are needed, or they lead nowhere.
  * @param {Problem} problem @param {Found} found @returns {Found | null}
  */
 export function sharpen(problem, { to, path }) {
-  const [least, error] = problem.isPlain ? JUDGED.space : JUDGED.metric;
-  const inner = (path.parameters ? path.parameters.length / 2 : path.points.length / 3) - 2;
-  if (inner >= MOST_ROUGH || (inner >= least && !(path.lengthError > error * path.length))) return null;
-  const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * inner + 1 }) };
+  if (isJudged(problem, path)) return null;
+  const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * innerOf(path) + 1 }) };
   return holds(sharper) && !leaps(problem, sharper.path) ? sharper : null;
 }

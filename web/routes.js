@@ -2,8 +2,8 @@
 
 import { ELEMENTS, holds } from './candidates.js';
 import { facePoles } from './domain.js';
-import { findPaths } from './global.js';
-import { copies, liftEnds, moveOnto } from './lifts.js';
+import { findPaths, findPathsFrom } from './global.js';
+import { copies, liftEnds, moveOnto, slide } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
 import { emptyPath } from './runtime/result.js';
@@ -81,6 +81,22 @@ export function findGlobal(field, ends, options, most) {
 }
 
 /**
+ * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
+ * @param {ArrayLike<number>[]} lines polylines from the first end to near the second @param {number} shortest length of the shortest path so far
+ * @returns {Path[]}
+ */
+export function findNear(field, ends, options, lines, shortest) {
+  const isTurned = isAfter(ends[0], ends[1]);
+  return pose(field, ends, (problem) => {
+    const starts = lines.map((line) =>
+      slide(problem, isTurned ? turned(Float64Array.from(line), ends[0].length) : Float64Array.from(line)),
+    );
+    return findPathsFrom(problem, options, starts, shortest);
+  });
+}
+
+/**
  * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
  * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/result.js').RawPath[]} find
  * @returns {Path[]}
@@ -124,13 +140,15 @@ export function isAfter(a, b) {
   return different >= 0 && a[different] > b[different];
 }
 
+/** @param {Float64Array} numbers @param {number} width so many a point */
+function turned(numbers, width) {
+  const result = new Float64Array(numbers.length);
+  for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+  return result;
+}
+
 /** Turns a path round. @template {RawPath | Path} T @param {T} path @returns {T} */
 export function reverse(path) {
-  const turned = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
-    const result = new Float64Array(numbers.length);
-    for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
-    return result;
-  };
   return {
     ...path,
     points: turned(path.points, 3),

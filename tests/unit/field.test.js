@@ -114,6 +114,29 @@ for (const name of /** @type {const} */ (['parametricTorus', 'torus', 'bumpy']))
     surface.dispose();
   });
 
+// Paths to neighbours lead there, also where many ways are about as long, over poles and seams, and in a density.
+for (const [name, resolution, own] of /** @type {const} */ ([
+  ['globe', 24, {}],
+  ['moebius', 24, {}],
+  ['bumpy', 24, {}],
+  ['parametricTorus', 24, { density: '2 + sin(x)' }],
+  ['torus', 9, {}],
+]))
+  test(`${name}: from neighbour to neighbour to the lengths of shortest paths`, () => {
+    const surface = surfpath.surface(/** @type {any} */ ({ ...gallery[name], ...own }));
+    const { from } = gallery[name];
+    const { mesh, distances } = surface.distanceField(from, { resolution, exact: true });
+    assert.ok(distances.length > 600);
+    const places = mesh.parameters ?? mesh.positions;
+    const width = from.length;
+    /* Of rows whole ones: the ways beside each other are the hard ones. */
+    for (let i = 0; i < distances.length; i += Math.floor(i / 25) % 6 === 0 ? 1 : 25) {
+      const { length } = surface.shortestPath(from, places.subarray(width * i, width * (i + 1)));
+      assert.ok(Math.abs(distances[i] - length) <= EXACT * length, `vertex ${i}: ${distances[i]}, not ${length}`);
+    }
+    surface.dispose();
+  });
+
 test('a piece out of reach is infinitely far', () => {
   const surface = surfpath.implicit({
     f: '((x-1.5)^2+y^2+z^2-1)*((x+1.5)^2+y^2+z^2-1)',
