@@ -20,7 +20,7 @@ let built = '';
 export function startMeasure() {
   find('measure-presets').addEventListener('click', ({ target }) => {
     const preset = /** @type {HTMLElement} */ (target).dataset.preset;
-    if (preset) change(PRESETS[preset](), `preset ${preset}`);
+    if (preset) change(PRESETS[preset](), `preset ${preset}`, true);
   });
   find('measure-fields').addEventListener('input', () => {
     clearTimeout(timer);

@@ -13,7 +13,10 @@ const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹
 const OUTCOMES = {
   converged: ['Converged', 'No path nearby is shorter.'],
   'iteration-limit': ['Stopped early', 'The iterations ran out: choose fewer points or move the ends a little.'],
-  stalled: ['Stuck', 'No step made the path shorter, or a shorter way leads to no path: try another algorithm or fewer points.'],
+  stalled: [
+    'Stuck',
+    'No step made the path shorter, or a shorter way leads to no path: try another algorithm, fewer points or a less steep formula.',
+  ],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
   'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
@@ -25,7 +28,10 @@ const OUTCOMES = {
     'The straight start jumps to another part of the surface: start from a global search, or move the ends nearer to each other.',
   ],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
-  'not-finite': ['No path', 'The formula has no value somewhere on the way: narrow its ranges or move the ends.'],
+  'not-finite': [
+    'No path',
+    'The formula has no value somewhere on the way, or one too large to compute with: narrow its ranges, move the ends or change it.',
+  ],
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
@@ -48,6 +54,20 @@ export function describeNoMeasure(sketch) {
   return conditions ? `Length is measured nowhere: ${conditions}.` : 'There is nothing to measure on this surface.';
 }
 
+/** Functions that bend or jump somewhere. */
+const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
+
+/**
+ * What to do about a path that comes to no rest: where a formula bends or jumps, no algorithm can help.
+ * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one
+ */
+function adviseStuck({ texts, density, tensor }, advice) {
+  const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
+  if (!name) return advice;
+  const instead = name === 'abs' ? 'sqrt(x^2+0.01) in place of abs(x)' : 'tanh(9*x) in place of a step';
+  return `Across an edge or a jump, as ${name} makes one, no path comes to rest: write something smooth, such as ${instead}.`;
+}
+
 /** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
 function describeSingular(sketch) {
   const conditions = conditionsOf(sketch).join(', and ');
@@ -58,7 +78,7 @@ function describeSingular(sketch) {
 
 /**
  * @param {string} status of a Path
- * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'density' | 'tensor'>} sketch that was asked
+ * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor'>} sketch that was asked
  * @param {boolean} [isFollowed] while something moves, the path comes from the last one: others were not looked for
  * @returns {[string, string]} what happened, what to do
  */
@@ -66,6 +86,7 @@ export function describeStatus(status, sketch, isFollowed = false) {
   const { start, task } = sketch;
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
+  if (status === 'stalled') return [words, adviseStuck(sketch, advice)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];

@@ -17,13 +17,16 @@ export function indicatrices(frame) {
   const values = gauge.evaluate(Float64Array.from(places.flat()));
   const metrics = places
     .map((place, i) => ({ place, metric: values.subarray(3 * i, 3 * i + 3) }))
-    .filter(({ metric: [E, F, G] }) => E > 0 && determinantOf(E, F, G) > 0);
+    .filter(({ metric: [E, F, G] }) => E > 0 && determinantOf(E, F, G) > 0 && Number.isFinite(longestRadius([E, F, G])));
   const size = (0.42 * (frame.high[0] - frame.low[0])) / cells / Math.max(...metrics.map(({ metric }) => longestRadius(metric)));
   return metrics.map(({ place, metric }) => ellipse(place, metric, size, frame));
 }
 
-/** Of an ellipse E a² + 2F ab + G b² = 1. @param {Float64Array} metric */
-const longestRadius = ([E, F, G]) => 1 / Math.sqrt((E + G) / 2 - Math.hypot((E - G) / 2, F));
+/** Of an ellipse E a² + 2F ab + G b² = 1: from its greater eigenvalue, as the difference that is the smaller one may round to 0. @param {ArrayLike<number> & Iterable<number>} metric */
+export function longestRadius([E, F, G]) {
+  const greater = (E + G) / 2 + Math.hypot((E - G) / 2, F);
+  return Math.sqrt(greater / determinantOf(E, F, G));
+}
 
 /** @param {number[]} place @param {Float64Array} metric E F G @param {number} size @param {Frame} frame */
 function ellipse(place, [E, F, G], size, frame) {

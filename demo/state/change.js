@@ -26,18 +26,20 @@ const OF_PATH = /** @type {const} */ (['task', 'algorithm', 'tolerance', 'points
  * Changes a part of the sketch.
  * @param {Partial<Sketch>} part
  * @param {string} [key] changes of the same key in quick succession are undone together
+ * @param {boolean} [isStep] whether the browser's Back takes it back
  */
-export function change(part, key = Object.keys(part).join()) {
+export function change(part, key = Object.keys(part).join(), isStep = false) {
   history.keep(state.sketch, key);
   const isBeside = Object.keys(part).every((name) => BESIDE_PATHS.includes(name));
-  return turnInto({ ...state.sketch, ...(isBeside ? {} : { chosen: 0 }), ...part });
+  return turnInto({ ...state.sketch, ...(isBeside ? {} : { chosen: 0 }), ...part }, isStep);
 }
 
-/** @param {Sketch} sketch @param {boolean} [frame] */
-function turnInto(sketch, frame = sketch.entry !== state.sketch.entry) {
+/** @param {Sketch} sketch @param {boolean} [isStep] */
+function turnInto(sketch, isStep = false) {
   const before = state.sketch;
+  const frame = sketch.entry !== before.entry;
   Object.assign(state, { sketch, linkProblem: null });
-  writeAddress();
+  writeAddress(before, isStep || frame);
   const differs = (/** @type {keyof Sketch} */ name) => JSON.stringify(before[name]) !== JSON.stringify(sketch[name]);
   if (OF_SURFACE.some(differs)) return rebuild({ frame, direction: frame ? ENTRIES[sketch.entry].camera : undefined });
   const names = Object.keys(sketch.parameters);
@@ -54,8 +56,9 @@ function turnInto(sketch, frame = sketch.entry !== state.sketch.entry) {
 
 /** Opens an entry of the gallery, or a first formula to change. @param {string} name */
 export function choose(name) {
+  const before = state.sketch;
   openSketch(sketchOf(name));
-  writeAddress();
+  writeAddress(before, before.entry !== name);
 }
 
 /** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
@@ -85,8 +88,17 @@ export function redo() {
   if (sketch) turnInto(sketch);
 }
 
-/** The address always holds what is seen: copying it is sharing it. */
-function writeAddress() {
+/**
+ * The address always holds what is seen: copying it is sharing it. Another surface or measure of length is a step for the browser's Back and Forward, which
+ * come as a change of the address; whatever else changes is none, or Back would lead through every place that an end was dragged over.
+ * @param {Sketch} [before] what was seen until now @param {boolean} [isStep] away from that
+ */
+function writeAddress(before = state.sketch, isStep = false) {
   clearTimeout(timer);
+  if (isStep && toHash(before) !== toHash(state.sketch)) {
+    // Its last changes may not have been written yet.
+    window.history.replaceState(null, '', toHash(before));
+    window.history.pushState(null, '', toHash(state.sketch));
+  }
   timer = window.setTimeout(() => window.history.replaceState(null, '', toHash(state.sketch)), QUIET);
 }

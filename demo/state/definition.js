@@ -76,9 +76,12 @@ const NAMES = new Set(
   Object.values(KINDS).flatMap(({ formulas, ranges, coordinates }) => [...Object.keys(formulas), ...ranges, ...coordinates]),
 );
 
+/** What the library advises those who write programs, and what a reader of the page does instead. */
+const [FOR_PROGRAMS, FOR_READERS] = ['or give it a value in parameters', 'or make it a slider'];
+
 /** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
 export function sentence(message) {
-  const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '');
+  const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '').replace(FOR_PROGRAMS, FOR_READERS);
   const first = NAMES.has(text.split(' ')[0]) ? text[0] : text[0].toUpperCase();
   return `${first}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }

@@ -51,6 +51,47 @@ test('a link holds the whole state: another page that opens it shows the same', 
   assert.deepEqual(await shown(), expected);
 });
 
+test('Back and Forward lead from surface to surface and from measure to measure, not through what was changed on them', async () => {
+  const a = () => page.inputValue('#end-0-0');
+  const title = () => text('#entry-title');
+  const density = () => page.inputValue('#field-density');
+  const go = async (/** @type {'goBack' | 'goForward'} */ way) => {
+    const heard = page.evaluate(() => new Promise((resolve) => addEventListener('hashchange', () => resolve(true), { once: true })));
+    await page[way]();
+    await heard;
+    await settled(page);
+  };
+  await openEntry(page, 'own-graph');
+  const first = await title();
+  for (const x of ['-1.5', '-1.25']) {
+    await page.fill('#end-0-0', x);
+    await page.waitForTimeout(600);
+  }
+  await page.fill('#end-0-0', '-1');
+  // At once: what was changed last has not been written yet.
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('input[name=kind][value=sweep]')).click());
+  await settled(page);
+  const second = await title();
+  assert.notEqual(second, first);
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-preset=bump]')).click());
+  await settled(page);
+  assert.notEqual(await density(), '');
+  await go('goBack');
+  assert.equal(await density(), '');
+  assert.equal(await title(), second);
+  await go('goBack');
+  assert.equal(await title(), first);
+  assert.equal(await a(), '-1');
+  await go('goForward');
+  assert.equal(await title(), second);
+  // The page's own undo takes the step back, too.
+  await page.click('#undo');
+  await settled(page);
+  assert.equal(await title(), first);
+  assert.equal(await a(), '-1');
+  assert.deepEqual(complaints, []);
+});
+
 test('every sketch comes back from its link', () => {
   const implicit = sketchOf('own-implicit');
   const longest = 'ξ'.repeat(4096);

@@ -15,5 +15,9 @@ test('a name is used by any formula: of the surface, its ranges, the density, th
 test('a message begins with a capital, unless it begins with a name', () => {
   assert.equal(sentence('parametric: u must be a range'), 'u must be a range.');
   assert.equal(sentence('x: unknown name w; write it'), 'Unknown name w; write it.');
+  assert.equal(
+    sentence('x: unknown name w; the names here are u, v; or give it a value in parameters'),
+    'Unknown name w; the names here are u, v; or make it a slider.',
+  );
   assert.equal(sentence('the formula has no value'), 'The formula has no value.');
 });

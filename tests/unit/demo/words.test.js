@@ -29,6 +29,17 @@ test('a measure of length that is none is told as what it is', () => {
   assert.match(describeNoMeasure(sketchOf('hindered')), /nowhere: the density must be/);
 });
 
+test('where a formula bends or jumps, that is why a path is stuck', () => {
+  const advice = (/** @type {string} */ z) => {
+    const sketch = sketchOf('own-graph');
+    return describeStatus('stalled', { ...sketch, texts: { ...sketch.texts, z } })[1];
+  };
+  assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
+  assert.match(advice('2*floor (x)'), /as floor makes one/);
+  assert.match(advice('1e9*x*y'), /less steep/);
+  assert.match(advice('absorb*x'), /less steep/);
+});
+
 test('only what was looked for among all is called the shortest path', () => {
   const name = (/** @type {any} */ part, status = 'converged', isFirst = true) =>
     namePath(status, { ...sketchOf('saddle'), ...part }, isFirst);
