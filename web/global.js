@@ -66,6 +66,7 @@ function tryAll(problem, starts, tried) {
 }
 
 /**
+ * Of what the starts led to, and of ways over poles, the paths as they were asked for.
  * @param {Problem} problem @param {SolveOptions} options @param {number} most @param {number} status of the search
  * @param {ReturnType<typeof tryAll>} candidates @returns {RawPath[]}
  */
