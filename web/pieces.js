@@ -21,6 +21,10 @@ import { CONVERGED } from './runtime/status.js';
 /** @typedef {'global' | Float64Array | null} Start how a path is looked for: by a search, near a polyline, or straight */
 /** @typedef {{ piece: Field, ends: number[][] }} Leg of a way, within a piece */
 
+/** A path of length 0. @param {Float64Array} points @param {Float64Array | null} parameters */
+const rest = (points, parameters) =>
+  makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
+
 /**
  * The path of length 0 between two ends that are the same pole, from which nothing can tell where it leads; null if they are not.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
@@ -29,12 +33,29 @@ function findPoint({ domain, positions }, ends, options) {
   if (!domain?.poles.some((pole) => ends.every((end) => isAtPole(domain, end, pole)))) return null;
   const parameters = Float64Array.from({ length: 2 * options.points + 4 }, (_, i) => ends[i > 2 * options.points + 1 ? 1 : 0][i & 1]);
   const points = positions?.(parameters) ?? new Float64Array();
-  return makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
+  return rest(points, parameters);
+}
+
+/**
+ * The path of length 0 from a place to itself; null if the ends are not the same place. An implicit surface's is rounded anew at each point: then they are all the first.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
+ */
+function findRest(field, ends, options) {
+  const [from, to] = ends;
+  if (from.some((x, j) => x !== to[j])) return null;
+  const path = solveNear(field, ends, options, null);
+  if (!(path.length >= 0)) return path;
+  return rest(
+    path.points.map((_, i) => path.points[i % 3]),
+    path.parameters,
+  );
 }
 
 /** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
 const findIn = (field, ends, options, start) =>
-  findPoint(field, ends, options) ?? (start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start));
+  findPoint(field, ends, options) ??
+  (start instanceof Float64Array ? null : findRest(field, ends, options)) ??
+  (start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start));
 
 /** An end this near to a point between pieces, in parts of a piece, is that point. */
 const ROUNDING = 1e-14;
@@ -206,5 +227,9 @@ export function findGeodesics(field, ends, options, most) {
   const [nearest] = field.pieces.length > 0 ? waysBetween(field, ends) : [[{ piece: field, ends }]];
   const [leg] = nearest;
   if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findPath(field, ends, options, 'global')];
-  return findGlobal(leg.piece, leg.ends, options, most).map((path) => placed(field.domain, path, ends[0]));
+  const first = findRest(leg.piece, leg.ends, options);
+  const paths = findGlobal(leg.piece, leg.ends, options, most);
+  /* Rounded, the path from a place to itself may be there more than once. */
+  const all = first ? [first, ...paths.filter(({ length, lengthError }) => length > 10 * lengthError)] : paths;
+  return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

@@ -58,12 +58,33 @@ describe('ends', () => {
     }
   });
 
+  test('so they do wherever they lie, inside bounds and through points on the way, and it is one of the geodesics, once', () => {
+    const knot = { kind: 'implicit', f: '(x*(x-1)^2*(x-2)+y^2)^2+z^2-0.01', bounds: Array.from('xyz', () => [-2.3, 2.3]) };
+    for (const definition of /** @type {any[]} */ ([knot, gallery.torus, gallery.globe])) {
+      const surface = surfpath.surface(definition);
+      const { positions, parameters } = surface.mesh({ resolution: 9 });
+      const places = parameters ?? positions;
+      const width = surface.domain ? 2 : 3;
+      for (let i = 0; i < places.length - width; i += 7 * width) {
+        const [a, b] = [places.subarray(i, i + width), places.subarray(places.length - width)];
+        const path = surface.shortestPath(a, a);
+        assert.deepEqual([path.status, path.length, path.lengthError], ['converged', 0, 0], `vertex ${i / width}`);
+        assert.ok(path.points.length === 3 * 66 && path.points.every((x, k) => Math.abs(x - path.points[k % 3]) <= 1e-15));
+        const [first, ...others] = surface.geodesics(a, a, { max: 3 });
+        assert.ok(first.length === 0 && others.every(({ length }) => length > 0.1), `vertex ${i / width}`);
+        assert.equal(surface.shortestPath(a, b, { via: [a] }).status, surface.shortestPath(a, b).status, `vertex ${i / width}`);
+      }
+      surface.dispose();
+    }
+  });
+
   test('an end beside an implicit surface is moved onto it, one far from it is off-surface', () => {
     const near = sphere.shortestPath([1.1, 0, 0], [0, 0.95, 0]);
     assert.equal(near.status, 'converged');
     assert.deepEqual(Array.from(near.points.subarray(0, 3)), [1, 0, 0]);
     assertNoPath(sphere.shortestPath([3, 0, 0], [0, 1, 0]), 'off-surface');
     assertNoPath(sphere.shortestPath([1, 0, 0], [0, 0, 3]), 'off-surface');
+    assertNoPath(sphere.shortestPath([3, 0, 0], [3, 0, 0]), 'off-surface');
   });
 });
 
