@@ -79,10 +79,11 @@ const NAMES = new Set(
 /** What the library advises those who write programs, and what a reader of the page does instead. */
 const [FOR_PROGRAMS, FOR_READERS] = ['or give it a value in parameters', 'or make it a slider'];
 
-/** A message of the library as a sentence, without the name of the function or field before it. @param {string} message */
+/** A message of the library as a sentence, without the name of the function or field before it; names of the reader's formula stay as they are. @param {string} message */
 export function sentence(message) {
   const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '').replace(FOR_PROGRAMS, FOR_READERS);
-  const first = NAMES.has(text.split(' ')[0]) ? text[0] : text[0].toUpperCase();
+  const [word] = text.split(' ');
+  const first = NAMES.has(word) || text.includes(`${word}(`) ? text[0] : text[0].toUpperCase();
   return `${first}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 

@@ -20,4 +20,5 @@ test('a message begins with a capital, unless it begins with a name', () => {
     'Unknown name w; the names here are u, v; or make it a slider.',
   );
   assert.equal(sentence('the formula has no value'), 'The formula has no value.');
+  assert.equal(sentence('x: sin is a function; write sin(…) with brackets'), 'sin is a function; write sin(…) with brackets.');
 });
