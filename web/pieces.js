@@ -21,10 +21,6 @@ import { CONVERGED } from './runtime/status.js';
 /** @typedef {'global' | Float64Array | null} Start how a path is looked for: by a search, near a polyline, or straight */
 /** @typedef {{ piece: Field, ends: number[][] }} Leg of a way, within a piece */
 
-/** A path of length 0. @param {Float64Array} points @param {Float64Array | null} parameters */
-const rest = (points, parameters) =>
-  makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
-
 /**
  * The path of length 0 between two ends that are the same pole, from which nothing can tell where it leads; null if they are not.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
@@ -33,7 +29,7 @@ function findPoint({ domain, positions }, ends, options) {
   if (!domain?.poles.some((pole) => ends.every((end) => isAtPole(domain, end, pole)))) return null;
   const parameters = Float64Array.from({ length: 2 * options.points + 4 }, (_, i) => ends[i > 2 * options.points + 1 ? 1 : 0][i & 1]);
   const points = positions?.(parameters) ?? new Float64Array();
-  return rest(points, parameters);
+  return makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
 }
 
 /**
@@ -45,10 +41,8 @@ function findRest(field, ends, options) {
   if (from.some((x, j) => x !== to[j])) return null;
   const path = solveNear(field, ends, options, null);
   if (!(path.length >= 0)) return path;
-  return rest(
-    path.points.map((_, i) => path.points[i % 3]),
-    path.parameters,
-  );
+  const points = path.points.map((_, i) => path.points[i % 3]);
+  return { ...path, status: 'converged', converged: true, length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points };
 }
 
 /** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
@@ -229,7 +223,7 @@ export function findGeodesics(field, ends, options, most) {
   if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findPath(field, ends, options, 'global')];
   const first = findRest(leg.piece, leg.ends, options);
   const paths = findGlobal(leg.piece, leg.ends, options, most);
-  /* Rounded, the path from a place to itself may be there more than once. */
+  /* Rounded, the path from a place to itself may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
   const all = first ? [first, ...paths.filter(({ length, lengthError }) => length > 10 * lengthError)] : paths;
   return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

@@ -54,6 +54,12 @@ export function describeNoMeasure(sketch) {
   return conditions ? `Length is measured nowhere: ${conditions}.` : 'There is nothing to measure on this surface.';
 }
 
+/** What is smooth in place of functions that bend. @type {Record<string, string>} */
+const SMOOTH = {
+  abs: 'sqrt(x^2+0.01) in place of abs(x)',
+  min: '(x+y-sqrt((x-y)^2+0.01))/2 in place of min(x, y)',
+  max: '(x+y+sqrt((x-y)^2+0.01))/2 in place of max(x, y)',
+};
 /** Functions that bend or jump somewhere. */
 const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
@@ -64,7 +70,7 @@ const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 function adviseStuck({ texts, density, tensor }, advice) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
   if (!name) return advice;
-  const instead = name === 'abs' ? 'sqrt(x^2+0.01) in place of abs(x)' : 'tanh(9*x) in place of a step';
+  const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
   return `Across an edge or a jump, as ${name} makes one, no path comes to rest: write something smooth, such as ${instead}.`;
 }
 
