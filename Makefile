@@ -150,7 +150,7 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs arena bridge contact crossing cusp ends flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample graph_way hole memory mesh mesh_vertices \
+COLD := arcs arena bridge chord contact crossing cusp ends flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample graph_way hole memory mesh mesh_vertices \
     metric newton normal piece polar pole project refine solve start system trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 # As fast as with -Os, and shorter.

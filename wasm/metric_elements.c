@@ -204,14 +204,3 @@ void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_poly
     add_terms(&element, 0, terms);
     pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
 }
-
-double sp_metric_size(const struct sp_polyline *line) {
-    int32_t components = line->kind->components;
-    sp_pair t[SP_METRIC_COMPONENTS], at[3];
-    for (int32_t c = 0; c < components; c++)
-        t[c] = sp_absolute(line->nodes.metrics[c]);
-    for (int k = 0; k < 3; k++)
-        at[k] = sp_absolute(line->nodes.charts[k]);
-    sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
-    return size[0] > size[1] ? size[0] : size[1];
-}

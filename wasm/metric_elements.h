@@ -34,7 +34,4 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
 /* As sp_elements_end_pull: B_a' times the pull of space, and the force of T itself. */
 void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]);
 
-/* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric. */
-double sp_metric_size(const struct sp_polyline *line);
-
 #endif

@@ -83,12 +83,21 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
     return reversed;
 }
 
-/* A length beside which those of the path are rounded: the size of the coordinates, in the metric of its ends. */
-static double size_of(const struct sp_newton *newton) {
-    const struct sp_polyline *line = &newton->system.line;
-    if (line->kind->components == 0) return newton->scale;
-    line->kind->charts(line->surface, 1, line->nodes.places, line->nodes.charts, line->nodes.metrics);
-    return sp_metric_size(line);
+/* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric; each the larger of |X_k| and
+ * of what the rounding of the unknowns is a part of, |q_a B_ak|. */
+static double size_of(const struct sp_polyline *line) {
+    const struct sp_nodes *nodes = &line->nodes;
+    int32_t components = line->kind->components;
+    sp_pair t[SP_METRIC_COMPONENTS], at[3];
+    for (int32_t c = 0; c < components; c++)
+        t[c] = sp_absolute(nodes->metrics[c]);
+    for (int k = 0; k < 3; k++) {
+        at[k] = sp_absolute(nodes->charts[SP_CHART_X + k]);
+        for (int a = 0; a < 2; a++)
+            at[k] = sp_larger(at[k], sp_absolute(nodes->places[a] * nodes->charts[SP_CHART_1 + 3 * a + k]));
+    }
+    sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
+    return size[0] > size[1] ? size[0] : size[1];
 }
 
 /* The two end charts must be regular enough to leave from: finite, and the metric not zero in every direction. */
@@ -160,12 +169,12 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
 static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
                                  struct sp_arena *arena, struct sp_result *result) {
     struct sp_polyline *line = &newton->system.line;
-    newton->size = newton->scale;
     line->fold = sp_fold_of(inner);
     enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
     if (status != SP_CONVERGED) return status;
     sp_polyline_charts(line, line->nodes);
-    newton->size = size_of(newton);
+    newton->size = size_of(line);
+    if (line->kind->components == 0 && newton->size < newton->scale) newton->size = newton->scale;
     result->crosses_singularity = may_cross(line) && sp_cusp_turns(line, 0) > 0;
     return SP_CONVERGED;
 }
