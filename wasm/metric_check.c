@@ -1,5 +1,6 @@
 /* Determinants along a path, and its length through every second node. Independent of how the path was found. MATH.md, "Checks". */
 #include "metric_check.h"
+#include "check.h"
 
 static const double VANISHING = 1e-8;
 enum { SEARCH_ROUNDS = 40 };
@@ -71,12 +72,12 @@ static double chord_length(const struct sp_polyline *line, int32_t from, int32_t
     return sum;
 }
 
-double sp_metric_length_error(const struct sp_polyline *line) {
+double sp_metric_length_error(const struct sp_polyline *line, double size) {
     double length[2] = {0, 0};
     int32_t last = line->fold.inner + 1;
     for (int32_t half = 0; half < 2; half++)
         for (int32_t i = 0; i < last; i += 1 + half)
             length[half] += chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
-    double error = (length[0] > length[1] ? length[0] - length[1] : length[1] - length[0]) / 3, least = 4e-15 * length[0];
+    double error = (length[0] > length[1] ? length[0] - length[1] : length[1] - length[0]) / 3, least = sp_check_rounding(length[0], size);
     return error > least ? error : least;
 }

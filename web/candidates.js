@@ -28,6 +28,7 @@ import { CONVERGED, ILL_CONDITIONED } from './runtime/status.js';
 
 /** As sp_algorithm in wasm/surfpath.h. */
 export const ELEMENTS = 0;
+export const POLYLINE = 1;
 
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 export const MARGIN = 1e-3;

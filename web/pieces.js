@@ -3,9 +3,10 @@
  * path from one piece to another leads through the points between them. MATH.md, "Pieces".
  */
 
+import { POLYLINE } from './candidates.js';
 import { isAtPole } from './domain.js';
 import { joinPieces } from './join.js';
-import { moveNear } from './lifts.js';
+import { liftEnds, moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
 import { makePath } from './path.js';
 import { findGlobal, findNear, isAfter, reverse, solveNear } from './routes.js';
@@ -32,17 +33,41 @@ function findPoint({ domain, positions }, ends, options) {
   return makePath({ ...emptyPath(CONVERGED), length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points, parameters });
 }
 
+/** Ends this near, in parts of their coordinates or of the rectangle, may be too near for points between them. */
+const NEAR = 1e-9;
+/** A length that is so many times what rounding leaves of it has room for them. */
+const ROOM = 1e5;
+
 /**
- * The path of length 0 from a place to itself; null if the ends are not the same place. An implicit surface's is rounded anew at each point: then they are all the first.
+ * The path between two ends that are the same place, or so near that points between them would be mere rounding: half of its points are the one, half the other; null
+ * if the ends are not.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
  */
 function findRest(field, ends, options) {
-  const [from, to] = ends;
-  if (from.some((x, j) => x !== to[j])) return null;
-  const path = solveNear(field, ends, options, null);
-  if (!(path.length >= 0)) return path;
-  const points = path.points.map((_, i) => path.points[i % 3]);
-  return { ...path, status: 'converged', converged: true, length: 0, lengthError: 0, energy: 0, gradientNorm: 0, index: 0, points };
+  const { domain } = field;
+  const [from, to] = domain ? liftEnds(domain, ends[0], ends[1], null) : ends;
+  const size = from.map((x, j) => (domain ? Math.max(Math.abs(x), domain.upper[j] - domain.lower[j]) : Math.max(...from.map(Math.abs))));
+  if (from.some((x, j) => !(Math.abs(x - to[j]) <= NEAR * size[j]))) return null;
+  const path = solveNear(field, ends, { ...options, algorithm: POLYLINE, points: 1 }, null);
+  if (!(path.length <= ROOM * path.lengthError)) return null;
+  const isSame = from.every((x, j) => x === to[j]);
+  const last = options.points + 1;
+  const widen = (/** @type {Float64Array} */ three) =>
+    Float64Array.from({ length: (three.length / 3) * (last + 1) }, (_, i) => {
+      const width = three.length / 3;
+      const node = 2 * Math.floor(i / width) - last;
+      return three[isSame ? i % width : width * (Math.sign(node) + 1) + (i % width)];
+    });
+  return {
+    ...path,
+    ...(isSame && { length: 0, lengthError: 0, energy: 0, gradientNorm: 0 }),
+    status: 'converged',
+    converged: true,
+    index: 0,
+    points: widen(path.points),
+    parameters: path.parameters && widen(path.parameters),
+    history: path.history.map((entry) => (entry.points ? { ...entry, points: widen(entry.points) } : entry)),
+  };
 }
 
 /** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
@@ -223,7 +248,8 @@ export function findGeodesics(field, ends, options, most) {
   if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findPath(field, ends, options, 'global')];
   const first = findRest(leg.piece, leg.ends, options);
   const paths = findGlobal(leg.piece, leg.ends, options, most);
-  /* Rounded, the path from a place to itself may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
-  const all = first ? [first, ...paths.filter(({ length, lengthError }) => length > 10 * lengthError)] : paths;
+  /* Rounded, the path that rests may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
+  const isLoop = (/** @type {Path} */ { length, lengthError }) => length > 10 * lengthError && length > ROOM * (first?.lengthError ?? 0);
+  const all = first ? [first, ...paths.filter(isLoop)] : paths;
   return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

@@ -1,6 +1,6 @@
 /** Starts solved with few points, to learn which paths there are: as many points as that takes. */
 
-import { holds, leaps, solveFrom } from './candidates.js';
+import { holds, leaps, POLYLINE, solveFrom } from './candidates.js';
 import { isSame } from './distinct.js';
 import { ILL_CONDITIONED, SHEET_JUMP, STALLED } from './runtime/status.js';
 
@@ -14,7 +14,7 @@ import { ILL_CONDITIONED, SHEET_JUMP, STALLED } from './runtime/status.js';
 const ROUGH = [31, 63, 127, 255];
 const MOST_ROUGH = 255;
 export const FINEST = 1023;
-export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: 1, maxIterations: 60, record: false };
+export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
 /** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
 const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */

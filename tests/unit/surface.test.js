@@ -84,6 +84,44 @@ describe('ends', () => {
     }
   });
 
+  test('ends so near that points between them would be rounding are as far apart as they are, at once, seed 23', () => {
+    const random = createRandom(23);
+    const knot = { kind: 'implicit', f: '(x*(x-1)^2*(x-2)+y^2)^2+z^2-0.01', bounds: Array.from('xyz', () => [-2.3, 2.3]) };
+    for (const definition of /** @type {any[]} */ ([
+      knot,
+      gallery.torus,
+      gallery.parametricTorus,
+      gallery.saddle,
+      { ...gallery.saddle, density: '1 + u^2' },
+    ])) {
+      const surface = surfpath.surface(definition);
+      const { positions, parameters } = surface.mesh({ resolution: 9 });
+      const places = parameters ?? positions;
+      const width = surface.domain ? 2 : 3;
+      for (let i = 0; i < 20; i++) {
+        const at = width * random.integer(places.length / width);
+        const a = Array.from(places.subarray(at, at + width));
+        const b = a.map((x) => x + 10 ** random.between(-17, -12) * random.between(-1, 1));
+        if (surface.domain)
+          for (const [j, [low, high]] of [surface.domain.u, surface.domain.v].entries()) b[j] = Math.min(Math.max(b[j], low), high);
+        const path = surface.shortestPath(a, b, { points: 2 + (i % 2), record: i % 3 === 0 });
+        const back = surface.shortestPath(b, a, { points: 2 + (i % 2) });
+        const { points, length, lengthError } = path;
+        const count = points.length / 3;
+        const straight = Math.sqrt([0, 1, 2].reduce((sum, k) => sum + (points[3 * count - 3 + k] - points[k]) ** 2, 0));
+        const name = `${a} ${b}: ${path.status} ${length}`;
+        assert.ok(path.converged && back.length === length && count === 4 + (i % 2), name);
+        assert.ok(!definition.density && !definition.metric ? Math.abs(length - straight) <= lengthError : length < 1e-9, name);
+        for (const entry of path.history) assert.ok(!entry.points || entry.points.length === points.length, name);
+        assert.ok(surface.geodesics(a, b, { max: 3 }).filter((one) => one.length < 0.01).length === 1, name);
+      }
+      surface.dispose();
+    }
+    const once = ring.shortestPath([0, 0.5], [2 * Math.PI, 0.5]);
+    assert.ok(once.converged && once.length < 1e-14);
+    assert.ok(saddle.shortestPath([0.1 + 0.2, 0], [0.3, 0]).converged);
+  });
+
   test('an end beside an implicit surface is moved onto it, one far from it is off-surface', () => {
     const near = sphere.shortestPath([1.1, 0, 0], [0, 0.95, 0]);
     assert.equal(near.status, 'converged');
