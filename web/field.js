@@ -36,12 +36,13 @@ export function readFieldOptions(caller, given) {
 /**
  * Lengths of the shortest ways through the graph; where the graph does not lead, through a finer one.
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places u v or x y z of each
- * @returns {Float64Array}
+ * @returns {{ lengths: Float64Array, isUnique: boolean }} isUnique: geodesics of this surface are taken as unique
  */
 function search({ domain, box, graphs, run }, caller, from, places) {
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   const width = from.length;
   const lengths = new Float64Array(places.length / width).fill(Infinity);
+  let isUnique = false;
   let missing = Array.from(lengths.keys());
   for (let level = 0; missing.length > 0; level++) {
     const wanted =
@@ -49,6 +50,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
     const found = run((heap, record) => {
       const graph = graphs.find(heap, record, place, level, domain?.turn?.folds);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
+      isUnique ||= graph?.unique ?? false;
       return graph && joinFields(copies(domain, from).map((place) => heap.measureField(record, graph, place, wanted)));
     });
     if (!found) break;
@@ -59,7 +61,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
   }
   if (missing.length === lengths.length)
     throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
-  return lengths;
+  return { lengths, isUnique };
 }
 
 /** Lengths from the same point in several places, the shorter ones. @param {{ status: number, lengths: Float64Array }[]} fields */
@@ -75,11 +77,11 @@ function joinFields(fields) {
  */
 export function measureField(field, caller, from, mesh, exact) {
   const places = mesh.parameters ?? mesh.positions;
-  const lengths = search(field, caller, from, places);
+  const { lengths, isUnique } = search(field, caller, from, places);
   if (!exact) return lengths;
   const { solve } = readOptions(caller, undefined);
   const width = from.length;
-  const isAlone = field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
+  const isAlone = isUnique || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
   const find = (/** @type {number} */ i, /** @type {Float32Array[]} */ lines, shortest = Infinity) => {
     const ends = [from, Array.from(places.subarray(width * i, width * (i + 1)))];
     return lines.length > 0 ? findBeside(field, ends, solve, lines, shortest) : [findPath(field, ends, solve, 'global')];

@@ -17,7 +17,19 @@ const names = readdirSync(path('.')).flatMap((file) => (file.endsWith('.bench.js
 const rowsOf = (name) => JSON.parse(readFileSync(result(name), 'utf8')).rows;
 
 test('there are benchmarks', () => {
-  assert.deepEqual(names.sort(), ['batch', 'cold', 'fig2', 'fig3', 'iteration', 'solves', 'speed', 'surface', 'table1', 'tolerance']);
+  assert.deepEqual(names.sort(), [
+    'batch',
+    'cold',
+    'field',
+    'fig2',
+    'fig3',
+    'iteration',
+    'solves',
+    'speed',
+    'surface',
+    'table1',
+    'tolerance',
+  ]);
 });
 
 describe('benchmarks, quickly', { concurrency: 2 }, () => {
