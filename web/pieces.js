@@ -71,10 +71,17 @@ function findRest(field, ends, options) {
 }
 
 /** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @returns {Path} */
-const findIn = (field, ends, options, start) =>
-  findPoint(field, ends, options) ??
-  (start instanceof Float64Array ? null : findRest(field, ends, options)) ??
-  (start === 'global' ? findGlobal(field, ends, options, 1)[0] : solveNear(field, ends, options, start));
+function findIn(field, ends, options, start) {
+  const point = findPoint(field, ends, options);
+  if (point) return point;
+  const rest = findRest(field, ends, options);
+  if (start === 'global') return rest ?? findGlobal(field, ends, options, 1)[0];
+  if (!start) return rest ?? solveNear(field, ends, options, start);
+  const path = solveNear(field, ends, options, start);
+  /* A given start may lead around something; one that does not has shrunk to what rounding leaves. */
+  const isShrunk = rest && !isPath(path) && path.length <= NEAR * Math.max(...rest.points.subarray(0, 3).map(Math.abs));
+  return isShrunk ? rest : path;
+}
 
 /** An end this near to a point between pieces, in parts of a piece, is that point. */
 const ROUNDING = 1e-14;

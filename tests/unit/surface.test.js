@@ -113,6 +113,11 @@ describe('ends', () => {
         assert.ok(path.converged && back.length === length && count === 4 + (i % 2), name);
         assert.ok(!definition.density && !definition.metric ? Math.abs(length - straight) <= lengthError : length < 1e-9, name);
         for (const entry of path.history) assert.ok(!entry.points || entry.points.length === points.length, name);
+        const start = surface.shortestPath(
+          a,
+          a.map((x) => x * 0.999),
+        );
+        assert.ok(surface.shortestPath(a, b, { start, points: 2 + (i % 2) }).length <= 1.01 * length + lengthError, name);
         assert.ok(surface.geodesics(a, b, { max: 3 }).filter((one) => one.length < 0.01).length === 1, name);
       }
       surface.dispose();
