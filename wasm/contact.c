@@ -179,7 +179,8 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
     struct run runs[SP_MAX_ARCS];
-    contact->made = cut(system, runs, find_runs(&system->line, 0, runs), contact->pieces, &contact->arcs);
+    int32_t count = find_runs(&system->line, 0, runs);
+    contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
 }
 
 int sp_contact_assemble(struct sp_contact *contact) {
