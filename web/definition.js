@@ -69,7 +69,10 @@ function checkSpelling(caller, definition, required) {
 export function checkDefinition(caller, definition, required, expressions) {
   checkObject(`${caller}: the definition`, definition);
   for (const name of required)
-    if (definition[name] === undefined) throw new TypeError(`${caller}: the definition needs ${required.join(', ')}; ${name} is missing`);
+    if (definition[name] === undefined)
+      throw new TypeError(
+        `${caller}: the definition needs ${required.join(', ')}; ${name} is missing${definition.metric?.E ? '; surfpath.metric takes E, F and G alone' : ''}`,
+      );
   for (const name of expressions) checkExpression(caller, name, definition[name]);
   checkSpelling(caller, definition, required);
 }

@@ -11,6 +11,12 @@ describe('definitions', () => {
   /** @type {[string, unknown, Function, RegExp][]} */
   const bad = [
     ['nothing', undefined, TypeError, /parametric: the definition must be an object, not undefined/],
+    [
+      'E, F and G alone',
+      { metric: { E: 1, F: 0, G: 1 }, u: [0, 1], v: [0, 1] },
+      TypeError,
+      /x is missing; surfpath\.metric takes E, F and G alone/,
+    ],
     ['a missing range', { x: 'u', y: 'v', z: 0, u: [0, 1] }, TypeError, /v is missing/],
     ['a range that is no range', { ...gallery.saddle, u: 3 }, TypeError, /u must be a range \[from, to\], not 3/],
     ['a range of three', { ...gallery.saddle, u: [0, 1, 2] }, TypeError, /u must be a range/],
