@@ -20,22 +20,22 @@ static void given_place(const struct sp_system *given, double t, double place[2]
 /* The places where the given path crosses singular curves, and its arcs between them. Returns 0 if it crosses none, or too many. */
 static int scan(const struct sp_system *given, struct sp_bridge *bridge) {
     const struct sp_surface *surface = given->line.surface;
-    double before[2], here[2], first[3], normal[3], from = 0;
+    double before[2], here[2], behind[3], ahead[3], from = 0;
     bridge->count = 0;
     given_place(given, 0, before);
-    sp_normal_at(surface, before, first);
+    sp_normal_at(surface, before, behind);
     for (int i = 1; i <= SCAN; i++) {
         given_place(given, (double)i / SCAN, here);
-        sp_normal_at(surface, here, normal);
-        int at_pole = (i == 1 && sp_normal_is_nothing(first, normal)) || (i == SCAN && sp_normal_is_nothing(normal, first));
-        if (!at_pole && dot(first, normal) < 0) {
+        sp_normal_at(surface, here, ahead);
+        int at_pole = (i == 1 && sp_normal_is_nothing(behind, ahead)) || (i == SCAN && sp_normal_is_nothing(ahead, behind));
+        if (!at_pole && dot(behind, ahead) < 0) {
             if (bridge->count == SP_CROSSINGS || !sp_crossing_find(surface, before, here, bridge->crossing + bridge->count)) return 0;
             double parameter = (i - 0.5) / SCAN;
             bridge->piece[bridge->count++] = (struct sp_piece){.system = *given, .first = from, .last = parameter};
             from = parameter;
         }
         for (int j = 0; j < 3; j++)
-            first[j] = normal[j];
+            behind[j] = ahead[j];
         before[0] = here[0], before[1] = here[1];
     }
     bridge->piece[bridge->count] = (struct sp_piece){.system = *given, .first = from, .last = 1};

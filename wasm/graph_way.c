@@ -39,10 +39,13 @@ static void append(struct line *line, const double *place) {
 static void append_lifted(struct line *line, const double *place) {
     const struct sp_graph *graph = line->way->graph;
     const double *last = line->places + line->dimension * (line->count - 1);
-    double lifted[3];
-    for (int32_t j = 0; j < line->dimension; j++) {
-        lifted[j] = place[j];
-        if (line->dimension == 3 || !graph->wraps[j] || line->count == 0) continue;
+    double lifted[2] = {place[0], place[1]};
+    if (line->dimension == 3 || line->count == 0) {
+        append(line, place);
+        return;
+    }
+    for (int j = 0; j < 2; j++) {
+        if (!graph->wraps[j]) continue;
         double period = sp_graph_period(graph, j);
         lifted[j] -= period * sp_round_down((place[j] - last[j]) / period + 0.5);
     }
