@@ -57,9 +57,12 @@ export async function stayUnderFire() {
   return watchWorkers(async (crew) => {
     const pool = createPool({ workers: 2 });
     try {
-      let steps = 0;
-      const onProgress = () => {
-        if (steps++ < 2) kill(crew.ready.at(-1));
+      /* The second when what the first worked on has long been solved: a pair that two workers die of counts as the one that kills. */
+      const shots = [1, COUNT / 2];
+      const onProgress = ({ done }) => {
+        if (!(done >= shots[0])) return;
+        shots.shift();
+        kill(crew.ready.at(-1));
       };
       const shot = await pool.lengths(dini, pairs, { ...OPTIONS, onProgress });
       const replaced = crew.started > 2;
