@@ -64,7 +64,9 @@ export function straightProblems(surface, definition, count) {
     const [from, far] = [point(), point()];
     const ranges = surface.domain ? [surface.domain.u, surface.domain.v] : [];
     const periodic = surface.domain ? [surface.domain.periodic.u, surface.domain.periodic.v] : [];
-    const to = far.map((x, j) => (periodic[j] && Math.abs(x - from[j]) >= 0.4 * (ranges[j][1] - ranges[j][0]) ? from[j] : x));
+    const isNear = (/** @type {number} */ x, /** @type {number} */ j) =>
+      !periodic[j] || Math.abs(x - from[j]) < 0.4 * (ranges[j][1] - ranges[j][0]);
+    const to = far.map((x, j) => (isNear(x, j) ? x : from[j] + (x - from[j]) / 4));
     return { from, to, options: { algorithm: ALGORITHMS[i % 4], points: 1 + random.integer(48), maxIterations: i % 7 ? 100 : 2 } };
   });
 }
