@@ -1,6 +1,7 @@
 // The globally shortest path where length has a density or a metric: what is shortest in space is not, and the graph knows it.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
+import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
 
@@ -169,6 +170,13 @@ const rapid = [
     [-0.8973391745239496, -0.9036158425733447],
     [0.8070816798135638, 0.940281892195344],
     2.208465501565118,
+  ],
+  [
+    'torus, two ways 0.1 % apart, of which the shorter one looks longer',
+    { ...gallery.torus, density: '2 + sin(3x)' },
+    [3.55, 2.77, 1.4132129005459257],
+    [-4.516372208649231, -2.8388625311509452, -0.6849399495976066],
+    21.98657957601867,
   ],
 ];
 
