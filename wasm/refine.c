@@ -194,39 +194,32 @@ static double distance(double a, double b) { return a > b ? a - b : b - a; }
  * leaves both sides with speeds of their own. Times the length, what it may be too long by. */
 static double unevenness(const struct climbed *climbed) { return larger(climbed->outcome.energy / climbed->length - climbed->length, 0); }
 
-/* Of length 1; zero stays zero. */
-static struct sp_vector direction(struct sp_vector chord) {
-    sp_pair squared = sp_dot(chord, chord);
-    return sp_scale(chord, sp_select(squared > 0.0, 1.0 / sp_square_root(squared), sp_splat(0.0)));
-}
-
-/* By how many radians the path turns at its nodes, about: a number a pair. */
-static void measure_turns(const struct sp_polyline *line, sp_pair *turns) {
-    const sp_pair *chart = line->nodes.charts;
-    struct sp_vector next = direction(sp_subtract(sp_load(chart + SP_CHART), sp_load(chart)));
-    turns[0] = sp_splat(0.0);
-    for (int32_t k = 1; k <= sp_fold_unknown(line->fold); k++) {
-        struct sp_vector before = next, mirrored = sp_swap_vector(before);
-        chart += SP_CHART;
-        next = k > line->fold.both ? sp_scale(mirrored, sp_splat(-1.0)) : direction(sp_subtract(sp_load(chart + SP_CHART), sp_load(chart)));
-        struct sp_vector by = sp_subtract(next, before);
-        turns[k] = sp_square_root(sp_dot(by, by));
-    }
-}
-
-/* Where elements meet if they are to be equally long, the path's parameter and the angle by which it turns taken together: `spread`.
- * Returns 0 if that is nearly even. `turns`: scratch, a number a pair. */
-static int spread_elements(const struct sp_system *system, sp_pair *turns, double spread[SP_SPREAD + 1]) {
+/* By how much the path's velocity changes at each node, in parts of itself: by how many radians it turns, about, where its speed is even,
+ * as it is without a density; and the node's parameter. Returns the sum of the turns. */
+static double measure_turns(const struct sp_system *system, sp_pair *turns) {
     struct sp_fold fold = system->line.fold;
-    int32_t last = fold.inner + 1, k = 1;
-    double total = 1, passed = 0, most = 0, to = 0, turn = 0;
-    measure_turns(&system->line, turns);
-    for (int32_t i = 1; i < last; i++)
-        total += sp_fold_get(fold, turns, 1, i, 0);
-    for (int32_t i = 0; i < last; i++) {
-        double from = to, before = turn;
-        to = sp_sample_parameter(&system->elements, i + 1), turn = sp_fold_get(fold, turns, 1, i + 1, 0);
-        double span = to - from, part = span + 0.5 * (before + turn);
+    double at[3] = {0}, velocity[3] = {0}, from = 0, total = 0;
+    for (int32_t i = 0; i <= fold.inner + 1; i++) {
+        const sp_pair *chart = system->line.nodes.charts + (size_t)SP_CHART * (size_t)sp_fold_pair(fold, i) + SP_CHART_X;
+        double to = sp_sample_parameter(&system->elements, i), rate = i > 0 ? 1 / (to - from) : 0, by = 0, size = 0;
+        for (int c = 0; c < 3; c++) {
+            double x = chart[c][sp_fold_lane(fold, i)], now = rate * (x - at[c]), change = now - velocity[c];
+            by += change * change, size += now * now + velocity[c] * velocity[c];
+            at[c] = x, velocity[c] = now;
+        }
+        turns[i] = (sp_pair){0, from = to};
+        if (i > 1 && size > 0) total += turns[i - 1][0] = sp_square_root(sp_splat(2 * by / size))[0];
+    }
+    return total;
+}
+
+/* Where elements meet if they are to be equally long, the path's parameter and its turns taken together: `spread`.
+ * Returns 0 if that is nearly even. `turns`: scratch, a pair a node. */
+static int spread_elements(const struct sp_system *system, sp_pair *turns, double spread[SP_SPREAD + 1]) {
+    int32_t k = 1;
+    double total = 1 + measure_turns(system, turns), passed = 0, most = 0;
+    for (int32_t i = 0; i <= system->line.fold.inner; i++) {
+        double from = turns[i][1], span = turns[i + 1][1] - from, part = span + 0.5 * (turns[i][0] + turns[i + 1][0]);
         most = larger(most, part / span);
         for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
             spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
@@ -310,9 +303,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
             before = *first;
         else
             before = sp_storage_keep(&storage, &newton->system);
-        /* In the plane of u and v, where lengths are not those of a tensor, turns say nothing. */
-        if (!astray && !newton->system.elements.fixed && newton->system.line.kind->components != 3 &&
-            rung.degree * rung.count >= SPREAD_NODES)
+        if (!astray && !newton->system.elements.fixed && rung.degree * rung.count >= SPREAD_NODES)
             uneven = spread_elements(&newton->system, newton->step, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */

@@ -30,6 +30,38 @@ test('a landscape with slopes of 2.6: every path converges, to the length that p
   assert.ok(told > 20, `${told} that touch no edge`);
 });
 
+test('a torus whose density has waves: paths that speed up and slow down along them, as long as polylines extrapolate to, seed 3', () => {
+  const [x, y] = ['(3 + cos(v))*cos(u)', '(3 + cos(v))*sin(u)'];
+  const density = '1.5 + sin(7x)*cos(7y)';
+  const surface = surfpath.parametric({ x, y, z: 'sin(v)', u: [0, '2pi'], v: [0, '2pi'], density });
+  const random = createRandom(3);
+  const point = () => [random.between(0, 6), random.between(0, 6)];
+  for (let i = 0; i < 12; i++) {
+    const [from, to] = [point(), point()];
+    const path = surface.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(path.iterations < 100, `${from} to ${to}: ${path.iterations} steps`);
+    const [half, all] = [2047, 4095].map((points) => surface.shortestPath(from, to, { algorithm: 'polyline', start: path, points }));
+    const extrapolated = all.length + (all.length - half.length) / 3;
+    assert.ok(Math.abs(path.length / extrapolated - 1) < 1e-7, `${from} to ${to}: ${path.length}, polylines ${extrapolated}`);
+  }
+});
+
+test('a sphere by Mercator, given by E, F and G alone: great circles, also near its poles, seed 4', () => {
+  const surface = surfpath.metric({ E: '1/cosh(v)^2', F: 0, G: '1/cosh(v)^2', u: [0, '2pi'], v: [-9, 9], periodic: { u: true } });
+  const random = createRandom(4);
+  const onSphere = (/** @type {number[]} */ [u, v]) => [Math.cos(u) / Math.cosh(v), Math.sin(u) / Math.cosh(v), Math.tanh(v)];
+  for (let i = 0; i < 20; i++) {
+    const from = [random.between(0, 4), random.between(-7, 7)];
+    const to = [from[0] + random.between(0.5, 1), random.between(-7, 7)];
+    const [p, q] = [onSphere(from), onSphere(to)];
+    const angle = 2 * Math.asin(Math.hypot(...p.map((x, k) => x - q[k])) / 2);
+    const path = surface.shortestPath(from, to);
+    assert.ok(path.converged && Math.abs(path.length - angle) < 1e-12, `${from} to ${to}: ${path.status} ${path.length}, not ${angle}`);
+    assert.ok(path.iterations < 20, `${from} to ${to}: ${path.iterations} steps`);
+  }
+});
+
 for (const steepness of [5, 20, 40])
   test(`rays through a layer of ${1 / steepness}: refracted as Snell's law says, seed 3`, () => {
     const density = (/** @type {number} */ v) => 1.5 + 0.5 * Math.tanh(steepness * v);
