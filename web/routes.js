@@ -32,7 +32,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  */
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
-const [PATIENCE, SLIPPING] = [40, 0.25];
+const [PATIENCE, SLIPPING] = [40, 0.1];
 /** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
 const LONGEST = 1.25;
 
@@ -52,7 +52,7 @@ export function solveNear(field, ends, options, start) {
   const isCut = mayPass && options.maxIterations > PATIENCE;
   let near = solve(isCut ? { ...options, maxIterations: PATIENCE } : options);
   const pass = () => {
-    const rest = { ...options, maxIterations: options.maxIterations - near.iterations };
+    const rest = { ...options, maxIterations: Math.max(isCut ? PATIENCE : 0, options.maxIterations - near.iterations) };
     return mayPass && !holds({ path: near }) && rest.maxIterations > 0
       ? pose(field, ends, (problem) => passPoles(problem, rest, near))[0]
       : undefined;
