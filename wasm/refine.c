@@ -13,8 +13,18 @@ struct rung {
 };
 
 /* Degrees and counts. */
-static const uint8_t LADDER[][2] = {
-    {8, 2}, {8, 4}, {8, 8}, {8, 16}, {12, 16}, {16, 16}, {24, 16}, {24, 32}, {24, 64}, {16, 128}, {SP_REFINE_DEGREE, SP_REFINE_COUNT}};
+static const uint8_t LADDER[][2] = {{8, 2},
+                                    {8, 4},
+                                    {8, 8},
+                                    {8, 16},
+                                    {12, 16},
+                                    {16, 16},
+                                    {24, 16},
+                                    {24, 32},
+                                    {24, 64},
+                                    {16, 128},
+                                    {SP_REFINE_DEGREE, SP_REFINE_COUNT},
+                                    {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT}};
 /* Where the path ends on a singular curve. */
 static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}, {32, 32}};
 /* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average; from so many nodes on. Then
@@ -320,7 +330,7 @@ int sp_refine_take(struct sp_storage *storage, const struct sp_newton *newton, s
 double sp_refine_bytes(void) {
     double order = sp_elements_order(SP_REFINE_DEGREE), pairs = SP_REFINE_INNER / 2 + 3;
     double numbers = order * order * (SP_REFINE_COUNT / 2) + 3 * (SP_REFINE_DEGREE + 2) + 3 * pairs + 2 * 3 * pairs + 2 * SP_SPREAD;
-    return 4 * sp_reference_bytes(SP_REFINE_DEGREE) + numbers * sizeof(sp_pair) + (SP_REFINE_COUNT / 2 + 1.0) * sizeof(struct sp_row) +
+    return 4 * sp_reference_bytes(SP_REFINE_DEGREE) + numbers * sizeof(sp_pair) + (SP_REFINE_LAST_COUNT / 2 + 1.0) * sizeof(struct sp_row) +
            4 * (SP_REFINE_DEGREE + 1.0) * sizeof(double) + 20 * 16;
 }
 
