@@ -14,10 +14,10 @@
  */
 
 /**
- * Modules of Node.js, which Deno and Bun have too; null in pages. Not by `import`, behind which every bundler for pages would look.
+ * Modules of Node.js, which Deno and Bun have too; null in pages, which have workers (jsdom and happy-dom, whose tests run in Node.js, do not). Not by `import`, behind which every bundler for pages would look.
  * @type {((name: string) => any) | null}
  */
-const getModule = typeof document === 'undefined' ? (globalThis.process?.getBuiltinModule ?? null) : null;
+const getModule = typeof document === 'undefined' || typeof Worker === 'undefined' ? (globalThis.process?.getBuiltinModule ?? null) : null;
 
 /** How many threads can run at the same time. */
 export function countProcessors() {

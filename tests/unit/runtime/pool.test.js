@@ -296,6 +296,12 @@ describe('a program', () => {
     assert.equal(await play('console.log((await pool.lengths(plane, [0, 0, 0, 1]))[0].toFixed(9));'), '1.000000000\n');
   });
 
+  test('has threads also where a test has made a page of it, as jsdom does', async () => {
+    const program = `globalThis.document = {}; const { createPool } = await import(${address}); const pool = createPool({ workers: 2 });`;
+    const rest = "console.log((await pool.lengths({ kind: 'graph', z: 0, x: [0, 1], y: [0, 1] }, [0, 0, 0, 1]))[0].toFixed(9));";
+    assert.equal((await run(process.execPath, ['--input-type=module', '-e', program + rest], { timeout: 60000 })).stdout, '1.000000000\n');
+  });
+
   test('waits for what is under way', async () => {
     assert.equal(await play('pool.lengths(plane, [0, 0, 0, 1]).then(([length]) => console.log(length.toFixed(9)));'), '1.000000000\n');
   });
