@@ -249,6 +249,26 @@ describe('with controls', () => {
     await page.waitForFunction((text) => String(/** @type {any} */ (document.querySelector('#torus')).to) === text, asked);
   });
 
+  test('set anew to the same place it computes nothing, set to null it is not asked for, as frameworks do', async () => {
+    const said = await page.$eval('#torus', async (element) => {
+      const torus = /** @type {any} */ (element);
+      const text = torus.getAttribute('to');
+      let paths = 0;
+      torus.addEventListener('path', () => paths++);
+      const later = () => new Promise((resolve) => setTimeout(resolve, 300));
+      const { to } = torus;
+      torus.to = to;
+      await later();
+      const again = paths;
+      torus.to = null;
+      const isThere = torus.hasAttribute('to');
+      torus.to = text;
+      await later();
+      return { again, isThere, paths, isBack: torus.getAttribute('to') === text && torus.path.converged };
+    });
+    assert.deepEqual(said, { again: 0, isThere: false, paths: 1, isBack: true });
+  });
+
   test('while the surface is none, nothing can be dragged on the last one', async () => {
     assert.equal((await change('torus', 'surface', 'nope'))[1], 'error');
     assert.equal(await handle().count(), 0);

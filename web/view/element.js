@@ -91,7 +91,7 @@ export class SurfacePathElement extends Base {
     return [...(this.#ends[0] ?? [])];
   }
 
-  /** @param {ArrayLike<number> | string} point as the attribute, or numbers */
+  /** @param {ArrayLike<number> | string | null | undefined} point as the attribute, or numbers; null: as without the attribute */
   set from(point) {
     this.#setEnd(0, point);
   }
@@ -101,14 +101,19 @@ export class SurfacePathElement extends Base {
     return [...(this.#ends[1] ?? [])];
   }
 
-  /** @param {ArrayLike<number> | string} point */
+  /** @param {ArrayLike<number> | string | null | undefined} point */
   set to(point) {
     this.#setEnd(1, point);
   }
 
-  /** Also where the attribute says so already, but the reader has dragged it away. @param {0 | 1} end @param {ArrayLike<number> | string} point */
+  /** Also where the attribute says so already, if the reader has dragged it away. @param {0 | 1} end @param {ArrayLike<number> | string | null | undefined} point */
   #setEnd(end, point) {
-    this.setAttribute(['from', 'to'][end], typeof point === 'string' ? point : Array.from(point).join(','));
+    const name = ['from', 'to'][end];
+    const text = point && (typeof point === 'string' ? point : Array.from(point).join(','));
+    /* A framework may set what is there each time it draws. */
+    if (text === this.getAttribute(name) && String(this.#ends[end]) === String(this.#asked[end])) return;
+    if (text) this.setAttribute(name, text);
+    else this.removeAttribute(name);
     delete this.#asked[end];
     this.#renew(PATH);
   }
