@@ -35,7 +35,7 @@ import { STATUS } from './runtime/status.js';
  * @property {'elements' | 'polyline' | 'paper'} [algorithm] 'elements' (default): high-order elements, as many as `tolerance` asks for; 'polyline' (default where
  *   `gradientTolerance` is given): chords through exactly `points` unknown inner points, certified; 'paper': the same with the
  *   paper's sign test and line search
- * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64
+ * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64, or 2n + 1 for more than 31 points on the way
  * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
  *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
  * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
@@ -110,7 +110,8 @@ export function checkBoolean(caller, name, value) {
  */
 export function readOptions(caller, given, others = []) {
   const options = checkOptions(caller, given, [...KNOWN, ...others]);
-  const { points = 64, gradientTolerance, record = false, start = 'global', via = [], tolerance = 1e-9 } = options;
+  const { gradientTolerance, record = false, start = 'global', via = [], tolerance = 1e-9 } = options;
+  const { points = Math.max(64, 2 * via?.length + 1) } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);

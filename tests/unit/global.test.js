@@ -332,6 +332,9 @@ describe('via', () => {
       [{ via: [[1, 1]], start: [0, 0, 1, 1] }, /options.start must be/],
     ]))
       assert.throws(() => surface.shortestPath([0, 0], [1, 1], options), pattern);
+    const many = Array.from({ length: 40 }, (_, i) => [0.02 * (i + 1), 0.5]);
+    const path = surface.shortestPath([0, 0.5], [1, 0.5], { via: many });
+    assert.ok(path.converged && path.points.length === 3 * 83, `${path.status} ${path.points.length / 3} points`);
     assert.throws(() => surface.geodesics([0, 0], [1, 1], /** @type {any} */ ({ via: [[1, 0]] })), /geodesics: options.via/);
     surface.dispose();
   });
