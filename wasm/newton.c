@@ -6,7 +6,7 @@
 /* Why these: MATH.md, "Constants". */
 static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4,
                     SOFT = 1e-2, LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
-enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3 };
+enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3, PATIENCE = 16 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static int is_finite(double x) { return x - x == 0; }
@@ -33,7 +33,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
     system->straight = sp_arena_take(arena, pairs, sizeof(sp_mask));
     system->held = sp_arena_take(arena, 2 * pairs, sizeof(sp_mask));
     newton->step = sp_arena_take(arena, pairs * 2, sizeof(sp_pair));
-    newton->decrement = DECREMENT, newton->enough = 0, newton->draft = newton->certain = 0;
+    newton->decrement = DECREMENT, newton->enough = newton->least_gain = 0, newton->draft = newton->certain = 0;
     newton->steps_left = options->max_iterations, newton->record_points = options->point_count;
     newton->history_count = 0;
     newton->history = sp_arena_take(arena, (size_t)options->max_iterations + 1, sizeof(struct sp_iterate));
@@ -325,13 +325,18 @@ static int32_t idle_count(int32_t idle, const struct round *before, const struct
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
 static void iterate(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
-    for (int32_t idle = 0;;) {
+    double mark = round->energy.squares;
+    for (int32_t idle = 0, steps = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
         if (rest && (is_definite(round) || !certified || round->energy.squares == 0)) {
             outcome->status = certify(newton, round);
             return;
         }
         outcome->status = newton->steps_left <= 0 ? SP_ITERATION_LIMIT : idle >= IDLE_LIMIT ? SP_STALLED : SP_CONVERGED;
+        if (newton->least_gain > 0 && !outcome->status && ++steps % PATIENCE == 0) {
+            if (mark - round->energy.squares <= newton->least_gain * mark) outcome->status = SP_TOLERANCE_NOT_MET;
+            mark = round->energy.squares;
+        }
         double enough = outcome->status ? STATIONARY : options->gradient_tolerance > 0 ? 0 : options->tolerance;
         if (certified && is_loose(newton, round, enough)) outcome->status = SP_ILL_CONDITIONED;
         if (outcome->status) return;

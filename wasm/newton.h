@@ -28,6 +28,8 @@ struct sp_newton {
     double size;      /* the same in the unit of length, which a metric may change */
     double decrement; /* stop at this relative Newton decrement, and take one step more */
     double enough;    /* at this one without that step */
+    /* End with SP_TOLERANCE_NOT_MET where 16 steps lower the energy by no more than this part of it; 0: never. */
+    double least_gain;
 };
 
 /* How a run ended. */

@@ -35,6 +35,9 @@ enum { SPREAD_NODES = 64 };
 enum { WALLED_CHORDS = 256 };
 /* Elements of so many nodes that touch a wall show where: more do not settle, there the path bends aside. */
 enum { TOUCHING_NODES = 768 };
+/* On so many inner nodes a step is dear, and a rung that gains less wanders, as finer ones will: there the ladder ends. */
+static const double LEAST_GAIN = 1e-6;
+enum { LARGE_NODES = 700 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
@@ -55,6 +58,8 @@ static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double larger(double a, double b) { return a > b ? a : b; }
 static double smaller(double a, double b) { return a < b ? a : b; }
+
+static int is_graded(const struct sp_elements *elements) { return elements->singular[0] || elements->singular[1]; }
 
 /* Where a rung started, to see how far it moved. */
 struct start {
@@ -112,8 +117,7 @@ static enum sp_status start_rung(struct sp_newton *newton, const struct sp_syste
     elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 2), sizeof(sp_pair));
     elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
     if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
-    int graded = elements->singular[0] || elements->singular[1];
-    if (graded && !sp_graded_make(&elements->graded, &elements->reference, elements->singular, arena)) return SP_OUT_OF_MEMORY;
+    if (is_graded(elements) && !sp_graded_make(&elements->graded, &elements->reference, elements->singular, arena)) return SP_OUT_OF_MEMORY;
     enum sp_status status = carry_over(newton, from, rung.count);
     if (status != SP_CONVERGED) return status;
     return note_start(system, start, arena) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
@@ -125,9 +129,13 @@ struct climbed {
     double length, moved;
 };
 
-/* Runs Newton from the path as it stands and measures where it leads. */
+/* Runs Newton from the path as it stands and measures where it leads. One that wanders is SP_TOLERANCE_NOT_MET. */
 static void run(struct sp_newton *newton, const struct sp_options *options, const struct start *start, struct climbed *climbed) {
+    const struct sp_elements *elements = &newton->system.elements;
+    int may_wander = elements->reference.degree > 1 && !is_graded(elements) && newton->system.line.fold.inner >= LARGE_NODES;
+    newton->least_gain = may_wander ? LEAST_GAIN : 0;
     climbed->outcome = sp_newton_run(newton, options);
+    newton->least_gain = 0;
     if (climbed->outcome.status < 0) return;
     sp_ends_turn(&newton->system);
     climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
@@ -288,7 +296,8 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
             if (!sp_newton_confirm(newton, &now.outcome)) run(newton, options, &start, &now);
             astray = strayed(&now, first_length);
         }
-        if (now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
+        int wanders = now.outcome.status == SP_TOLERANCE_NOT_MET && !astray;
+        if (wanders || now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
             return finish(newton, now, distance(now.length, last));
         int32_t count = 2 * (first->line.fold.inner + 1);
         if (astray && now.outcome.status == SP_CONVERGED && chords && count <= rung.degree * rung.count && count <= SP_REFINE_CHORDS) {
@@ -428,8 +437,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
 
 struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, double length,
                                   struct sp_arena *arena) {
-    const int32_t *singular = newton->system.elements.singular;
-    int graded = singular[0] || singular[1], rungs = graded ? GRADED_RUNGS : RUNGS;
+    int graded = is_graded(&newton->system.elements), rungs = graded ? GRADED_RUNGS : RUNGS;
     const uint8_t(*ladder)[2] = graded ? GRADED : LADDER;
     int lowest = lowest_rung(ladder, rungs, from->elements.reference.degree * from->elements.count);
     struct sp_system first = *from;

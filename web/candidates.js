@@ -1,7 +1,7 @@
 /** What a path that was found between two ends is, and how it is compared with others. */
 
 import { estimate } from './distinct.js';
-import { CONVERGED, ILL_CONDITIONED } from './runtime/status.js';
+import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
 
 /** @typedef {import('./runtime/result.js').RawPath} RawPath */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
@@ -38,6 +38,9 @@ const COMPARED_POINTS = 64;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 export const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;
+
+/** Whether a path that does not hold is one on the surface all the same, as long as it says: no shortest one is longer. @param {RawPath} path */
+export const isOnSurface = ({ status }) => status > CONVERGED && status !== STALLED;
 
 /** @param {SolveOptions} options @returns {SolveOptions} */
 export const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });

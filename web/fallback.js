@@ -1,10 +1,10 @@
 /** What is answered where paths that hold are missing, or longer than one that does not. */
 
-import { asAsked, holds, solveFrom } from './candidates.js';
+import { asAsked, holds, isOnSurface, solveFrom } from './candidates.js';
 import { estimate } from './distinct.js';
 import { refine } from './poles.js';
 import { FINEST, ROUGHLY } from './rough.js';
-import { CONVERGED, DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from './runtime/status.js';
+import { DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from './runtime/status.js';
 import { emptyPath } from './runtime/result.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
@@ -27,8 +27,14 @@ const AGREEMENT = 1e-6;
  * @returns {RawPath | null | undefined}
  */
 export function shorterThan(problem, options, best, { failed, unknown }) {
-  const shorter = failed.flatMap((path) => shorterAnyway(problem, path, best ?? NONE, options) ?? []);
-  return shorter.sort((a, b) => a.length - b.length)[0] ?? (best && stalledBeside(problem, unknown, options, best));
+  /** @type {RawPath | null} */
+  let shortest = null;
+  for (const path of [...failed].sort((a, b) => a.length - b.length)) {
+    if (shortest && path.length - path.lengthError > shortest.length) break;
+    const shorter = shorterAnyway(problem, path, best ?? NONE, options);
+    if (shorter && !(shorter.length >= (shortest ?? NONE).length)) shortest = shorter;
+  }
+  return shortest ?? (best && stalledBeside(problem, unknown, options, best));
 }
 
 /**
@@ -69,9 +75,9 @@ function stalledBeside(problem, unknown, options, best) {
  * @param {Problem} problem @param {RawPath} path @param {{ length: number, lengthError: number }} best @param {SolveOptions} options @returns {RawPath | null}
  */
 function shorterAnyway(problem, path, best, options) {
-  const { status, length, lengthError } = path;
+  const { length, lengthError } = path;
   const least = best.length * (1 - options.tolerance) - best.lengthError;
-  if (status <= CONVERGED || status === STALLED || !(length < least)) return null;
+  if (!isOnSurface(path) || !(length < least)) return null;
   /* Who allows fewer steps than that takes wants to know where they end. */
   if (options.maxIterations < ROUGHLY.maxIterations) return path;
   const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };

@@ -1,6 +1,6 @@
 /** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
 
-import { ELEMENTS, holds, lengthOfShortest, MARGIN } from './candidates.js';
+import { ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { comesNear, distinct, estimate, isAmong } from './distinct.js';
 import { refine } from './poles.js';
 import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
@@ -35,12 +35,14 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
     solved < MOST_FINE &&
-    atLeast(problem, path) <= Math.max(estimate(rough[0].path) + doubt(problem, rough[0].path), lengthOfShortest(usable));
+    atLeast(problem, path) <= Math.max(estimate(rough[0].path) + doubt(problem, rough[0].path), Math.min(lengthOfShortest(usable), bound));
   /** @type {Found[]} */
   let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
   let solved = 0;
+  /** What the shortest path is at most as long as, by those that do not hold. */
+  let bound = Infinity;
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
     queue = rest;
@@ -56,7 +58,10 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     solved++;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
-    else failed.push(refined.path);
+    else {
+      failed.push(refined.path);
+      if (isOnSurface(refined.path)) bound = Math.min(bound, refined.path.length + refined.path.lengthError);
+    }
   }
   return [usable, failed];
 }

@@ -80,6 +80,29 @@ test('where curvature alone jumps there is no crease: the path is right', () => 
   joined.dispose();
 });
 
+test('a superellipsoid of powers 1.5, curved infinitely along six lines: rungs that wander end, with an error that covers what 16,000 chords extrapolate to', () => {
+  const power = (/** @type {string} */ value) => `sign(${value})*abs(${value})^1.5`;
+  const surface = surfpath.parametric({
+    x: `${power('cos(v)')}*${power('cos(u)')}`,
+    y: `${power('cos(v)')}*${power('sin(u)')}`,
+    z: power('sin(v)'),
+    u: ['-pi', 'pi'],
+    v: ['-pi/2', 'pi/2'],
+  });
+  /* Length and error of a polyline of 16,000 points. */
+  for (const [from, to, length, error] of /** @type {[number[], number[], number, number][]} */ ([
+    [[1.195492, 0.30393], [0.588988, -0.854456], 1.1086865849059, 2.4e-8],
+    [[-1.456915, 0.193128], [2.869923, 0.679367], 1.4096839529841, 2.8e-8],
+  ])) {
+    const path = surface.shortestPath(from, to);
+    assert.ok(path.converged || path.status === 'tolerance-not-met', path.status);
+    assert.ok(path.iterations < 200, `${path.iterations} steps`);
+    assert.ok(Math.abs(path.length - length) <= path.lengthError + 2 * error, `${path.length}, not ${length}`);
+    assert.ok(path.lengthError < 1e-5);
+  }
+  surface.dispose();
+});
+
 for (const f of [
   'hypot(max(|x|-0.7,0), max(|y|-0.5,0), max(|z|-0.3,0)) - 0.2',
   'hypot(max(|x|-0.7,0), max(|y|-0.5,0), max(|z|-0.3,0)) + min(max(|x|-0.7, |y|-0.5, |z|-0.3), 0) - 0.2',
