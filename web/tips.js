@@ -184,13 +184,13 @@ export function turning(jets, places, direction) {
   }, 0);
 }
 
-/** @param {Jets} jets */
+/** Whether a line is one point, and that beside it is none: where it is, too, there is no surface. @param {Jets} jets */
 function isOnePlace(jets) {
   return (/** @type {number[]} */ places, /** @type {number[]} */ beside) => {
-    const sampled = jets(places);
+    const [sampled, around] = [jets(places), jets(beside)];
     const first = vector(sampled, 0, 0);
-    const near = POSITION_GAP * reach(jets(beside), first);
-    return FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), first) <= near);
+    const near = POSITION_GAP * reach(around, first);
+    return FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), first) <= near) && reach(around, vector(around, 0, 0)) > 0;
   };
 }
 

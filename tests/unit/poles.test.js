@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
+import { findPoles } from '../../web/tips.js';
 import { createRandom } from '../helpers/random.js';
 import { close } from '../helpers/refuses.js';
 import { verifyPath } from '../helpers/verify-path.js';
@@ -196,4 +197,14 @@ test('a hemisphere as a height field, not a number beyond its rim, from ends on 
     assert.equal(path.status, 'converged', `${from} to ${to}`);
     close(path.length, 2 * Math.asin(Math.hypot(...p.map((x, j) => x - q[j])) / 2));
   }
+});
+
+// Once its edges across were: ways beside them were tried for seconds.
+test('a line, which no second coordinate moves along, has no edges that are points', () => {
+  const jets = (/** @type {number[]} */ places) => {
+    const sampled = new Float64Array(9 * places.length);
+    for (let i = 0; i < places.length / 2; i++) sampled.set([places[2 * i + 1], 0, 0, 0, 0, 0, 1], 18 * i);
+    return sampled;
+  };
+  assert.deepEqual(findPoles({ jets, metrics: () => [], tensors: null }, { lower: [0, 0], upper: [1, 1] }), []);
 });
