@@ -39,7 +39,7 @@ import { STATUS } from './runtime/status.js';
  * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
  *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
  * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
- * @property {number} [maxIterations] Newton steps at most, in all stages of a path together, default 100; 'elements', which has many stages: 200
+ * @property {number} [maxIterations] Newton steps at most, in all stages of a path together, default 100; 'elements', which has many stages: 400
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
  * @property {number} [tolerance] 'elements': wanted relative error of the length, and of positions over the length, 1e-15 … 0.1, default 1e-9
  * @property {boolean} [record] keep every iterate's points in `history`
@@ -113,7 +113,7 @@ export function readOptions(caller, given, others = []) {
   const { gradientTolerance, record = false, start = 'global', via = [], tolerance = 1e-9 } = options;
   const { points = Math.max(64, 2 * via?.length + 1) } = options;
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
-  const { maxIterations = algorithm === 'elements' ? 200 : 100 } = options;
+  const { maxIterations = algorithm === 'elements' ? 400 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
   if (code === undefined)
     throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
