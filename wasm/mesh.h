@@ -29,8 +29,9 @@ double sp_mesh_bytes(const double box[6], int32_t resolution, int32_t vertex_cou
  *
  * `value`: f, f_x, f_y, f_z at pairs of points (SP_IMPLICIT_VALUES). `box`: xmin xmax ymin ymax zmin zmax, each min < max. `resolution`:
  * cells along the longest side, clamped to 1 … SP_MESH_MAX_RESOLUTION; on the other sides as many as keep the cells cubes as nearly as the
- * box allows, but at least a twelfth. f = 0 and NaN at a lattice point count as outside (f > 0), so a jump to NaN is walled off. Vertices
- * satisfy f = 0 to rounding, wherever f is continuous.
+ * box allows, but at least a twelfth. f = 0 and NaN at a lattice point count as outside (f > 0). Vertices
+ * satisfy f = 0 to rounding; where f is negative on one side and NaN on the other, or changes its sign by a jump or over a pole, they and
+ * their normals are NaN.
  *
  * Takes exactly the arrays of `mesh` from the arena; its scratch, O(resolution^2), is given back. Returns SP_CONVERGED (no surface in the
  * box: both counts 0), SP_NOT_FINITE (the box is empty, or not finite) or SP_OUT_OF_MEMORY: the arrays are then NULL, and the counts those

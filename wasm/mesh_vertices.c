@@ -1,7 +1,8 @@
 /* Bisection, then Newton steps along the gradient, a block of vertices at a time.
  *
  * A vertex that the projection loses (to another sheet, to a place without a gradient, to NaN) stays on its edge, where f does change sign.
- * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. */
+ * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. Where f changes sign and is not 0, at a
+ * jump, a pole or the end of where it is a number, there is no surface: the vertex is NaN. */
 #include "mesh_vertices.h"
 
 #include <stdbool.h>
@@ -19,12 +20,16 @@ enum {
  * 33 degrees for 0; 7.7, 12.7, 36.6 for 0.2; 10.4, 20.3, 39.8 for 0.3; 8.4, 24.5, 41.9 for 0.35. */
 static const double edge_margin = 0.3;
 
+/* At a zero f falls to less than this part of its largest: a seventh root to 6e-3. */
+static const double least_fall = 0.01;
+
 /* A block of vertices on their way from the lattice edge to the surface. */
 struct block {
     int32_t count;
     double start[BLOCK][3], edge[BLOCK][3]; /* f < 0 at start, not at start + edge */
     double freedom[BLOCK][3];               /* 0 along the axes in which the vertex is bound to a face of the box, else 1 */
     double low[BLOCK], high[BLOCK];         /* part of the edge where f changes sign */
+    double largest[BLOCK];                  /* |f| of all parts seen where it is finite */
     double at[BLOCK][3];
     sp_pair in[BLOCK / 2 * SP_IMPLICIT_INPUTS], out[BLOCK / 2 * SP_IMPLICIT_VALUES];
 };
@@ -52,11 +57,9 @@ static void bisect(sp_evaluate value, struct block *block, int times) {
             put_on_edge(block, i, 0.5 * (block->low[i] + block->high[i]));
         evaluate_block(value, block);
         for (int32_t i = 0; i < block->count; i++) {
-            double middle = 0.5 * (block->low[i] + block->high[i]);
-            if (component(block, i, 0) < 0)
-                block->low[i] = middle;
-            else
-                block->high[i] = middle;
+            double middle = 0.5 * (block->low[i] + block->high[i]), f = component(block, i, 0), size = f < 0 ? -f : f;
+            *(f < 0 ? &block->low[i] : &block->high[i]) = middle;
+            if (size > block->largest[i] && size < 1e300) block->largest[i] = size;
         }
     }
 }
@@ -132,12 +135,17 @@ static void place_block(sp_evaluate value, struct block *block, double *position
     for (int32_t i = 0; i < block->count; i++)
         put_on_edge(block, i, block->low[i]);
     evaluate_block(value, block);
-    for (int32_t i = 0; i < block->count; i++)
-        if (lost[i]) store_vertex(block, i, positions + 3 * i, normals + 3 * i);
+    for (int32_t i = 0; i < block->count; i++) {
+        if (!lost[i]) continue;
+        store_vertex(block, i, positions + 3 * i, normals + 3 * i);
+        if (-component(block, i, 0) <= least_fall * block->largest[i]) continue;
+        for (int axis = 0; axis < 3; axis++)
+            positions[3 * i + axis] = normals[3 * i + axis] = __builtin_nan("");
+    }
 }
 
 static void prepare(struct block *block, int32_t i, const double box[6]) {
-    block->low[i] = 0, block->high[i] = 1;
+    block->low[i] = 0, block->high[i] = 1, block->largest[i] = 0;
     for (int axis = 0; axis < 3; axis++) {
         bool on_face = block->start[i][axis] == box[2 * axis] || block->start[i][axis] == box[2 * axis + 1];
         block->freedom[i][axis] = on_face && block->edge[i][axis] == 0 ? 0 : 1;

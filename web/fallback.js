@@ -15,8 +15,6 @@ import { emptyPath } from './runtime/result.js';
 
 /** Why a straight start comes to nothing that has to do with an end alone. */
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
-/** What every path is shorter than. */
-const NONE = { length: Infinity, lengthError: 0 };
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
 
@@ -29,10 +27,10 @@ const AGREEMENT = 1e-6;
 export function shorterThan(problem, options, best, { failed, unknown }) {
   /** @type {RawPath | null} */
   let shortest = null;
+  let least = best ? best.length * (1 - options.tolerance) - best.lengthError : Infinity;
   for (const path of [...failed].sort((a, b) => a.length - b.length)) {
-    if (shortest && path.length - path.lengthError > shortest.length) break;
-    const shorter = shorterAnyway(problem, path, best ?? NONE, options);
-    if (shorter && !(shorter.length >= (shortest ?? NONE).length)) shortest = shorter;
+    const shorter = shorterAnyway(problem, path, least, options);
+    if (shorter) [shortest, least] = [shorter, shorter.length];
   }
   return shortest ?? (best && stalledBeside(problem, unknown, options, best));
 }
@@ -72,11 +70,10 @@ function stalledBeside(problem, unknown, options, best) {
 /**
  * A path that was not solved to the tolerance (iteration-limit, tolerance-not-met) but may be shorter than the best of those that were: it is one on the surface.
  * A fine polyline tells whether its error leaves that open, and may lead to it; null: it is not shorter.
- * @param {Problem} problem @param {RawPath} path @param {{ length: number, lengthError: number }} best @param {SolveOptions} options @returns {RawPath | null}
+ * @param {Problem} problem @param {RawPath} path @param {number} least what it must be shorter than @param {SolveOptions} options @returns {RawPath | null}
  */
-function shorterAnyway(problem, path, best, options) {
+function shorterAnyway(problem, path, least, options) {
   const { length, lengthError } = path;
-  const least = best.length * (1 - options.tolerance) - best.lengthError;
   if (!isOnSurface(path) || !(length < least)) return null;
   /* Who allows fewer steps than that takes wants to know where they end. */
   if (options.maxIterations < ROUGHLY.maxIterations) return path;

@@ -35,14 +35,16 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
     solved < MOST_FINE &&
-    atLeast(problem, path) <= Math.max(estimate(rough[0].path) + doubt(problem, rough[0].path), Math.min(lengthOfShortest(usable), bound));
+    atLeast(problem, path) <=
+      Math.max(
+        estimate(rough[0].path) + doubt(problem, rough[0].path),
+        Math.min(lengthOfShortest(usable), ...failed.filter(isOnSurface).map(estimate)),
+      );
   /** @type {Found[]} */
   let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
   let solved = 0;
-  /** What the shortest path is at most as long as, by those that do not hold. */
-  let bound = Infinity;
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
     queue = rest;
@@ -58,10 +60,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     solved++;
     const refined = { to: found.to, path: refine(problem, found, options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
-    else {
-      failed.push(refined.path);
-      if (isOnSurface(refined.path)) bound = Math.min(bound, refined.path.length + refined.path.lengthError);
-    }
+    else failed.push(refined.path);
   }
   return [usable, failed];
 }

@@ -238,8 +238,12 @@ static void fuzz_mesh(struct input *input) {
         DEMAND(status == SP_CONVERGED || !mesh.positions, "a mesh behind status %d", status);
         DEMAND(mesh.vertex_count >= 0 && mesh.triangle_count >= 0, "counts %d, %d", mesh.vertex_count, mesh.triangle_count);
         if (status == SP_CONVERGED) {
-            demand_numbers(&arena, mesh.positions, 3 * (size_t)mesh.vertex_count, "positions");
+            demand_inside(&arena, mesh.positions, 3 * sizeof(double) * (size_t)mesh.vertex_count);
             demand_inside(&arena, mesh.normals, 3 * sizeof(double) * (size_t)mesh.vertex_count);
+            for (int32_t i = 0; i < mesh.vertex_count; i++) {
+                const double *p = mesh.positions + 3 * i;
+                DEMAND(is_finite(p[0] + p[1] + p[2]) || (p[0] != p[0] && p[1] != p[1] && p[2] != p[2]), "vertex %d at %g", i, p[0]);
+            }
             for (int32_t i = 0; i < 3 * mesh.triangle_count; i++)
                 DEMAND(mesh.indices[i] >= 0 && mesh.indices[i] < mesh.vertex_count, "index %d of %d", mesh.indices[i], mesh.vertex_count);
         }

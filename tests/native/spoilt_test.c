@@ -99,7 +99,11 @@ static void check_mesh(void) {
     struct sp_mesh mesh;
     arena.used = 0;
     int32_t status = sp_mesh_implicit(spoilt_value, box, 10, &arena, &mesh);
-    CHECK(status == SP_CONVERGED && are_finite(mesh.positions, 3 * mesh.vertex_count), "mesh: status %d", status);
+    CHECK(status == SP_CONVERGED, "mesh: status %d", status);
+    for (int32_t i = 0; i < mesh.vertex_count; i++) {
+        const double *p = mesh.positions + 3 * i;
+        CHECK(are_finite(p, 3) || (isnan(p[0]) && isnan(p[1]) && isnan(p[2])), "mesh: vertex %d at %g %g %g", i, p[0], p[1], p[2]);
+    }
 }
 
 static void check_surface(const struct sp_surface *sound, const double from[3], const double to[3]) {

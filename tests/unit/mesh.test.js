@@ -95,3 +95,34 @@ test('a wall far thinner than any cell is meshed all the same, with its holes', 
   assert.ok(worstResidual(shell.evaluate(usual.positions)) < 2e-14);
   shell.dispose();
 });
+
+// Once there were walls of triangles: lids where the formula ends, sheets along poles.
+for (const f of ['sqrt(z) + x^2 + y^2 - 1', 'acos(x) - y - 1', 'y - 1/x', 'tan(2x) + y', 'floor(x + 0.3) + y', 'log(x) + y*z'])
+  test(`${f} = 0: nothing but surface where f jumps, is infinite or no number`, () => {
+    const side = /** @type {const} */ ([-2, 2]);
+    const surface = surfpath.implicit({ f, bounds: [side, side, side] });
+    const { positions, normals, indices } = surface.mesh();
+    const values = surface.evaluate(positions);
+    let count = 0;
+    for (let i = 0; i < positions.length / 3; i++) {
+      const numbers = [...positions.subarray(3 * i, 3 * i + 3), ...normals.subarray(3 * i, 3 * i + 3)];
+      if (numbers.every(Number.isNaN)) continue;
+      assert.ok(numbers.every(Number.isFinite) && Math.abs(values[4 * i]) < 1e-12, `f = ${values[4 * i]} at ${numbers}`);
+      count++;
+    }
+    assert.ok(count > 4000 && count < positions.length / 3, `${count} of ${positions.length / 3} vertices`);
+    assert.ok(indices.every((vertex) => vertex < positions.length / 3));
+    surface.dispose();
+  });
+
+test('a fifth root of f has the mesh of f', () => {
+  const side = /** @type {const} */ ([-1.2, 1.2]);
+  const meshes = ['x^2 + y^2 + z^2 - 1', 'sign(x^2 + y^2 + z^2 - 1)*abs(x^2 + y^2 + z^2 - 1)^0.2'].map((f) => {
+    const surface = surfpath.implicit({ f, bounds: [side, side, side] });
+    const { positions, indices } = surface.mesh({ resolution: 24 });
+    assert.ok(positions.every(Number.isFinite));
+    surface.dispose();
+    return indices.length;
+  });
+  assert.equal(meshes[0], meshes[1]);
+});
