@@ -36,7 +36,7 @@ enum { WALLED_CHORDS = 256 };
 /* Elements of so many nodes that touch a wall show where: more do not settle, there the path bends aside. */
 enum { TOUCHING_NODES = 768 };
 /* On so many inner nodes a step is dear, and a rung that gains less wanders, as finer ones will: there the ladder ends. */
-static const double LEAST_GAIN = 1e-6;
+static const double LEAST_GAIN = 1e-5;
 enum { LARGE_NODES = 700 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
 enum { LEAST_RUNGS = 3 };

@@ -18,6 +18,9 @@ const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
 
+/** Those that are paths. @param {RawPath[]} paths */
+const shortestFirst = (paths) => paths.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length);
+
 /**
  * A path that does not hold but is shorter than the best of those that do.
  * @param {Problem} problem @param {SolveOptions} options @param {RawPath | undefined} best
@@ -25,13 +28,11 @@ const AGREEMENT = 1e-6;
  * @returns {RawPath | null | undefined}
  */
 export function shorterThan(problem, options, best, { failed, unknown }) {
-  /** @type {RawPath | null} */
-  let shortest = null;
-  let least = best ? best.length * (1 - options.tolerance) - best.lengthError : Infinity;
-  for (const path of [...failed].sort((a, b) => a.length - b.length)) {
-    const shorter = shorterAnyway(problem, path, least, options);
-    if (shorter) [shortest, least] = [shorter, shorter.length];
-  }
+  const least = best ? best.length * (1 - options.tolerance) - best.lengthError : Infinity;
+  const shortest = shortestFirst(failed).reduce(
+    (/** @type {RawPath | null} */ found, path) => shorterAnyway(problem, path, found?.length ?? least, options) ?? found,
+    null,
+  );
   return shortest ?? (best && stalledBeside(problem, unknown, options, best));
 }
 
@@ -43,7 +44,7 @@ export function shorterThan(problem, options, best, { failed, unknown }) {
 export function withoutAny(problem, options, status, { tried, failed, beside }) {
   if (beside.length > 0 && failed.every(({ status }) => status === STALLED)) return asAsked(beside[0], options);
   /* A path that is none of the best is better than none, if what is shorter can be told. */
-  const weakest = failed.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length)[0];
+  const [weakest] = shortestFirst(failed);
   if (weakest || (failed.length > 0 && !(problem.isPlain && problem.domain))) return weakest ?? failed[0];
   const isApart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
   const last = isApart ? emptyPath(status) : solveWeakly(problem, tried, options);
@@ -79,9 +80,12 @@ function shorterAnyway(problem, path, least, options) {
   if (options.maxIterations < ROUGHLY.maxIterations) return path;
   const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
   if (!holds(finer)) return path;
-  if (estimate(finer.path) >= least) return length + lengthError < least ? path : null;
-  const refined = solveFrom(problem, finer, options);
-  return holds({ path: refined }) && refined.length < least ? refined : path;
+  if (estimate(finer.path) < least) {
+    const refined = solveFrom(problem, finer, options);
+    if (!holds({ path: refined })) return path;
+    if (refined.length < least) return refined;
+  }
+  return length + lengthError < least ? path : null;
 }
 
 /** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */

@@ -14,6 +14,8 @@ import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 
 /** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 8;
+/** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. */
+const SURELY = 1.02;
 /** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
 export const BESIDE = 0.1;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
@@ -38,7 +40,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     atLeast(problem, path) <=
       Math.max(
         estimate(rough[0].path) + doubt(problem, rough[0].path),
-        Math.min(lengthOfShortest(usable), ...failed.filter(isOnSurface).map(estimate)),
+        Math.min(lengthOfShortest(usable), SURELY * Math.min(...failed.filter(isOnSurface).map(estimate))),
       );
   /** @type {Found[]} */
   let usable = [...passing];

@@ -187,10 +187,10 @@ export function turning(jets, places, direction) {
 /** Whether a line is one point, and that beside it is none: where it is, too, there is no surface. @param {Jets} jets */
 function isOnePlace(jets) {
   return (/** @type {number[]} */ places, /** @type {number[]} */ beside) => {
-    const [sampled, around] = [jets(places), jets(beside)];
-    const first = vector(sampled, 0, 0);
-    const near = POSITION_GAP * reach(around, first);
-    return FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), first) <= near) && reach(around, vector(around, 0, 0)) > 0;
+    const sampled = jets(places);
+    const around = jets(beside);
+    const near = POSITION_GAP * reach(around, sampled);
+    return reach(around, around) > 0 && FRACTIONS.every((_, i) => gap(vector(sampled, i, 0), sampled) <= near);
   };
 }
 

@@ -8,6 +8,8 @@ export const FRAGILE = new URL('./fragile-worker.js', import.meta.url);
 
 /** Alive, in the order in which they were started. @type {Set<import('node:worker_threads').Worker>} */
 export const alive = new Set();
+/** Of these, those that have said that they can work. @type {Set<import('node:worker_threads').Worker>} */
+export const ready = new Set();
 /** How many were started so far. */
 export const started = { count: 0 };
 
@@ -21,7 +23,11 @@ threads.Worker = class extends threads.Worker {
 
   /** Unlike a listener, nobody can remove this. @param {string | symbol} event @param {any[]} given */
   emit(event, ...given) {
-    if (event === 'exit') alive.delete(this);
+    if (event === 'message' && given[0]?.ready) ready.add(this);
+    if (event === 'exit') {
+      alive.delete(this);
+      ready.delete(this);
+    }
     return super.emit(event, ...given);
   }
 };

@@ -142,12 +142,13 @@ export class Crew {
       load?.job.bury(load.chunk);
       if (load?.job.settled) this.drop(load.job);
       for (const { job, chunk } of others) job.giveBack(chunk);
-    } else if (error && this.#hands.size > 0) {
+    } else if (error || ++this.#stillborn > MOST_STILLBORN) {
+      if (this.#hands.size === 0) {
+        const why = error?.message ?? 'it ends before it is ready';
+        return this.#fail(new Error(`surfpath: no worker can be started: ${why}`, { cause: error }));
+      }
       /* Those that can be started have to do. */
       this.#most = this.#hands.size;
-    } else if (error || ++this.#stillborn > MOST_STILLBORN) {
-      const why = error?.message ?? 'it ends before it is ready';
-      return this.#fail(new Error(`surfpath: no worker can be started: ${why}`, { cause: error }));
     }
     this.#assign();
   }
