@@ -2,6 +2,7 @@
 #include "chord.h"
 #include "metric.h"
 #include "normal.h"
+#include <string.h>
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8;
@@ -65,10 +66,18 @@ static int spans_crease(const struct sp_polyline *line, struct chord chord, doub
     return distance(chord.at[0], chord.at[1]) <= near;
 }
 
-static enum sp_status check_implicit(const struct sp_polyline *line, const struct chord *chord, double scale) {
+/* At a node, where a path may end, the normal is that of the sheet on which it ends. */
+static void mend_normals(const struct sp_polyline *line, double length, struct chord *chord) {
+    for (int end = 0; end < 2; end++)
+        if (sp_implicit_is_node(line->surface, chord->place[end], length))
+            memcpy(chord->normal[end], chord->normal[!end], sizeof chord->normal[0]);
+}
+
+static enum sp_status check_implicit(const struct sp_polyline *line, struct chord *chord, double scale) {
     double length = distance(chord->at[0], chord->at[1]), half[3], settled[3], normal[3];
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
+    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, length, chord);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_crease(line, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!halve(line, chord, scale, settled, normal)) return SP_SHEET_JUMP;
     return distance(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;

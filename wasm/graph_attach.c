@@ -1,7 +1,9 @@
 /* Places between the vertices of a graph: which vertices are around them, and how far. Knows nothing of ways. */
+#include "chart.h"
 #include "graph_search.h"
 
 enum { PATCH = 4 };
+static const double BESIDE = 1e-2;
 
 /* The place in its period that lies in the rectangle. */
 static double reduce(const struct sp_graph *graph, int direction, double x) {
@@ -98,6 +100,7 @@ static void attach_implicit(const struct sp_surface *surface, const struct sp_gr
     double normal[3], other[3], sample[SP_GRAPH_WIDTH], best = __builtin_inf(), near = SP_ATTACHED_NEAR * graph->spacing;
     implicit_normal(surface, end, normal);
     sp_graph_sample(surface, end, sample);
+    int is_node = sp_implicit_is_node(surface, end, BESIDE * graph->spacing);
     int32_t count = among ? among->count : graph->vertex_count;
     for (int32_t k = 0; k < count && attached->count < SP_MAX_ATTACHED; k++) {
         int32_t i = among ? among->vertices[k] : k;
@@ -106,7 +109,7 @@ static void attach_implicit(const struct sp_surface *surface, const struct sp_gr
         if (!(x * x + y * y + z * z <= near * near) || (among && !(among->distance[i] < best))) continue;
         for (int c = 0; c < 3; c++)
             other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
-        double length = sp_graph_sheet_length(surface, sample, normal, vertex, other);
+        double length = sp_graph_sheet_length(surface, sample, is_node ? other : normal, vertex, other);
         if (!sp_is_finite(length)) continue;
         if (among && among->distance[i] + length < best) best = among->distance[i] + length;
         attached->vertex[attached->count] = i, attached->length[attached->count++] = length;

@@ -5,6 +5,11 @@
  * not. */
 #include "metric.h"
 
+/* Of gradients, beside those in this direction. */
+static const double NOTHING = 1e-9, BESIDE[3] = {0.5, -0.6, 0.62};
+/* Where there is no normal any will do. */
+static const double LEAST_SIZE = 1e-150;
+
 enum { BLOCK = 32, JETS = SP_IMPLICIT_JET * BLOCK, SETTLE_LIMIT = 12 };
 
 /* One tangent vector of a right-handed orthonormal frame with normal n; continuous except across n.z = 0. Duff et al., "Building an
@@ -31,9 +36,9 @@ static sp_pair magnitude(struct sp_vector v) {
 /* S_ab = -(B_a' f'' B_b) grad f / |grad f|^2: differentiate f(S(a)) = 0 twice. */
 static void chart_from_jet(const sp_pair *place, const sp_pair *jet, sp_pair *chart) {
     struct sp_vector gradient = sp_load(jet + 1), first, second;
-    sp_pair unit = 1.0 / magnitude(gradient);
+    sp_pair unit = 1.0 / (magnitude(gradient) + LEAST_SIZE);
     gradient = sp_scale(gradient, unit);
-    sp_pair squared = sp_dot(gradient, gradient);
+    sp_pair squared = sp_dot(gradient, gradient) + LEAST_SIZE;
     struct sp_vector toward = sp_scale(gradient, -unit / squared);
     tangent_frame(sp_scale(gradient, 1.0 / sp_square_root(squared)), &first, &second);
     struct sp_vector second_first = hessian_times(jet + 4, first);
@@ -134,6 +139,16 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
     for (int32_t k = 0; k < pair_count; k += BLOCK)
         settled &= settle_block(surface, pair_count - k < BLOCK ? pair_count - k : BLOCK, places + 3 * k, scale);
     return settled;
+}
+
+int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near) {
+    sp_pair both[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        both[j] = (sp_pair){place[j], place[j] + BESIDE[j] * near};
+    surface->value(1, both, seen);
+    sp_pair squared = sp_dot(sp_load(seen + 1), sp_load(seen + 1));
+    double nothing = NOTHING * NOTHING * squared[1];
+    return nothing > 0 && squared[0] <= nothing && seen[0][0] * seen[0][0] <= nothing * near * near;
 }
 
 /* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */

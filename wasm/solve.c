@@ -206,6 +206,15 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
     }
 }
 
+/* So far from an end, in parts of the size of things, the gradient of f is not that of a node. */
+static const double BESIDE = 5e-3;
+
+/* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. */
+static enum sp_status put_end(const struct sp_surface *surface, double scale, double end[3]) {
+    int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, BESIDE * scale);
+    return is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
+}
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -216,8 +225,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (!sp_newton_take(&newton, surface, options, inner_nodes(options), arena)) return SP_OUT_OF_MEMORY;
     newton.reversed = order_ends(surface, request, ends[0], ends[1]);
     newton.scale = sp_start_scale(surface, request);
-    enum sp_status status = sp_start_end(surface, newton.scale, ends[0]);
-    if (status == SP_CONVERGED) status = sp_start_end(surface, newton.scale, ends[1]);
+    enum sp_status status = put_end(surface, newton.scale, ends[0]);
+    if (status == SP_CONVERGED) status = put_end(surface, newton.scale, ends[1]);
     if (status != SP_CONVERGED) return status;
     struct sp_arcs arcs;
     arcs.count = 0;

@@ -1,11 +1,13 @@
 /** Distances from one point to all vertices of a mesh: by one search of the surface's graph, which is in wasm/graph_field.c, or each by the solver. */
 
 import { copies } from './lifts.js';
-import { checkBoolean, checkOptions, readOptions } from './path.js';
-import { findBeside, findPath, isPath } from './pieces.js';
+import { checkBoolean, checkOptions, isPath, readOptions } from './path.js';
+import { findBeside, findPath } from './pieces.js';
+import { gap } from './rectangle.js';
 import { EXHAUSTED } from './runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { spread } from './spread.js';
+import { nodesOf } from './through.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -22,9 +24,14 @@ import { spread } from './spread.js';
  */
 
 /** @typedef {import('./routes.js').Field} Field */
+/** @typedef {{ place: number[], away: number, lengths: Float64Array, isUnique: boolean }} Source a point, how far it is, and ways from there: those that pass it are longer by that */
 
 /** Neighbours in a mesh of fewer vertices are too far apart to lead to each other: each path is searched for. */
 const LEAST_VERTICES = 600;
+/** A way through the graph that is so many times as long as another may be the shorter. */
+const LONGER = 1.25;
+/** A node this near to the point, in parts of its coordinates, is that point. */
+const SAME = 1e-9;
 
 /** @param {string} caller @param {FieldOptions | undefined} given @returns {{ resolution: number | undefined, exact: boolean }} */
 export function readFieldOptions(caller, given) {
@@ -59,8 +66,6 @@ function search({ domain, box, graphs, run }, caller, from, places) {
     for (const [k, i] of missing.entries()) lengths[i] = found.lengths[k];
     missing = missing.filter((i) => lengths[i] === Infinity);
   }
-  if (missing.length === lengths.length)
-    throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
   return { lengths, isUnique };
 }
 
@@ -72,19 +77,46 @@ function joinFields(fields) {
 }
 
 /**
- * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {import('./mesh.js').Mesh} mesh @param {boolean} exact
- * @returns {Float64Array} a distance a vertex
+ * Where shortest ways begin: the point itself, and nodes, the nearer ones first.
+ * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places @returns {Source[]}
  */
-export function measureField(field, caller, from, mesh, exact) {
+function findSources(field, caller, from, places) {
+  const nodes = field.domain ? [] : nodesOf(field).filter((at) => gap(at, from) > SAME * gap(at, [0, 0, 0]));
+  const all = nodes.length > 0 ? Float64Array.from([...places, ...nodes.flat()]) : places;
+  const count = places.length / from.length;
+  /** @type {Source[]} */
+  const sources = [];
+  const far = new Float64Array(count + nodes.length).fill(Infinity);
+  const add = (/** @type {number[]} */ place, /** @type {number} */ away) => {
+    const { lengths, isUnique } = search(field, caller, place, all);
+    for (const [i, length] of lengths.entries()) far[i] = Math.min(far[i], away + length);
+    sources.push({ place, away, lengths: lengths.subarray(0, count), isUnique });
+  };
+  add(from, 0);
+  const open = new Set(nodes.keys());
+  const mostOf = () => far.subarray(0, count).reduce((most, x) => Math.max(most, x), 0);
+  while (open.size > 0) {
+    const nearest = [...open].reduce((best, i) => (far[count + i] < far[count + best] ? i : best));
+    if (!(far[count + nearest] < mostOf())) break;
+    open.delete(nearest);
+    add(nodes[nearest], far[count + nearest]);
+  }
+  if (far.every((length) => length === Infinity))
+    throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
+  return sources;
+}
+
+/**
+ * Lengths of the shortest paths from one source to all vertices to which it has a way.
+ * @param {Field} field @param {Source} source @param {import('./mesh.js').Mesh} mesh @param {import('./runtime/heap.js').SolveOptions} options
+ */
+function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
   const places = mesh.parameters ?? mesh.positions;
-  const { lengths, isUnique } = search(field, caller, from, places);
-  if (!exact) return lengths;
-  const { solve } = readOptions(caller, undefined);
-  const width = from.length;
+  const width = place.length;
   const isAlone = isUnique || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
   const find = (/** @type {number} */ i, /** @type {Float32Array[]} */ lines, shortest = Infinity) => {
-    const ends = [from, Array.from(places.subarray(width * i, width * (i + 1)))];
-    return lines.length > 0 ? findBeside(field, ends, solve, lines, shortest) : [findPath(field, ends, solve, 'global')];
+    const ends = [place, Array.from(places.subarray(width * i, width * (i + 1)))];
+    return lines.length > 0 ? findBeside(field, ends, options, lines, shortest) : [findPath(field, ends, options, 'global')];
   };
   if (!isAlone) return spread(mesh, lengths, find);
   return lengths.map((length, i) => {
@@ -92,4 +124,26 @@ export function measureField(field, caller, from, mesh, exact) {
     const [path] = find(i, []);
     return isPath(path) ? path.length : Number.NaN;
   });
+}
+
+/**
+ * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {import('./mesh.js').Mesh} mesh @param {boolean} exact
+ * @returns {Float64Array} a distance a vertex
+ */
+export function measureField(field, caller, from, mesh, exact) {
+  const sources = findSources(field, caller, from, mesh.parameters ?? mesh.positions);
+  const rough = sources[0].lengths.map((_, i) => Math.min(...sources.map(({ away, lengths }) => away + lengths[i])));
+  if (!exact) return rough;
+  const { solve } = readOptions(caller, undefined);
+  const distances = new Float64Array(rough.length).fill(Infinity);
+  for (const source of sources) {
+    const away = source.away && findPath(field, [from, source.place], solve, 'global').length;
+    const lengths = source.lengths.map((length, i) => (source.away + length <= LONGER * rough[i] ? length : Infinity));
+    for (const [i, length] of solveFrom(field, { ...source, lengths }, mesh, solve).entries()) {
+      if (length === Infinity) continue;
+      const isUnknown = Number.isNaN(away + length);
+      if (isUnknown ? distances[i] === Infinity : !(distances[i] <= away + length)) distances[i] = away + length;
+    }
+  }
+  return distances;
 }

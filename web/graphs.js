@@ -20,6 +20,8 @@ const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
 
 export class Graphs {
+  /** What nodes there are, and what hangs together without them, once that is known. @type {ReturnType<typeof import('./nodes.js').findNet> | null} */ net =
+    null;
   #kind;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
@@ -69,6 +71,7 @@ export class Graphs {
     if (heap) for (const graph of [...this.#graphs, this.#flood]) if (graph) heap.releaseGraph(graph);
     this.#graphs = [];
     this.#flood = null;
+    this.net = null;
   }
 }
 

@@ -51,7 +51,7 @@ function joinParameters(pieces, glued) {
  * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
  * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
  */
-function joinPaths(pieces, glued) {
+export function joinPaths(pieces, glued) {
   const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
@@ -94,4 +94,18 @@ export function joinPieces(count, options, solve, glued) {
     shareOut(rough, options.points).map((points, i) => solve(i, { ...options, points })),
     glued,
   );
+}
+
+/** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
+export function thinned(path, count) {
+  const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
+    const last = numbers.length / width - 1;
+    const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
+    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
+  };
+  return {
+    ...path,
+    points: pick(path.points, 3),
+    parameters: path.parameters && pick(path.parameters, 2),
+  };
 }

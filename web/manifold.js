@@ -130,6 +130,8 @@ export class Manifold {
       isPlain: !isAbstract && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
       run: (call) => this.run(call, domain),
+      jets: (places) => this.evaluate('jet', places),
+      mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: pieces.map((piece, i) => {
         this.#graphsOfPieces[i] ??= new Graphs(KIND[this.kind]);
         return this.field(piece, this.#graphsOfPieces[i]);

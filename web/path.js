@@ -171,6 +171,9 @@ export function readStart(caller, start, dimension) {
   return copy;
 }
 
+/** @param {Path} path */
+export const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
+
 /** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {
   const status = /** @type {Status} */ (STATUS.get(raw.status));

@@ -5,13 +5,14 @@
 
 import { POLYLINE } from './candidates.js';
 import { isAtPole } from './domain.js';
-import { joinPieces } from './join.js';
+import { joinPieces, thinned } from './join.js';
 import { liftEnds, moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
-import { makePath } from './path.js';
+import { isPath, makePath } from './path.js';
 import { findGlobal, findNear, isAfter, reverse, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
+import { findThrough } from './through.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./domain.js').Domain} Domain */
@@ -75,7 +76,7 @@ function findIn(field, ends, options, start) {
   const point = findPoint(field, ends, options);
   if (point) return point;
   const rest = findRest(field, ends, options);
-  if (start === 'global') return rest ?? findGlobal(field, ends, options, 1)[0];
+  if (start === 'global') return rest ?? findThrough(field, ends, options);
   if (!start) return rest ?? solveNear(field, ends, options, start);
   const path = solveNear(field, ends, options, start);
   /* A given start may lead around something; one that does not has shrunk to what rounding leaves. */
@@ -85,9 +86,6 @@ function findIn(field, ends, options, start) {
 
 /** An end this near to a point between pieces, in parts of a piece, is that point. */
 const ROUNDING = 1e-14;
-
-/** @param {Path} path */
-export const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
 
 /** What the length of a path is at most; infinite where there is none. @param {Path} path */
 const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
@@ -104,20 +102,6 @@ function follow({ domain }, legs, options, from) {
 export function placed(domain, path, from) {
   if (domain && path.parameters) moveNear(domain, path.parameters, from);
   return path;
-}
-
-/** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
-export function thinned(path, count) {
-  const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
-    const last = numbers.length / width - 1;
-    const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
-    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
-  };
-  return {
-    ...path,
-    points: pick(path.points, 3),
-    parameters: path.parameters && pick(path.parameters, 2),
-  };
 }
 
 /** What no path with these legs is shorter than: their chords, and what it takes to cross the surface between their ends. @param {Field} field @param {Leg[]} legs */
@@ -257,6 +241,7 @@ export function findGeodesics(field, ends, options, most) {
   const paths = findGlobal(leg.piece, leg.ends, options, most);
   /* Rounded, the path that rests may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
   const isLoop = (/** @type {Path} */ { length, lengthError }) => length > 10 * lengthError && length > ROOM * (first?.lengthError ?? 0);
+  if (!field.domain && !first && !paths.some(isPath)) return [findPath(field, ends, options, 'global')];
   const all = first ? [first, ...paths.filter(isLoop)] : paths;
   return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

@@ -29,6 +29,8 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>) => T} run
+ * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
+ * @property {(box: number[], resolution: number) => import('./mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
  */
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */

@@ -3,7 +3,8 @@
  * that are not the shortest there. MATH.md, "Distance fields".
  */
 
-import { isPath, thinned } from './pieces.js';
+import { thinned } from './join.js';
+import { isPath } from './path.js';
 import { gap } from './rectangle.js';
 
 /** @typedef {import('./path.js').Path} Path */

@@ -119,6 +119,43 @@ static void check_hostile(void) {
             }
 }
 
+/* x^2 + y^2 - z^2, whose gradient is zero at its apex. */
+static void cone_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (int32_t i = 0; i < count; i++, in += 3, out += SP_IMPLICIT_JET) {
+        out[0] = in[0] * in[0] + in[1] * in[1] - in[2] * in[2];
+        for (int j = 0; j < 3; j++)
+            out[1 + j] = (j < 2 ? 2.0 : -2.0) * in[j];
+        const double second[6] = {2, 0, 0, 2, 0, -2};
+        for (int j = 0; j < 6; j++)
+            out[4 + j] = sp_splat(second[j]);
+    }
+}
+static void cone_value(int32_t count, const sp_pair *in, sp_pair *out) {
+    sp_pair jet[SP_IMPLICIT_JET];
+    for (int32_t i = 0; i < count; i++, in += 3, out += SP_IMPLICIT_VALUES) {
+        cone_jet(1, in, jet);
+        memcpy(out, jet, SP_IMPLICIT_VALUES * sizeof(sp_pair));
+    }
+}
+
+/* Paths end in the apex of a cone, along straight lines; from half to half none leads that a solver may call one. */
+static void check_apex(uint64_t *seed) {
+    const struct sp_surface cone = {cone_jet, cone_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 1};
+    for (int32_t points = 1; points < 200; points = 2 * points + 1)
+        for (int kind = 0; kind < 2; kind++) {
+            double angle = 7 * random_unit(seed), height = random_unit(seed) - 0.5, radius = fabs(height);
+            struct sp_request request = {{radius * cos(angle), radius * sin(angle), height}, {0, 0, 0}, NULL, 0, 0};
+            struct sp_options options = options_of(points, 0);
+            if (kind) options.algorithm = SP_ELEMENTS;
+            struct sp_result result = solve(&cone, request, options);
+            CHECK(result.status == SP_CONVERGED && result.index == 0, "K = %d, kind %d: status %d", points, kind, result.status);
+            CHECK(fabs(result.length - sqrt(2) * radius) <= 1e-14, "K = %d, kind %d: %g", points, kind, result.length - sqrt(2) * radius);
+            request.to[0] = -radius * cos(angle + 1), request.to[1] = radius * sin(angle + 1), request.to[2] = -height;
+            result = solve(&cone, request, options);
+            CHECK(result.status != SP_CONVERGED, "K = %d, kind %d, through the apex", points, kind);
+        }
+}
+
 static void check_projection(uint64_t *seed) {
     for (int i = 0; i < 200; i++) {
         double point[3], place[3], length = 0;
@@ -171,6 +208,7 @@ int main(void) {
     check_arena(&sphere_surface, on_sphere, 1);
     check_arena(&globe_surface, (struct sp_request){{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0}, 1);
     check_hostile();
+    check_apex(&seed);
     check_projection(&seed);
     free(arena.base);
     return checks_failed();

@@ -1,0 +1,148 @@
+/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
+
+import { dot, gap } from './rectangle.js';
+
+/**
+ * @typedef {object} Node
+ * @property {number[]} at x y z
+ * @property {number[][]} second the second derivatives of f
+ * @property {number} determinant of these
+ */
+
+/** Newton steps to a node. */
+const STEPS = 12;
+/** A node is the same as another, f is zero there, and the second derivatives are not singular, up to these parts of what they could be. */
+const [SAME, ZERO, SINGULAR] = [1e-6, 1e-13, 1e-6];
+/** Cones flatter than this are not told from planes. */
+const FLAT = 1e-3;
+/** Cells a direction of the mesh that tells what hangs together; nothing so many of them around a node does. */
+const [CELLS, AROUND] = [48, 2.5];
+/** A point belongs to what lies so many cells farther from it than the nearest. */
+const BESIDE = 1.5;
+
+/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
+const times = (matrix, v) => matrix.map((row) => dot(row, v));
+
+/** f, the length of a step to where ∇f would vanish, and where that leads. @param {Float64Array} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz @param {ArrayLike<number>} at */
+function stepFrom(jet, at) {
+  const [, , , , xx, xy, xz, yy, yz, zz] = jet;
+  const second = [
+    [xx, xy, xz],
+    [xy, yy, yz],
+    [xz, yz, zz],
+  ];
+  const adjugate = [cross(second[1], second[2]), cross(second[2], second[0]), cross(second[0], second[1])];
+  const determinant = dot(second[0], adjugate[0]);
+  const step = times(adjugate, jet.subarray(1, 4)).map((x) => x / determinant);
+  return { second, determinant, step: Math.sqrt(dot(step, step)), next: step.map((x, j) => at[j] - x) };
+}
+
+/** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
+function mayLead(jets, i, cell) {
+  let largest = 0;
+  for (let j = i + 4; j < i + 10; j++) largest = Math.max(largest, Math.abs(jets[j]));
+  const most = 3 * largest * cell;
+  return Math.abs(jets[i]) <= 2 * most * cell && jets[i + 1] ** 2 + jets[i + 2] ** 2 + jets[i + 3] ** 2 <= most ** 2;
+}
+
+/**
+ * @param {(places: ArrayLike<number>) => Float64Array} jets ten numbers a point @param {number[]} box @param {number} grid points a direction from which they are looked for
+ * @returns {Node[]} those in the box that are found, none where the surface is degenerate
+ */
+export function findNodes(jets, box, grid) {
+  const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
+  const size = gap(low, high);
+  const cell = size / grid;
+  /** @type {Node[]} */
+  const nodes = [];
+  /** @param {number[]} from where @param {Float64Array} jet there */
+  const follow = (from, jet) => {
+    let here = stepFrom(jet, from);
+    for (let k = 0; k < STEPS && here.step < cell && gap(here.next, from) < 2 * cell; k++) {
+      const place = here.next;
+      const own = jets(place);
+      here = stepFrom(own, place);
+      if (!(here.step <= SAME * SAME * size)) continue;
+      const largest = Math.max(...here.second.flat().map(Math.abs));
+      const isNode = Math.abs(own[0]) <= ZERO * largest * size ** 2 && Math.abs(here.determinant) > SINGULAR * largest ** 3;
+      if (isNode && !nodes.some((node) => gap(node.at, place) <= SAME * size)) nodes.push({ at: place, ...here });
+      return;
+    }
+  };
+  const line = (/** @type {number} */ j) => Float64Array.from({ length: grid }, (_, i) => low[j] + ((i + 0.5) / grid) * (high[j] - low[j]));
+  const [xs, ys, zs] = [line(0), line(1), line(2)];
+  const places = new Float64Array(3 * grid ** 2);
+  for (const x of xs) {
+    let k = 0;
+    for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
+    const sampled = jets(places);
+    for (let i = 0; i < grid ** 2; i++)
+      if (mayLead(sampled, 10 * i, cell)) follow(Array.from(places.subarray(3 * i, 3 * i + 3)), sampled.subarray(10 * i, 10 * i + 10));
+  }
+  return nodes;
+}
+
+/**
+ * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
+ * det H · aᵀHb ≥ 0; on two, ≤ 0.
+ * @param {Node} node @param {number[]} a direction from the node @param {number[]} b
+ */
+export function crosses({ second, determinant }, a, b) {
+  const product = Math.sign(determinant) * dot(a, times(second, b));
+  const largest = Math.max(...second.flat().map(Math.abs));
+  return product < -FLAT * largest * dot(a, b);
+}
+
+/**
+ * Numbers of what hangs together without the nodes, by place.
+ * @param {import('./mesh.js').Mesh} mesh @param {number} cell @param {Node[]} nodes @returns {(place: number[]) => Set<number>} those around it
+ */
+function findParts({ positions, indices }, cell, nodes) {
+  const count = positions.length / 3;
+  /** Distances of the vertices. @param {number[]} at */
+  const awayFrom = ([x, y, z]) => {
+    const away = new Float64Array(count);
+    for (let i = 0, k = 0; i < count; i++)
+      away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
+    return away;
+  };
+  const part = Int32Array.from({ length: count }, (_, i) => i);
+  for (const { at } of nodes)
+    awayFrom(at).forEach((x, i) => {
+      if (x <= AROUND * cell) part[i] = -1;
+    });
+  const find = (/** @type {number} */ i) => {
+    while (part[i] !== i) i = part[i] = part[part[i]];
+    return i;
+  };
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [indices[i], indices[i + 1], indices[i + 2]];
+    if (part[a] < 0 || part[b] < 0 || part[c] < 0) continue;
+    part[find(a)] = find(b);
+    part[find(b)] = find(c);
+  }
+  return (at) => {
+    const away = awayFrom(at);
+    const near = away.reduce((least, x, i) => (part[i] >= 0 && x < least ? x : least), Infinity) + BESIDE * cell;
+    /** @type {Set<number>} */
+    const found = new Set();
+    away.forEach((x, i) => {
+      if (part[i] >= 0 && x <= near) found.add(find(i));
+    });
+    return found;
+  };
+}
+
+/**
+ * The nodes in a box, and which places can be joined without passing one.
+ * @param {import('./routes.js').Field} field an implicit surface @param {number[]} box @param {number} grid as for {@link findNodes}
+ */
+export function findNet({ jets, mesh }, box, grid) {
+  const nodes = findNodes(jets, box, grid);
+  const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
+  const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => new Set();
+  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt };
+}
