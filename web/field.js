@@ -2,12 +2,12 @@
 
 import { copies } from './lifts.js';
 import { checkBoolean, checkOptions, isPath, readOptions } from './path.js';
-import { findBeside, findPath } from './pieces.js';
+import { findBeside, findPath, findWithin } from './pieces.js';
 import { gap } from './rectangle.js';
 import { EXHAUSTED } from './runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { spread } from './spread.js';
-import { nodesOf } from './through.js';
+import { netOf } from './through.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -81,14 +81,15 @@ function joinFields(fields) {
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places @returns {Source[]}
  */
 function findSources(field, caller, from, places) {
-  const nodes = field.domain ? [] : nodesOf(field).filter((at) => gap(at, from) > SAME * gap(at, [0, 0, 0]));
-  const all = nodes.length > 0 ? Float64Array.from([...places, ...nodes.flat()]) : places;
+  const all = field.domain ? [] : netOf(field, []).nodes.map(({ at }) => at);
+  const nodes = all.filter((at) => gap(at, from) > SAME * gap(at, [0, 0, 0]));
+  const wanted = nodes.length > 0 ? Float64Array.from([...places, ...nodes.flat()]) : places;
   const count = places.length / from.length;
   /** @type {Source[]} */
   const sources = [];
   const far = new Float64Array(count + nodes.length).fill(Infinity);
   const add = (/** @type {number[]} */ place, /** @type {number} */ away) => {
-    const { lengths, isUnique } = search(field, caller, place, all);
+    const { lengths, isUnique } = search(field, caller, place, wanted);
     for (const [i, length] of lengths.entries()) far[i] = Math.min(far[i], away + length);
     sources.push({ place, away, lengths: lengths.subarray(0, count), isUnique });
   };
@@ -116,7 +117,8 @@ function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
   const isAlone = isUnique || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
   const find = (/** @type {number} */ i, /** @type {Float32Array[]} */ lines, shortest = Infinity) => {
     const ends = [place, Array.from(places.subarray(width * i, width * (i + 1)))];
-    return lines.length > 0 ? findBeside(field, ends, options, lines, shortest) : [findPath(field, ends, options, 'global')];
+    if (lines.length > 0) return findBeside(field, ends, options, lines, shortest);
+    return [field.domain ? findPath(field, ends, options, 'global') : findWithin(field, ends, options)];
   };
   if (!isAlone) return spread(mesh, lengths, find);
   return lengths.map((length, i) => {
@@ -135,15 +137,18 @@ export function measureField(field, caller, from, mesh, exact) {
   const rough = sources[0].lengths.map((_, i) => Math.min(...sources.map(({ away, lengths }) => away + lengths[i])));
   if (!exact) return rough;
   const { solve } = readOptions(caller, undefined);
-  const distances = new Float64Array(rough.length).fill(Infinity);
+  /* A way through the graph may pass a node unseen: what is beyond it is measured from there. */
+  const partsAt = sources.length > 1 ? netOf(field, []).partsAt : (/** @type {number[]} */ _) => [0];
+  const parts = Array.from(rough, (_, i) => partsAt([...mesh.positions.subarray(3 * i, 3 * i + 3)]));
+  const distances = rough.map((length) => (length < Infinity ? Number.NaN : Infinity));
   for (const source of sources) {
     const away = source.away && findPath(field, [from, source.place], solve, 'global').length;
-    const lengths = source.lengths.map((length, i) => (source.away + length <= LONGER * rough[i] ? length : Infinity));
-    for (const [i, length] of solveFrom(field, { ...source, lengths }, mesh, solve).entries()) {
-      if (length === Infinity) continue;
-      const isUnknown = Number.isNaN(away + length);
-      if (isUnknown ? distances[i] === Infinity : !(distances[i] <= away + length)) distances[i] = away + length;
-    }
+    const own = partsAt(source.place);
+    const isNear = (/** @type {number} */ length, /** @type {number} */ i) =>
+      source.away + length <= LONGER * rough[i] && parts[i].some((part) => own.includes(part));
+    const lengths = source.lengths.map((length, i) => (isNear(length, i) ? length : Infinity));
+    for (const [i, length] of solveFrom(field, { ...source, lengths }, mesh, solve).entries())
+      if (away + length < Infinity && !(distances[i] <= away + length)) distances[i] = away + length;
   }
   return distances;
 }

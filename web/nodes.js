@@ -9,8 +9,8 @@ import { dot, gap } from './rectangle.js';
  * @property {number} determinant of these
  */
 
-/** Newton steps to a node. */
-const STEPS = 12;
+/** Newton steps to a node; of more nodes none is taken, as ways over them would be too many. */
+const [STEPS, MOST] = [12, 256];
 /** A node is the same as another, f is zero there, and the second derivatives are not singular, up to these parts of what they could be. */
 const [SAME, ZERO, SINGULAR] = [1e-6, 1e-13, 1e-6];
 /** Cones flatter than this are not told from planes. */
@@ -50,7 +50,7 @@ function mayLead(jets, i, cell) {
 
 /**
  * @param {(places: ArrayLike<number>) => Float64Array} jets ten numbers a point @param {number[]} box @param {number} grid points a direction from which they are looked for
- * @returns {Node[]} those in the box that are found, none where the surface is degenerate
+ * @returns {Node[]} those in the box that are found, none where the surface is degenerate, or they are too many
  */
 export function findNodes(jets, box, grid) {
   const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
@@ -76,6 +76,7 @@ export function findNodes(jets, box, grid) {
   const [xs, ys, zs] = [line(0), line(1), line(2)];
   const places = new Float64Array(3 * grid ** 2);
   for (const x of xs) {
+    if (nodes.length > MOST) return [];
     let k = 0;
     for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
     const sampled = jets(places);
@@ -98,7 +99,7 @@ export function crosses({ second, determinant }, a, b) {
 
 /**
  * Numbers of what hangs together without the nodes, by place.
- * @param {import('./mesh.js').Mesh} mesh @param {number} cell @param {Node[]} nodes @returns {(place: number[]) => Set<number>} those around it
+ * @param {import('./mesh.js').Mesh} mesh @param {number} cell @param {Node[]} nodes @returns {(place: number[]) => number[]} those around it
  */
 function findParts({ positions, indices }, cell, nodes) {
   const count = positions.length / 3;
@@ -132,7 +133,7 @@ function findParts({ positions, indices }, cell, nodes) {
     away.forEach((x, i) => {
       if (part[i] >= 0 && x <= near) found.add(find(i));
     });
-    return found;
+    return [...found];
   };
 }
 
@@ -143,6 +144,6 @@ function findParts({ positions, indices }, cell, nodes) {
 export function findNet({ jets, mesh }, box, grid) {
   const nodes = findNodes(jets, box, grid);
   const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
-  const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => new Set();
+  const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => [];
   return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt };
 }

@@ -84,6 +84,9 @@ function findIn(field, ends, options, start) {
   return isShrunk ? rest : path;
 }
 
+/** The shortest path within a sheet of an implicit surface, through no node. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path} */
+export const findWithin = (field, ends, options) => findRest(field, ends, options) ?? findGlobal(field, ends, options, 1)[0];
+
 /** An end this near to a point between pieces, in parts of a piece, is that point. */
 const ROUNDING = 1e-14;
 

@@ -27,9 +27,9 @@ function boxAround([from, to]) {
 }
 
 /**
- * The shortest way from place 0 to place 1. @param {number} count of places @param {(i: number, j: number) => number} length @returns {number[]} places, none: there is no way
+ * The shortest way from place 0 to place 1. @param {number} count of places @param {Float64Array} lengths of each to each @returns {number[]} places, none: there is no way
  */
-function shortestWay(count, length) {
+function shortestWay(count, lengths) {
   const far = Array.from({ length: count }, (_, i) => (i ? Infinity : 0));
   const before = Array(count).fill(-1);
   const open = new Set(far.keys());
@@ -37,7 +37,7 @@ function shortestWay(count, length) {
     const here = [...open].reduce((best, i) => (far[i] < far[best] ? i : best));
     open.delete(here);
     for (const i of open) {
-      const through = far[here] + length(here, i);
+      const through = far[here] + lengths[count * here + i];
       if (through < far[i]) [far[i], before[i]] = [through, here];
     }
   }
@@ -47,15 +47,12 @@ function shortestWay(count, length) {
 }
 
 /** @param {Field} field of an implicit surface @param {number[][]} ends of which a box is made, where there are no bounds */
-function netOf(field, ends) {
+export function netOf(field, ends) {
   const { box, graphs } = field;
   if (!box) return findNet(field, boxAround(ends), ROUGH);
   graphs.net ??= findNet(field, box, FINE);
   return graphs.net;
 }
-
-/** The nodes of an implicit surface that has bounds. @param {Field} field */
-export const nodesOf = (field) => netOf(field, []).nodes.map(({ at }) => at);
 
 /**
  * The globally shortest path between two ends: within a sheet, or through nodes where that is shorter, or the only way.
@@ -85,19 +82,22 @@ function joinThrough(field, { nodes, partsAt }, ends, options) {
   /** @type {Map<string, Path>} by the smaller place, and the other */
   const solved = new Map();
   const legOf = (/** @type {number} */ i, /** @type {number} */ j) => solved.get(`${Math.min(i, j)} ${Math.max(i, j)}`);
-  const length = (/** @type {number} */ i, /** @type {number} */ j) => {
-    const leg = legOf(i, j);
-    if (leg) return isPath(leg) ? leg.length : Infinity;
-    const isJoined = [...places[i].parts].some((part) => places[j].parts.has(part));
-    return isJoined ? (field.isPlain ? gap(places[i].at, places[j].at) : 0) : Infinity;
-  };
-  let way = shortestWay(places.length, length);
+  const count = places.length;
+  const isJoined = (/** @type {number} */ i, /** @type {number} */ j) => places[i].parts.some((part) => places[j].parts.includes(part));
+  /** At least as long is each leg; when it is solved, just that. */
+  const lengths = Float64Array.from({ length: count ** 2 }, (_, k) => {
+    const [i, j] = [Math.floor(k / count), k % count];
+    return isJoined(i, j) ? (field.isPlain ? gap(places[i].at, places[j].at) : 0) : Infinity;
+  });
+  let way = shortestWay(count, lengths);
   for (let legs = 0; legs < MOST_LEGS; legs++) {
     const k = way.findIndex((_, at) => at > 0 && !legOf(way[at - 1], way[at]));
     if (k < 0) break;
     const [i, j] = [way[k - 1], way[k]].sort((a, b) => a - b);
-    solved.set(`${i} ${j}`, solve(i, j, j > 1 ? { ...options, points: POINTS, record: false } : options));
-    way = shortestWay(places.length, length);
+    const leg = solve(i, j, j > 1 ? { ...options, points: POINTS, record: false } : options);
+    solved.set(`${i} ${j}`, leg);
+    lengths[count * i + j] = lengths[count * j + i] = isPath(leg) ? leg.length : Infinity;
+    way = shortestWay(count, lengths);
   }
   /** Where a path that begins or ends at a node leads from there. @param {number} node @param {number} other @returns {number[]} a unit vector */
   const leaving = (node, other) => {
