@@ -18,7 +18,7 @@ const [FINE, ROUGH] = [24, 12];
 /** Without bounds a box around the ends, this part of their distance larger on each side, is searched for nodes. */
 const MARGIN = 0.5;
 /** An end nearer to a node than this part of what is between the ends is that node. */
-const SAME = 1e-9;
+const SAME = 3e-12;
 
 /** @param {number[][]} ends */
 function boxAround([from, to]) {

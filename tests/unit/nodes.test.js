@@ -50,6 +50,14 @@ describe('a double cone', () => {
     assert.deepEqual([status, length], ['converged', 0]);
   });
 
+  test('from beside the apex, however near, to the other half', () => {
+    for (let beside = 1e-3; beside > 1e-14; beside /= 10) {
+      const { status, length } = surface.shortestPath([beside, 0, beside], [1, 0, -1]);
+      assert.equal(status, 'converged', `${beside}`);
+      assert.ok(Math.abs(length - Math.SQRT2 * (1 + beside)) < 1e-10, `${beside}: ${length}`);
+    }
+  });
+
   for (const { name, other } of [
     { name: 'within bounds', other: surface },
     { name: 'without bounds', other: surfpath.implicit({ f: cone.f }) },
