@@ -103,7 +103,7 @@ class FunctionEmitter {
   emit() {
     const before = this.#collect(() => this.#emitInvariants());
     const loop = this.#collect(() => this.#emitLoop());
-    const code = [...wasm.globalGet(0), ...wasm.localSet(DATA), ...before, ...wasm.repeat(COUNT, loop)];
+    const code = [wasm.globalGet(0), wasm.localSet(DATA), before, ...wasm.repeat(COUNT, loop)];
     const locals = /** @type {[number, number][]} */ ([
       [1, wasm.I32],
       [this.#localCount, wasm.V128],

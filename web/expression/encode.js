@@ -20,23 +20,36 @@ export function signed(value) {
   return bytes;
 }
 
-/** A vector: the number of items, then the items. @param {number[][]} items */
-const vector = (items) => [...unsigned(items.length), ...items.flat()];
+/** @typedef {ArrayLike<number>} Bytes */
 
-/** Bytes preceded by their number. @param {number[]} bytes */
-const sized = (bytes) => [...unsigned(bytes.length), ...bytes];
+/** Bytes one after the other, in an array of bytes: an array of numbers is eight times as large, and what is that large is slow to copy. @param {Bytes[]} parts */
+function join(parts) {
+  const bytes = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
+}
+
+/** A vector: the number of items, then the items. @param {Bytes[]} items */
+const vector = (items) => join([unsigned(items.length), ...items]);
+
+/** Bytes preceded by their number. @param {Bytes} bytes */
+const sized = (bytes) => join([unsigned(bytes.length), bytes]);
 
 /** @param {string} text in ASCII */
 const name = (text) => sized([...text].map((character) => character.charCodeAt(0)));
 
-/** @param {number} id @param {number[][]} items */
-const section = (id, items) => [id, ...sized(vector(items))];
+/** @param {number} id @param {Bytes[]} items */
+const section = (id, items) => join([[id], sized(vector(items))]);
 
 /** @param {number[]} parameters @param {number[]} results types */
 export const functionType = (parameters, results) => [0x60, ...sized(parameters), ...sized(results)];
 
-/** @param {string} field @param {number[]} description */
-const imported = (field, description) => [...name('env'), ...name(field), ...description];
+/** @param {string} field @param {Bytes} description */
+const imported = (field, description) => join([name('env'), name(field), description]);
 
 /** @param {string} field */
 export const importMemory = (field) => imported(field, [0x02, 0x00, 0x00]);
@@ -50,21 +63,21 @@ export const importFunction = (field, typeIndex) => imported(field, [0x00, ...un
 /** @param {string} field @param {number} functionIndex */
 export const exportFunction = (field, functionIndex) => [...name(field), 0x00, ...unsigned(functionIndex)];
 
-/** The body of a function. @param {[count: number, type: number][]} locals @param {number[]} code without the closing end */
-export const body = (locals, code) => sized([...vector(locals.map(([count, type]) => [...unsigned(count), type])), ...code, END]);
+/** The body of a function. @param {[count: number, type: number][]} locals @param {Bytes[]} code in parts, without the closing end */
+export const body = (locals, code) => sized(join([vector(locals.map(([count, type]) => [...unsigned(count), type])), ...code, [END]]));
 
 /**
  * A whole module.
- * @param {{ types: number[][], imports: number[][], functionTypes: number[], exports: number[][], bodies: number[][] }} parts
+ * @param {{ types: Bytes[], imports: Bytes[], functionTypes: number[], exports: Bytes[], bodies: Bytes[] }} parts
  */
 export const module = ({ types, imports, functionTypes, exports, bodies }) =>
-  Uint8Array.from([
-    ...[0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
-    ...section(1, types),
-    ...section(2, imports),
-    ...section(3, functionTypes.map(unsigned)),
-    ...section(7, exports),
-    ...section(10, bodies),
+  join([
+    [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
+    section(1, types),
+    section(2, imports),
+    section(3, functionTypes.map(unsigned)),
+    section(7, exports),
+    section(10, bodies),
   ]);
 
 const END = 0x0b;
@@ -88,11 +101,13 @@ export const advance = (index, amount) => [...localGet(index), ...addConstant(am
 /** @param {number} amount */
 export const addConstant = (amount) => [0x41, ...signed(amount), 0x6a];
 
-/** Runs code as often as an integer local says, counting it down to 0; not at all if it is not positive. @param {number} index @param {number[]} code */
+/** Runs code as often as an integer local says, counting it down to 0; not at all if it is not positive. @param {number} index @param {Bytes} code @returns {Bytes[]} parts of a body */
 export const repeat = (index, code) => [
-  ...[0x02, EMPTY_BLOCK, ...localGet(index), 0x41, 0x00, 0x4c, 0x0d, 0x00], // block; leave it if count <= 0
-  ...[0x03, EMPTY_BLOCK, ...code, ...advance(index, -1), ...localGet(index), 0x0d, 0x00, END], // loop; again if count != 0
-  END,
+  [0x02, EMPTY_BLOCK, ...localGet(index), 0x41, 0x00, 0x4c, 0x0d, 0x00], // block; leave it if count <= 0
+  [0x03, EMPTY_BLOCK], // loop
+  code,
+  [...advance(index, -1), ...localGet(index), 0x0d, 0x00, END], // again if count != 0
+  [END],
 ];
 
 /** A SIMD instruction. @param {number} opcode */
