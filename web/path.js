@@ -174,6 +174,9 @@ export function readStart(caller, start, dimension) {
 /** @param {Path} path */
 export const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
 
+/** What the length of a path is at most; infinite where there is none. @param {Path} path */
+export const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
+
 /** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {
   const status = /** @type {Status} */ (STATUS.get(raw.status));

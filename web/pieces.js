@@ -8,7 +8,7 @@ import { isAtPole } from './domain.js';
 import { joinPieces, thinned } from './join.js';
 import { liftEnds, moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
-import { isPath, makePath } from './path.js';
+import { isPath, makePath, mostOf } from './path.js';
 import { findGlobal, findNear, isAfter, reverse, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
@@ -89,9 +89,6 @@ export const findWithin = (field, ends, options) => findRest(field, ends, option
 
 /** An end this near to a point between pieces, in parts of a piece, is that point. */
 const ROUNDING = 1e-14;
-
-/** What the length of a path is at most; infinite where there is none. @param {Path} path */
-const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
 
 /** The path with these legs, in the caller's turn of the parameters. @param {Field} field @param {Leg[]} legs @param {SolveOptions} options @param {number[]} from @returns {Path} */
 function follow({ domain }, legs, options, from) {

@@ -2,7 +2,7 @@
 
 import { joinPaths, shareOut, thinned } from './join.js';
 import { crosses, findNet } from './nodes.js';
-import { isPath } from './path.js';
+import { isPath, mostOf } from './path.js';
 import { dot, gap } from './rectangle.js';
 import { ROUGHLY } from './rough.js';
 import { findGlobal, isAfter, reverse, solveNear } from './routes.js';
@@ -84,7 +84,7 @@ function joinThrough(field, { nodes, partsAt }, ends, options) {
   const legOf = (/** @type {number} */ i, /** @type {number} */ j) => solved.get(`${Math.min(i, j)} ${Math.max(i, j)}`);
   const count = places.length;
   const isJoined = (/** @type {number} */ i, /** @type {number} */ j) => places[i].parts.some((part) => places[j].parts.includes(part));
-  /** At least as long is each leg; when it is solved, just that. */
+  /** At least as long is each leg; when it is solved, just that, whatever its status. */
   const lengths = Float64Array.from({ length: count ** 2 }, (_, k) => {
     const [i, j] = [Math.floor(k / count), k % count];
     return isJoined(i, j) ? (field.isPlain ? gap(places[i].at, places[j].at) : 0) : Infinity;
@@ -96,7 +96,7 @@ function joinThrough(field, { nodes, partsAt }, ends, options) {
     const [i, j] = [way[k - 1], way[k]].sort((a, b) => a - b);
     const leg = solve(i, j, j > 1 ? { ...options, points: POINTS, record: false } : options);
     solved.set(`${i} ${j}`, leg);
-    lengths[count * i + j] = lengths[count * j + i] = isPath(leg) ? leg.length : Infinity;
+    lengths[count * i + j] = lengths[count * j + i] = mostOf(leg);
     way = shortestWay(count, lengths);
   }
   /** Where a path that begins or ends at a node leads from there. @param {number} node @param {number} other @returns {number[]} a unit vector */
@@ -107,10 +107,17 @@ function joinThrough(field, { nodes, partsAt }, ends, options) {
     const tangent = at.map((x, j) => 4 * points[3 + j] - points[6 + j] - 3 * x);
     return tangent.map((x) => x / Math.sqrt(dot(tangent, tangent)));
   };
+  const wayLength = () =>
+    way.slice(1).reduce((sum, place, k) => sum + lengths[count * way[k] + place] + (legOf(way[k], place)?.lengthError ?? 0), 0);
   const inner = way.slice(1, -1);
   const isWhole = way.every((place, k) => k === 0 || legOf(way[k - 1], place));
   const isSmooth = isWhole && inner.every((node, k) => crosses(passed[node - 2], leaving(node, way[k]), leaving(node, way[k + 2])));
-  if (inner.length === 0 || !isSmooth) return legOf(0, 1) ?? solve(0, 1, options);
+  if (inner.length === 0 || !isSmooth) {
+    const path = legOf(0, 1) ?? solve(0, 1, options);
+    /* A way over nodes that is shorter and no path, or not all of which was solved, leaves it open what is the shortest. */
+    const isOpen = isPath(path) && wayLength() < path.length;
+    return isOpen ? { ...path, status: 'stalled', converged: false } : path;
+  }
   const points = Math.max(options.points, 2 * way.length - 3);
   const legs = way.slice(1).map((place, k) => {
     const leg = /** @type {Path} */ (legOf(way[k], place));
