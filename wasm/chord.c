@@ -6,6 +6,9 @@
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8;
+/* From a branch point, where the speed is nothing beside that of the middle, a path leads like a power of its parameter: the middle of the
+ * parameters lies up to half of the chord aside. */
+static const double BRANCH_SAGITTA = 0.5, STILL = 1e-3;
 /* Beyond a crease, and on it, where the derivatives of max and its like are means of both sides. */
 static const double NEAR_CREASE = 1e-6, SMOOTH_COSINE = 0.9;
 enum { BISECTIONS = 60 };
@@ -127,12 +130,16 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     line->kind->charts(line->surface, 1, place, chart, metric);
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
-    double length = distance(chord->at[0], chord->at[1]), rounding = 1e-14 * scale;
+    /* Beside a branch point elements are so short that nobody asks where exactly their nodes lie. */
+    double length = distance(chord->at[0], chord->at[1]), rounding = 1e-12 * scale;
+    double mid = root(chart_speed_squared(chart, 0, u, v)), first = root(speed_squared(line, i, u, v)),
+           last = root(speed_squared(line, i + 1, u, v)), sagitta = LARGEST_SAGITTA;
     /* At the path's ends the speed may be infinite: that of the middle stands for it. */
-    double mid = root(chart_speed_squared(chart, 0, u, v)), first = i > 0 ? root(speed_squared(line, i, u, v)) : mid,
-           last = i < line->fold.inner ? root(speed_squared(line, i + 1, u, v)) : mid, along = (first + 4 * mid + last) / 6;
+    if (i == 0) sagitta = first < STILL * mid ? BRANCH_SAGITTA : sagitta, first = mid;
+    if (i == line->fold.inner) sagitta = last < STILL * mid ? BRANCH_SAGITTA : sagitta, last = mid;
+    double along = (first + 4 * mid + last) / 6;
     if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
-    if (distance(half, middle) > LARGEST_SAGITTA * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
+    if (distance(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
     return SP_CONVERGED;
 }
 

@@ -10,6 +10,8 @@ static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
 /* How far from straight a path may pass a pole, radians. A path that passes beside it is shorter by the square of that over twice the
  * stiffness of the path; between nearly antipodal places of the earth, where that is least, by 2e-11 of its length. */
 static const double STRAIGHT = 1e-6;
+/* Of the range: there directions differ by the root of it from those at a pole, and angles by it. */
+static const double BESIDE = 1e-10;
 
 /* Of a tensor the direction away from the pole turns so much per unit of the coordinate around it: |X_a x X_ab| / |X_a|^2, where X_ab is
  * what the vector around the pole grows by with the distance. There g_around has the value and the slope 0, g_mixed the value 0. */
@@ -42,9 +44,12 @@ double sp_pole_angle(const struct sp_surface *surface, int32_t across, double va
 
 /* By how much the way over the pole turns there towards where a way past it is shorter, radians: into the rectangle between walls, and to
  * the side of the smaller angle where the surface closes around the pole after a `period`; 0 if on no side the angle is below half a turn,
- * as may be where all angles are more than a turn. */
-static double corner_of(const struct sp_surface *surface, int32_t across, double value, const double around[2], double period) {
+ * as may be where all angles are more than a turn. `beside`: the coordinate across next to the pole, where its derivatives are no numbers.
+ */
+static double corner_of(const struct sp_surface *surface, int32_t across, double value, double beside, const double around[2],
+                        double period) {
     double angle = sp_pole_angle(surface, across, value, around[0], around[1]), other = PI;
+    if (!(angle >= 0)) angle = sp_pole_angle(surface, across, value = beside, around[0], around[1]);
     if (period > 0) {
         double whole = sp_pole_angle(surface, across, value, 0, period), more = whole - 2 * PI;
         if (more * more < STRAIGHT * STRAIGHT) whole = 2 * PI; /* a smooth pole's, to rounding */
@@ -109,7 +114,8 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     if (arcs->count < 2) return arcs->count = 0, none;
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
-    double corner = corner_of(surface, across, value, around, period), first = arcs->arc[0].length, second = arcs->arc[1].length,
+    double beside = value + BESIDE * ((edge % 2 ? surface->lower : surface->upper)[across] - value);
+    double corner = corner_of(surface, across, value, beside, around, period), first = arcs->arc[0].length, second = arcs->arc[1].length,
            gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
     if (gain > 0) whole.length_error += gain;
     if (!(corner <= STRAIGHT && gain <= options->tolerance * whole.length)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;

@@ -48,6 +48,8 @@ enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED)
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
 static const double REACH = 0.03;
 enum { FINE = 7 /* (24, 32) */ };
+/* At a branch point squares of speeds are this part of those beside it. */
+static const double STILL = 1e-6;
 
 /* Why these: MATH.md, "The ladder". */
 static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
@@ -412,6 +414,17 @@ static struct sp_refined climb_closer(struct sp_newton *newton, const struct sp_
     return climb_all(newton, options, LADDER + FINE, RUNGS - FINE, from, NULL, length, arena);
 }
 
+/* Whether the path begins or ends in a branch point: there the surface's derivatives are nothing beside those at the next node. */
+static int ends_in_branch(const struct sp_polyline *line) {
+    sp_pair squares[2];
+    for (int k = 0; k < 2; k++) {
+        struct sp_vector a = sp_load(line->nodes.charts + SP_CHART * k + SP_CHART_1),
+                         b = sp_load(line->nodes.charts + SP_CHART * k + SP_CHART_2);
+        squares[k] = sp_dot(a, a) + sp_dot(b, b);
+    }
+    return sp_any(squares[0] < STILL * squares[1]);
+}
+
 struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
     struct sp_storage storage;
     if (!sp_refine_take(&storage, newton, arena)) return finish(newton, (struct climbed){.outcome = {.status = SP_OUT_OF_MEMORY}}, 0);
@@ -423,6 +436,11 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;
+    if (ends_in_branch(&newton->system.line)) {
+        struct sp_refined closer = climb_closer(newton, options, &kept, tolerance_of(newton, options, first.length), first.length, arena);
+        if (closer.outcome.status == SP_CONVERGED) return closer;
+        newton->system.elements.spread = NULL, newton->system.elements.fixed = 0, arena->used = used;
+    }
     struct sp_refined refined = climb_all(newton, options, LADDER + lowest, RUNGS - lowest, &kept, &storage, first.length, arena);
     double tolerance = tolerance_of(newton, options, refined.length);
     if (refined.outcome.status < 0 || !bends_aside(newton, tolerance, refined.length)) return refined;

@@ -100,15 +100,6 @@ static double size_of(const struct sp_polyline *line) {
     return size[0] > size[1] ? size[0] : size[1];
 }
 
-/* The two end charts must be regular enough to leave from: finite, and the metric not zero in every direction. */
-static enum sp_status check_ends(const struct sp_polyline *line) {
-    const sp_pair *chart = line->nodes.charts;
-    sp_pair e = sp_dot(sp_load(chart + SP_CHART_1), sp_load(chart + SP_CHART_1)),
-            g = sp_dot(sp_load(chart + SP_CHART_2), sp_load(chart + SP_CHART_2));
-    if (sp_any((e + g) == sp_splat(0.0))) return SP_SINGULAR_METRIC;
-    return SP_CONVERGED;
-}
-
 static void fill(const struct sp_refined *refined, const struct sp_newton *newton, const struct sp_options *options,
                  struct sp_result *result) {
     const struct sp_outcome *outcome = &refined->outcome;
@@ -241,8 +232,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         status = refined.outcome.status;
     }
     if (status < 0) return status;
-    status = check_ends(line);
-    if (status == SP_CONVERGED && arcs.count == 0) status = sp_check_chords(line, newton.scale, elements ? NULL : &sums);
+    status = arcs.count == 0 ? sp_check_chords(line, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);

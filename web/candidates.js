@@ -21,6 +21,10 @@ import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
  *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
  *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: past it, or around the edge as around a hole, on elements that close in on it
+ * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none
+ * @property {import('./branches.js').Branch[]} branches branch points of the surface, and what solves globally, and near a start, between two other places
+ * @property {(ends: number[][], options: SolveOptions) => import('./path.js').Path} leg
+ * @property {(ends: number[][], options: SolveOptions, start: Float64Array) => import('./path.js').Path} near
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
  * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: of a path in space, 0: none is known
  * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways

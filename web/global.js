@@ -8,8 +8,9 @@ import { challenge } from './challenge.js';
 import { distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
+import { overBranches } from './branched.js';
 import { besidePoles, overPoles } from './poles.js';
-import { isKnown, solveRoughly } from './rough.js';
+import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, STALLED } from './runtime/status.js';
 import { findStarts } from './starts.js';
@@ -52,7 +53,9 @@ export function findPathsFrom(problem, options, starts, shortest) {
 
 /** The path where there is only one, as no curvature is positive. @param {Problem} problem @param {SolveOptions} options */
 function solveOnly(problem, options) {
-  const path = problem.domain && problem.graph(0)?.unique ? problem.solve(problem.to, null, options) : null;
+  const isUnique = problem.domain && problem.graph(0)?.unique;
+  const isOpen = isUnique && stallsAtBranch(problem, solveRoughly(problem, { to: problem.to, start: null }, []));
+  const path = isUnique && !isOpen ? problem.solve(problem.to, null, options) : null;
   return path?.status === CONVERGED ? path : null;
 }
 
@@ -62,8 +65,11 @@ function solveOnly(problem, options) {
  */
 function tryAll(problem, starts, tried) {
   for (const start of starts) tried.push(solveRoughly(problem, start, tried));
-  return { tried, rough: distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path))) };
+  return { tried, rough: holding(problem, tried) };
 }
+
+/** Those that hold, each path once. @param {Problem} problem @param {Tried[]} tried @returns {Found[]} */
+const holding = (problem, tried) => distinct(tried.filter((one) => holds(one) && !leaps(problem, one.path)));
 
 /**
  * Of what the starts led to, and of ways over poles, the paths as they were asked for.
@@ -71,8 +77,16 @@ function tryAll(problem, starts, tried) {
  * @param {ReturnType<typeof tryAll>} candidates @returns {RawPath[]}
  */
 function solveBest(problem, options, most, status, { tried, rough }) {
-  const ways = overPoles(problem, options, tried, rough);
-  const found = choosePaths(problem, options, most, { tried, status, rough, ways });
+  const through = overBranches(problem, options, rough);
+  if (!problem.isLeg && !through.some(holds)) {
+    tried = solveBeside(problem, tried);
+    rough = holding(problem, tried);
+  }
+  const poles = overPoles(problem, options, tried, rough);
+  const beside = besidePoles(problem, options, poles, rough);
+  const ways = [...poles, ...through];
+  if (problem.isLeg && ways.length + rough.length + beside.length === 0) return [emptyPath(STALLED)];
+  const found = choosePaths(problem, options, most, { tried, status, rough, ways, beside });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))
     return [asAsked(corner, options)];
@@ -82,16 +96,21 @@ function solveBest(problem, options, most, status, { tried, rough }) {
 /**
  * The paths among all that were tried.
  * @param {Problem} problem @param {SolveOptions} options @param {number} most
- * @param {{ tried: Tried[], status: number, rough: Found[], ways: Way[] }} candidates status: of the search; rough: those tried that hold; ways: over poles
+ * @param {{ tried: Tried[], status: number, rough: Found[], ways: Way[], beside: Found[] }} candidates status: of the search; rough: those tried that hold; ways: over poles and through
+ *   branch points; beside: those that pass poles
  * @returns {RawPath[]}
  */
-function choosePaths(problem, options, most, { tried, status, rough, ways }) {
-  const beside = besidePoles(problem, options, ways, rough);
+function choosePaths(problem, options, most, { tried, status, rough, ways, beside }) {
   /* Charts around two poles may lead to the same path: the first one tells, whatever the last bits say. */
   const passing = firsts(beside.filter(holds));
   const over = ways.filter(holds);
   const unknown = tried.filter(
-    (one) => !isKnown(problem, one, tried) && !isAmong(passing, one) && !isAmong(over, one, BESIDE) && !leaps(problem, one.path),
+    (one) =>
+      !isKnown(problem, one, tried) &&
+      (one.path !== one.coarse || !stallsAtBranch(problem, one)) &&
+      !isAmong(passing, one) &&
+      !isAmong(over, one, BESIDE) &&
+      !leaps(problem, one.path),
   );
   const [usable, failed] = solveFinely(problem, options, most, { rough, passing, over });
   const unfollowed = unfollowedOf(problem, unknown, lengthOfShortest([...rough, ...passing, ...over]));

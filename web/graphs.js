@@ -22,6 +22,7 @@ const IMPLICIT = 1;
 export class Graphs {
   /** What nodes there are, and what hangs together without them, once that is known. @type {ReturnType<typeof import('./nodes.js').findNet> | null} */ net =
     null;
+  /** The branch points of a parametric surface, once they are known. @type {import('./branches.js').Branch[] | null} */ branches = null;
   #kind;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
@@ -71,7 +72,7 @@ export class Graphs {
     if (heap) for (const graph of [...this.#graphs, this.#flood]) if (graph) heap.releaseGraph(graph);
     this.#graphs = [];
     this.#flood = null;
-    this.net = null;
+    this.net = this.branches = null;
   }
 }
 

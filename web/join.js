@@ -1,6 +1,7 @@
-/** Paths that follow each other, joined into one. Knows paths as plain data. */
+/** Paths that follow each other, joined into one; paths turned round. Knows paths as plain data. */
 
 import { moveNear } from './lifts.js';
+import { isPath } from './path.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./seams.js').Glued} Glued */
@@ -78,22 +79,39 @@ export function joinPaths(pieces, glued) {
   };
 }
 
+/**
+ * A path of legs, each solved as it is asked for, with its part of the points.
+ * @param {Path[]} legs as they are known @param {SolveOptions} asked @param {(leg: number, options: SolveOptions) => Path} solve
+ * @param {Glued | null} glued the rectangle, if they have parameters @param {number} [least] the legs are solved in so many parts at least
+ * @returns {{ path: Path, parts: Path[] }} and its legs
+ */
+export function joinLegs(legs, asked, solve, glued, least = 1) {
+  const points = Math.max(asked.points, 2 * legs.length - 1);
+  const shares = shareOut(
+    legs.map(({ length }) => length || 0),
+    points,
+  );
+  const parts = shares.map((share, k) => solve(k, { ...asked, points: (share + 1) * Math.ceil(least / (share + 1)) - 1 }));
+  const whole = joinPaths(
+    parts.map((part, k) => (least > 1 && isPath(part) ? thinned(part, shares[k] + 2) : part)),
+    glued,
+  );
+  return { parts, path: points > asked.points && whole.length >= 0 ? thinned(whole, asked.points + 2) : whole };
+}
+
 /** Inner points of a piece, at least, whose length is only to tell how many points it gets. */
 const ROUGH = 31;
 
 /**
  * So many pieces, one after the other: first roughly, to share out the points, then as asked.
- * @param {number} count @param {SolveOptions} options inner points of the whole, at least 2 count − 1 @param {(piece: number, options: SolveOptions) => Path} solve
+ * @param {number} count @param {SolveOptions} options @param {(piece: number, options: SolveOptions) => Path} solve
  * @param {Glued | null} glued the rectangle, if they have parameters
  * @returns {Path}
  */
 export function joinPieces(count, options, solve, glued) {
   const least = { ...options, points: Math.max(ROUGH, Math.ceil(options.points / count)), record: false };
-  const rough = Array.from({ length: count }, (_, i) => solve(i, least).length || 0);
-  return joinPaths(
-    shareOut(rough, options.points).map((points, i) => solve(i, { ...options, points })),
-    glued,
-  );
+  const rough = Array.from({ length: count }, (_, i) => solve(i, least));
+  return joinLegs(rough, options, solve, glued).path;
 }
 
 /** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
@@ -107,5 +125,22 @@ export function thinned(path, count) {
     ...path,
     points: pick(path.points, 3),
     parameters: path.parameters && pick(path.parameters, 2),
+  };
+}
+
+/** @param {Float64Array} numbers @param {number} width so many a point */
+export function turned(numbers, width) {
+  const result = new Float64Array(numbers.length);
+  for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+  return result;
+}
+
+/** Turns a path round. @template {import('./runtime/result.js').RawPath | Path} T @param {T} path @returns {T} */
+export function reverse(path) {
+  return {
+    ...path,
+    points: turned(path.points, 3),
+    parameters: path.parameters && turned(path.parameters, 2),
+    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
   };
 }

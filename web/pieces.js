@@ -5,11 +5,11 @@
 
 import { POLYLINE } from './candidates.js';
 import { isAtPole } from './domain.js';
-import { joinPieces, thinned } from './join.js';
+import { joinPieces, reverse } from './join.js';
 import { liftEnds, moveNear } from './lifts.js';
 import { gap } from './rectangle.js';
 import { isPath, makePath, mostOf } from './path.js';
-import { findGlobal, findNear, isAfter, reverse, solveNear } from './routes.js';
+import { findGlobal, findNear, isAfter, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
 import { findThrough } from './through.js';
@@ -92,10 +92,8 @@ const ROUNDING = 1e-14;
 
 /** The path with these legs, in the caller's turn of the parameters. @param {Field} field @param {Leg[]} legs @param {SolveOptions} options @param {number[]} from @returns {Path} */
 function follow({ domain }, legs, options, from) {
-  const points = Math.max(options.points, 2 * legs.length - 1);
   const solve = (/** @type {number} */ i, /** @type {SolveOptions} */ asked) => findGlobal(legs[i].piece, legs[i].ends, asked, 1)[0];
-  const path = joinPieces(legs.length, { ...options, points }, solve, domain);
-  return placed(domain, points > options.points ? thinned(path, options.points + 2) : path, from);
+  return placed(domain, joinPieces(legs.length, options, solve, domain), from);
 }
 
 /** A path whose parameters begin where the caller's do. @param {Domain | null} domain @param {Path} path @param {number[]} from */

@@ -43,18 +43,34 @@ export const isKnown = ({ domain }, { to, coarse }, tried) =>
 export const isOneOfMany = (one, path) => one.status === ILL_CONDITIONED && Math.abs(one.length / path.length - 1) <= AT_REST;
 
 /**
+ * Whether a path of the fewest points stalls on a surface with branch points: if it leads through one, or from sheet to sheet where these cross, as they do around one, more
+ * points do not help.
+ * @param {Problem} problem @param {{ coarse: RawPath }} one
+ */
+export const stallsAtBranch = ({ branches }, { coarse }) => coarse.status === STALLED && branches.length > 0;
+
+/**
  * Solves with few points, and with more where that does not hold, unless that was done.
  * @param {Problem} problem @param {Start} start @param {Tried[]} tried
  * @returns {Tried}
  */
 export function solveRoughly(problem, { to, start }, tried) {
-  const solve = (/** @type {number} */ points) => problem.solve(to, start, { ...ROUGHLY, points });
-  const coarse = solve(ROUGH[0]);
-  let path = coarse;
-  const more = start && !isKnown(problem, { to, coarse }, tried) ? ROUGH.slice(1) : [];
-  for (const points of more) if (isTooCoarse(path)) path = solve(points);
-  return { to, start, path, coarse };
+  const coarse = problem.solve(to, start, { ...ROUGHLY, points: ROUGH[0] });
+  const more = start && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
+  const one = { to, start, path: coarse, coarse };
+  return more ? solveFiner(problem, one) : one;
 }
+
+/** Solves with more and more points, until it does not stall. @param {Problem} problem @param {Tried} one @returns {Tried} */
+function solveFiner(problem, one) {
+  let { path } = one;
+  for (const points of ROUGH.slice(1)) if (isTooCoarse(path)) path = problem.solve(one.to, one.start, { ...ROUGHLY, points });
+  return { ...one, path };
+}
+
+/** Where no way leads through branch points: those of the starts that stalled, solved with more points. @param {Problem} problem @param {Tried[]} tried */
+export const solveBeside = (problem, tried) =>
+  tried.map((one) => (one.start && stallsAtBranch(problem, one) ? solveFiner(problem, one) : one));
 
 /** Inner points. @param {RawPath} path */
 const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;

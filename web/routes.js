@@ -1,8 +1,10 @@
 /** From two ends to a path: near a start, or the globally shortest. Joins the solver, the graphs and the lifts of a surface. */
 
+import { findBranches } from './branches.js';
 import { ELEMENTS, holds } from './candidates.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
+import { reverse, turned } from './join.js';
 import { copies, liftEnds, moveOnto, slide } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
@@ -25,6 +27,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
+ * @property {boolean} [isLeg] paths are legs of ways through branch points
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
@@ -103,10 +106,12 @@ export function findNear(field, ends, options, lines, shortest) {
  * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('./runtime/result.js').RawPath[]} find
  * @returns {Path[]}
  */
-function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to], find) {
+function pose(field, [from, to], find) {
+  const { kind, domain, box, graphs, isPlain, positions, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
+  const branches = branchesOf(field);
   let exhausted = false;
   /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
   const watch = (answer) => {
@@ -122,6 +127,10 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
       domain,
       solve: (end, start, asked, pole, beyond = 0) =>
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
+      branches,
+      isLeg: !!field.isLeg,
+      leg: (places, asked) => findGlobal({ ...field, isLeg: true }, places, asked, 1)[0],
+      near: (places, asked, start) => solveNear(field, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
       flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
       search: (graph, points, isAll) =>
@@ -136,27 +145,17 @@ function pose({ kind, domain, box, graphs, isPlain, positions, run }, [from, to]
   });
 }
 
+/** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */
+function branchesOf({ domain, graphs, isPlain, jets }) {
+  if (!domain || !isPlain) return [];
+  graphs.branches ??= findBranches(jets, domain);
+  return graphs.branches;
+}
+
 /** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
 export function isAfter(a, b) {
   const different = a.findIndex((x, j) => x !== b[j]);
   return different >= 0 && a[different] > b[different];
-}
-
-/** @param {Float64Array} numbers @param {number} width so many a point */
-function turned(numbers, width) {
-  const result = new Float64Array(numbers.length);
-  for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
-  return result;
-}
-
-/** Turns a path round. @template {RawPath | Path} T @param {T} path @returns {T} */
-export function reverse(path) {
-  return {
-    ...path,
-    points: turned(path.points, 3),
-    parameters: path.parameters && turned(path.parameters, 2),
-    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
-  };
 }
 
 /**

@@ -160,13 +160,16 @@ function isFlat(sampled, direction) {
   /* 2 cos(2π/16), as there are 17 FRACTIONS. */
   const twice = Math.sqrt(2 + Math.SQRT2);
   const size = Math.max(...FRACTIONS.map((_, i) => Math.sqrt(dot(across(i), across(i)))));
-  return FRACTIONS.slice(2).every(
-    (_, i) =>
-      gap(
-        across(i).map((x, k) => x + across(i + 2)[k]),
-        across(i + 1).map((x) => twice * x),
-      ) <=
-      FLAT * size,
+  return (
+    size > 0 &&
+    FRACTIONS.slice(2).every(
+      (_, i) =>
+        gap(
+          across(i).map((x, k) => x + across(i + 2)[k]),
+          across(i + 1).map((x) => twice * x),
+        ) <=
+        FLAT * size,
+    )
   );
 }
 
@@ -176,10 +179,15 @@ function isFlat(sampled, direction) {
  */
 export function turning(jets, places, direction) {
   const sampled = jets(places);
-  const across = FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)).map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
-  return across.slice(1).reduce((sum, x, i) => {
+  return angleAlong(FRACTIONS.map((_, i) => vector(sampled, i, direction ? 6 : 3)));
+}
+
+/** The sum of the angles, radians, from each vector to the next, which are small. @param {Float64Array[]} vectors */
+export function angleAlong(vectors) {
+  const units = vectors.map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
+  return units.slice(1).reduce((sum, x, i) => {
     /* Twice the arcsine of half the chord. */
-    const [chord, square] = [gap(x, across[i]), gap(x, across[i]) ** 2];
+    const [chord, square] = [gap(x, units[i]), gap(x, units[i]) ** 2];
     return sum + chord * (1 + (square / 24) * (1 + (9 * square) / 80));
   }, 0);
 }

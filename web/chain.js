@@ -1,0 +1,60 @@
+/** The shortest way from place to place, legs of which are known from below until they are solved: of these as few as possible. Knows nothing of surfaces. */
+
+import { reverse } from './join.js';
+import { mostOf } from './path.js';
+
+/** @typedef {import('./path.js').Path} Path */
+
+/** So many legs are solved at most. */
+const MOST_LEGS = 64;
+
+/**
+ * The shortest way from place 0 to place 1. @param {number} count of places @param {Float64Array} lengths of each to each
+ * @returns {{ way: number[], length: number }} places, none: there is no way
+ */
+function shortestWay(count, lengths) {
+  const far = Array.from({ length: count }, (_, i) => (i ? Infinity : 0));
+  const before = Array(count).fill(-1);
+  const open = new Set(far.keys());
+  while (open.has(1)) {
+    const here = [...open].reduce((best, i) => (far[i] < far[best] ? i : best));
+    open.delete(here);
+    for (const i of open) {
+      const through = far[here] + lengths[count * here + i];
+      if (through < far[i]) [far[i], before[i]] = [through, here];
+    }
+  }
+  const way = [1];
+  for (let i = before[1]; i >= 0; i = before[i]) way.unshift(i);
+  return { way: way.length > 1 ? way : [], length: far[1] };
+}
+
+/**
+ * The shortest way from place 0 to place 1.
+ * @param {number} count of places @param {(i: number, j: number) => number} bound at least as long is a leg, infinite where there is none
+ * @param {(i: number, j: number) => Path} solve a leg from a place to one of a larger number: it counts as long as it is at most, whatever its status
+ * @param {number} [most] what is longer is of no interest
+ * @returns {{ way: number[], length: number, legs: (Path | undefined)[], legOf: (i: number, j: number) => Path | undefined }} way: none where there is none;
+ *   legs: from each place of it to the next, as far as they were solved; legOf: from any place to one of a larger number
+ */
+export function findChain(count, bound, solve, most = Infinity) {
+  const lengths = Float64Array.from({ length: count ** 2 }, (_, k) => bound(Math.floor(k / count), k % count));
+  /** @type {Map<number, Path>} */
+  const solved = new Map();
+  const legOf = (/** @type {number} */ i, /** @type {number} */ j) => solved.get(count * i + j);
+  const legFrom = (/** @type {number} */ i, /** @type {number} */ j) => {
+    const path = legOf(Math.min(i, j), Math.max(i, j));
+    return path && i > j ? reverse(path) : path;
+  };
+  let { way, length } = shortestWay(count, lengths);
+  for (let legs = 0; legs < MOST_LEGS && length <= most; legs++) {
+    const k = way.findIndex((_, at) => at > 0 && !legFrom(way[at - 1], way[at]));
+    if (k < 0) break;
+    const [i, j] = [way[k - 1], way[k]].sort((a, b) => a - b);
+    const leg = solve(i, j);
+    solved.set(count * i + j, leg);
+    lengths[count * i + j] = lengths[count * j + i] = mostOf(leg);
+    ({ way, length } = shortestWay(count, lengths));
+  }
+  return { way, length, legs: way.slice(1).map((place, k) => legFrom(way[k], place)), legOf };
+}
