@@ -133,10 +133,11 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     /* Beside a branch point elements are so short that nobody asks where exactly their nodes lie. */
     double length = distance(chord->at[0], chord->at[1]), rounding = 1e-12 * scale;
     double mid = root(chart_speed_squared(chart, 0, u, v)), first = root(speed_squared(line, i, u, v)),
-           last = root(speed_squared(line, i + 1, u, v)), sagitta = LARGEST_SAGITTA;
+           last = root(speed_squared(line, i + 1, u, v)), end = i > 0 ? i < line->fold.inner ? mid : last : first,
+           sagitta = end < STILL * mid ? BRANCH_SAGITTA : LARGEST_SAGITTA;
     /* At the path's ends the speed may be infinite: that of the middle stands for it. */
-    if (i == 0) sagitta = first < STILL * mid ? BRANCH_SAGITTA : sagitta, first = mid;
-    if (i == line->fold.inner) sagitta = last < STILL * mid ? BRANCH_SAGITTA : sagitta, last = mid;
+    if (i == 0) first = mid;
+    if (i == line->fold.inner) last = mid;
     double along = (first + 4 * mid + last) / 6;
     if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
     if (distance(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;

@@ -182,7 +182,8 @@ static enum sp_status start_points(struct sp_newton *newton, const struct sp_req
     return start_with(newton, request, ends, options->point_count, arena, result);
 }
 
-/* A start of few chords and elements from there. Where these jump between sheets: on twice as many. MATH.md, "Starts". */
+/* A start of few chords and elements from there. Where these jump between sheets, or a given one stalls: on twice as many. MATH.md,
+ * "Starts". */
 static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
                                      double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
                                      struct sp_refined *refined) {
@@ -193,7 +194,8 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
             *refined = solve_elements(newton, options, request, arena, arcs, result);
             status = refined->outcome.status;
         }
-        if (status != SP_SHEET_JUMP || inner >= SP_REFINE_CHORDS - 1) return status;
+        int is_coarse = status == SP_SHEET_JUMP || (request->start && status == SP_STALLED);
+        if (!is_coarse || inner >= SP_REFINE_CHORDS - 1) return status;
     }
 }
 

@@ -132,7 +132,9 @@ export function checkBounds(caller, bounds) {
   const box = [];
   for (const [i, range] of bounds.entries()) {
     checkRange(caller, range, `bounds[${i}]`);
-    if (!range.every(Number.isFinite) || !(range[0] < range[1]))
+    if (!range.every((/** @type {unknown} */ end) => typeof end === 'number'))
+      throw new TypeError(`${caller}: bounds[${i}] must be two numbers, not ${range.map(describe)}`);
+    if (!(range[0] < range[1]))
       throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${range.map(describe)}`);
     box.push(range[0], range[1]);
   }

@@ -42,7 +42,7 @@ export function shorterThan(problem, options, best, { failed, unknown }) {
  * @returns {RawPath}
  */
 export function withoutAny(problem, options, status, { tried, failed, beside }) {
-  if (beside.length > 0 && failed.every(({ status }) => status === STALLED)) return asAsked(beside[0], options);
+  if (beside.length > 0 && !failed.some(isOnSurface)) return asAsked(beside[0], options);
   /* A path that is none of the best is better than none, if what is shorter can be told. */
   const [weakest] = shortestFirst(failed);
   if (weakest || (failed.length > 0 && !(problem.isPlain && problem.domain))) return weakest ?? failed[0];

@@ -1,7 +1,7 @@
 /** Triangle meshes, for drawing: a grid of the rectangle. Implicit surfaces are meshed in C; here only the result is judged. */
 
 import { evaluateNormals } from './normals.js';
-import { describe } from './path.js';
+import { wholeNumber } from './path.js';
 import { STATUS } from './runtime/status.js';
 
 /** @typedef {import('./manifold.js').Manifold} Manifold */
@@ -17,6 +17,8 @@ import { STATUS } from './runtime/status.js';
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
 const FINER = 96;
+/** Cells at most. */
+const FINEST = 256;
 /** How far, in parts of the rectangle, a vertex without a normal (a pole) looks inwards for one. */
 const INWARDS = 1e-4;
 
@@ -50,8 +52,7 @@ function gridTriangles(resolution) {
 export function meshSurface(manifold, caller, wanted) {
   const { kind, domain, box } = manifold;
   const resolution = wanted === undefined ? RESOLUTION[/** @type {'parametric' | 'implicit'} */ (kind)] : wanted;
-  if (!Number.isInteger(resolution) || resolution < 1 || resolution > 256)
-    throw new RangeError(`${caller}: options.resolution must be a whole number from 1 to 256, not ${describe(resolution)}`);
+  wholeNumber(caller, 'resolution', resolution, 1, FINEST);
   if (domain) return meshRectangle(manifold, domain.written, resolution);
   if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
   const mesh = meshImplicit(manifold, caller, box, resolution);

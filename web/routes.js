@@ -8,6 +8,7 @@ import { reverse, turned } from './join.js';
 import { copies, liftEnds, moveOnto, slide } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
+import { FINEST, isTooCoarse, ROUGHLY } from './rough.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
@@ -71,6 +72,13 @@ export function solveNear(field, ends, options, start) {
     passing = pass();
   }
   if (passing) return passing;
+  /* Around rims that are sharper than chords of others, the finest polyline leads on. */
+  if (start && options.algorithm === ELEMENTS && isTooCoarse(near) && options.maxIterations >= ROUGHLY.maxIterations) {
+    const fine = solve({ ...ROUGHLY, points: FINEST });
+    const from = fine.parameters ?? fine.points;
+    const again = holds({ path: fine }) && run((heap, record) => heap.solve(record, { ...request, start: from }, options));
+    if (again && holds({ path: again })) near = again;
+  }
   const path = makePath(near);
   if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
   return path;

@@ -8,7 +8,7 @@ import { SHAPE } from './kind.js';
 import { Manifold } from './manifold.js';
 import { meshSurface } from './mesh.js';
 import { evaluateNormals } from './normals.js';
-import { checkOptions, describe, makePath, readOptions, readStart } from './path.js';
+import { checkOptions, makePath, MOST_POINTS, readOptions, readStart, wholeNumber } from './path.js';
 import { findGeodesics, findPath } from './pieces.js';
 import { projectOnto } from './projection.js';
 import { gap } from './rectangle.js';
@@ -104,8 +104,7 @@ export class Surface {
     const { solve, start, via } = readOptions(caller, options, ['max']);
     const { max = MOST_GEODESICS } = options ?? {};
     if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
-    if (!Number.isInteger(max) || max < 1)
-      throw new RangeError(`${caller}: options.max must be a whole number from 1 on, not ${describe(max)}`);
+    wholeNumber(caller, 'max', max, 1, MOST_POINTS);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     return findGeodesics(this.#manifold.field(), ends, solve, max).filter(

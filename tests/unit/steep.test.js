@@ -218,6 +218,27 @@ test('half axes 20, 20 and 1: chords that cut through the body lead nowhere, wha
   assert.ok(path.converged && Math.abs(path.length / 32.00172170121 - 1) < RIGHT, `${path.status} ${path.length}`);
 });
 
+test('half axes 3, 3 and 0.2, ends nearly opposite through the body: where no chords hold that are longer than the rim is sharp, the finest polylines do', () => {
+  const body = surfpath.parametric({ x: '3cos(u)cos(v)', y: '3sin(u)cos(v)', z: '0.2sin(v)', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  const path = body.shortestPath([1, -1.3], [1 + Math.PI + 0.1, 1.3]);
+  // As elements have it from 3,000 chords.
+  assert.ok(path.converged && Math.abs(path.length / 6.040415879733 - 1) < RIGHT, `${path.status} ${path.length}`);
+});
+
+test('half axes 3, 3 and 0.1: a path given as start is found again, of however many points', () => {
+  const body = surfpath.parametric({ x: '3cos(u)cos(v)', y: '3sin(u)cos(v)', z: '0.1sin(v)', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  const ends = /** @type {const} */ ([
+    [3.72404526013881, 1.183720142720267],
+    [3.2150153271309723, -0.9687466478039995],
+  ]);
+  const path = body.shortestPath(...ends);
+  assert.equal(path.status, 'converged');
+  for (const points of [64, 250, 2000]) {
+    const again = body.shortestPath(...ends, { start: body.shortestPath(...ends, { points }) });
+    assert.ok(again.converged && Math.abs(again.length / path.length - 1) < RIGHT, `${points}: ${again.status} ${again.length}`);
+  }
+});
+
 test('a twisted tube of half axes 2 and 0.2: what rough chords lead to in too many steps, finer ones do', () => {
   const [x, y] = ['cos(.8v)*2cos(u) - sin(.8v)*.2sin(u)', 'sin(.8v)*2cos(u) + cos(.8v)*.2sin(u)'];
   const tube = surfpath.parametric({ x, y, z: 'v', u: [0, '2pi'], v: [-4, 4] });

@@ -267,6 +267,14 @@ describe('mesh', () => {
   test('refuses misuse', () => {
     for (const resolution of [0, 257, 1.5, NaN])
       refuses(() => saddle.mesh({ resolution }), RangeError, /resolution must be a whole number from 1 to 256/);
+    refuses(() => saddle.mesh(anything({ resolution: '8' })), TypeError, /resolution must be a number, not '8'/);
+    refuses(() => saddle.geodesics([0, 0], [1, 1], anything({ max: '3' })), TypeError, /max must be a number, not '3'/);
+    const bounds = anything([
+      ['-1', 1],
+      [-1, 1],
+      [-1, 1],
+    ]);
+    refuses(() => surfpath.implicit({ f: 'x', bounds }), TypeError, /bounds\[0\] must be two numbers, not '-1',1/);
     refuses(() => saddle.mesh(anything({ reslution: 8 })), TypeError, /there is no option 'reslution'; the options are resolution/);
     refuses(() => saddle.mesh(anything(null)), TypeError, /options must be an object/);
     refuses(() => surfpath.implicit({ f: 'x' }).mesh(), RangeError, /inside its bounds; give them in its definition/);

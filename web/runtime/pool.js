@@ -2,7 +2,7 @@
 
 import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
-import { checkOptions, describe, makePath } from '../path.js';
+import { checkOptions, describe, makePath, wholeNumber } from '../path.js';
 import { Crew } from './crew.js';
 import { emptyPath } from './result.js';
 import { Job } from './job.js';
@@ -36,8 +36,7 @@ const MOST_WORKERS = 256;
 function readSettings(settings) {
   const caller = 'createPool';
   const { workers, worker } = checkOptions(caller, settings, ['workers', 'worker']);
-  if (workers !== undefined && !(Number.isInteger(workers) && workers >= 1 && workers <= MOST_WORKERS))
-    throw new RangeError(`${caller}: options.workers must be a whole number from 1 to ${MOST_WORKERS}, not ${describe(workers)}`);
+  if (workers !== undefined) wholeNumber(caller, 'workers', workers, 1, MOST_WORKERS);
   return { workers, script: worker === undefined ? undefined : readScript(caller, worker) };
 }
 
