@@ -35,6 +35,18 @@ export function compete(rivals, rounds) {
 }
 
 /**
+ * Milliseconds that a task takes, so many times; as often before, unmeasured: where a rival is a process it began by fork, and from then on each page of this one's memory costs a fault
+ * when it is first written, which is half of a short solve on some machines.
+ * @param {() => unknown} run @param {number} times
+ */
+export function repeat(run, times) {
+  for (let i = 0; i < times; i++) run();
+  const start = performance.now();
+  for (let i = 0; i < times; i++) run();
+  return performance.now() - start;
+}
+
+/**
  * Nanoseconds of all tasks of each rival: the sum of the least that each took. For tasks of less than a millisecond, which other work of the machine now and then misses.
  * @template {string} Name
  * @param {Record<Name, (() => unknown)[]>} rivals take turns, task by task

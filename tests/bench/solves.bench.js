@@ -2,7 +2,7 @@
 import { load } from 'surfpath';
 import { gallery } from 'surfpath/gallery';
 import { createRandom } from '../helpers/random.js';
-import { compete, quick, report, SEED, warmUp } from './bench.js';
+import { compete, quick, repeat, report, SEED, warmUp } from './bench.js';
 import { buildNative } from './native.js';
 import { randomPairs } from './pairs.js';
 
@@ -61,11 +61,7 @@ function measure(name, known, tolerance) {
   };
   const { wasm, gcc, tuned } = compete(
     {
-      wasm: () => {
-        const start = performance.now();
-        for (let i = 0; i < repetitions; i++) solveAll();
-        return (1e3 * (performance.now() - start)) / (repetitions * pairs.length);
-      },
+      wasm: () => (1e3 * repeat(solveAll, repetitions)) / (repetitions * pairs.length),
       gcc: sampleNative(native),
       tuned: sampleNative(march),
     },

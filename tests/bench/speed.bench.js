@@ -3,7 +3,7 @@ import { load } from 'surfpath';
 import { gallery } from 'surfpath/gallery';
 import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
-import { compete, quick, report, SEED, warmUp } from './bench.js';
+import { compete, quick, repeat, report, SEED, warmUp } from './bench.js';
 import { buildNative } from './native.js';
 import { randomPairs } from './pairs.js';
 
@@ -61,11 +61,7 @@ function measure(name, points) {
   const watch = (/** @type {number} */ sum) => {
     same &&= sum === expected;
   };
-  const time = (/** @type {() => void} */ run) => {
-    const start = performance.now();
-    for (let i = 0; i < repetitions; i++) run();
-    return (1e3 * (performance.now() - start)) / (repetitions * pairs.length);
-  };
+  const time = (/** @type {() => void} */ run) => (1e3 * repeat(run, repetitions)) / (repetitions * pairs.length);
   const { wasm, gcc, rough } = compete(
     {
       wasm: () => time(() => watch(solveAll(surface, pairs, options))),
