@@ -1,7 +1,7 @@
 /** Ways through the branch points of a parametric surface: of all chains of legs from point to point the shortest. MATH.md, "Branch points". */
 
 import { angleThrough } from './branches.js';
-import { compared, ELEMENTS, lengthOfShortest, MARGIN } from './candidates.js';
+import { asAsked, compared, ELEMENTS, holds, lengthOfShortest, MARGIN } from './candidates.js';
 import { findChain } from './chain.js';
 import { joinLegs, reverse } from './join.js';
 import { moveNear } from './lifts.js';
@@ -60,6 +60,12 @@ export function overBranches(problem, options, found) {
     },
   ];
 }
+
+/** Where a path near a start came to nothing: the shortest through branch points, if it is one. @param {Problem} problem @param {SolveOptions} options */
+export const passBranches = (problem, options) =>
+  overBranches(problem, options, [])
+    .filter(holds)
+    .map((found) => asAsked(found, options));
 
 /**
  * The shortest way through branch points; no legs where it is longer than that, or one of them is no path.

@@ -1,6 +1,7 @@
 /** From two ends to a path: near a start, or the globally shortest. Joins the solver, the graphs and the lifts of a surface. */
 
 import { findBranches } from './branches.js';
+import { passBranches } from './branched.js';
 import { ELEMENTS, holds } from './candidates.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
@@ -44,7 +45,7 @@ const LONGEST = 1.25;
 
 /**
  * The locally shortest path near a start. One that comes to nothing near a pole may want to pass that on the other side, whereto no step in the rectangle
- * leads: then the shortest of those that pass it.
+ * leads: then the shortest of those that pass it; and on a surface with branch points, the shortest through these.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight
  * @returns {Path}
  */
@@ -54,18 +55,19 @@ export function solveNear(field, ends, options, start) {
   const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
   const request = { kind, from: lifted[0], to: lifted[1], start };
   const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
-  const mayPass = domain && domain.tips.length > 0 && options.algorithm === ELEMENTS;
+  const branches = branchesOf(field).length > 0;
+  const mayPass = domain && (branches || domain.tips.length > 0) && options.algorithm === ELEMENTS;
   const isCut = mayPass && options.maxIterations > PATIENCE;
   let near = solve(isCut ? { ...options, maxIterations: PATIENCE } : options);
   const pass = () => {
     const rest = { ...options, maxIterations: Math.max(isCut ? PATIENCE : 0, options.maxIterations - near.iterations) };
     return mayPass && !holds({ path: near }) && rest.maxIterations > 0
-      ? pose(field, ends, (problem) => passPoles(problem, rest, near))[0]
+      ? pose(field, ends, (problem) => [...passPoles(problem, rest, near), ...passBranches(problem, rest)])[0]
       : undefined;
   };
   /* Cut short, it may only take long. */
   const isOpen = isCut && near.iterations >= PATIENCE && !holds({ path: near });
-  const slips = near.parameters && mayPass && passedTip(domain, near.parameters, SLIPPING);
+  const slips = branches || (near.parameters && mayPass && passedTip(domain, near.parameters, SLIPPING));
   let passing = !isOpen || slips ? pass() : undefined;
   if (isOpen && !passing) {
     near = solve(options);
@@ -120,6 +122,7 @@ function pose(field, [from, to], find) {
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   const branches = branchesOf(field);
+  const legs = { ...field, isLeg: true };
   let exhausted = false;
   /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
   const watch = (answer) => {
@@ -137,8 +140,8 @@ function pose(field, [from, to], find) {
         watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
       branches,
       isLeg: !!field.isLeg,
-      leg: (places, asked) => findGlobal({ ...field, isLeg: true }, places, asked, 1)[0],
-      near: (places, asked, start) => solveNear(field, places, asked, start),
+      leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
+      near: (places, asked, start) => solveNear(legs, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
       flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
       search: (graph, points, isAll) =>

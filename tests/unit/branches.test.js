@@ -59,6 +59,17 @@ for (const { times, x, y } of COVERS)
       assert.ok(through > 20 && through < 50, `${through} through the point`);
     });
 
+    test('an end that is dragged around the point, each path the start of the next', () => {
+      let path = surface.shortestPath([0.8, 0.1], [0.7, 0]);
+      for (let k = 1; k <= 24; k++) {
+        const to = [0.7 * Math.cos((k * Math.PI) / 12), 0.7 * Math.sin((k * Math.PI) / 12)];
+        path = surface.shortestPath([0.8, 0.1], to, { start: path });
+        const best = surface.shortestPath([0.8, 0.1], to);
+        assert.equal(path.status, 'converged', `${to}`);
+        assert.ok(Math.abs(path.length / best.length - 1) < 1e-9, `${to}: ${path.length}, the shortest ${best.length}`);
+      }
+    });
+
     test('with as many points as are asked for', () => {
       for (const points of [1, 2, 200]) {
         const path = surface.shortestPath([0.5, 0.1], [-0.6, 0.1], { points, record: true });
