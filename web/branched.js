@@ -45,7 +45,7 @@ export function overBranches(problem, options, found) {
       return own;
     });
     const turn = Math.PI - angleThrough(domain, positions, branch, sides);
-    return turn <= STRAIGHT ? sum : sum + Math.min(turn, 2) * Math.min(parts[k].length, parts[k + 1].length);
+    return turn <= STRAIGHT ? sum : sum + (turn < 2 ? turn : 2) * Math.min(parts[k].length, parts[k + 1].length);
   }, 0);
   const judged = (/** @type {Path} */ whole) =>
     corner === 0 && isPath(whole)

@@ -67,10 +67,10 @@ test('a function in place of a value is told as one, not with its source', () =>
 
 test('null is no resolution and no tolerance', () => {
   const surface = plane();
-  refuses(() => surface.mesh({ resolution: anything(null) }), RangeError, /^mesh: options\.resolution must be a whole .*, not null$/);
+  refuses(() => surface.mesh({ resolution: anything(null) }), TypeError, /^mesh: options\.resolution must be a number, not null$/);
   refuses(
     () => surface.distanceField([0, 0], { resolution: anything(null) }),
-    RangeError,
+    TypeError,
     /^distanceField: options\.resolution .*, not null$/,
   );
   refuses(() => surface.shortestPath([0, 0], [1, 1], { tolerance: anything(null) }), TypeError, /tolerance must be a number, not null$/);
