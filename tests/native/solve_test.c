@@ -156,6 +156,60 @@ static void check_apex(uint64_t *seed) {
         }
 }
 
+/* (u + iv)^3 in the plane, which goes three times around 0. */
+static void cover_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 2, out += SP_PARAMETRIC_JET) {
+        sp_pair u = in[0], v = in[1], zero = sp_splat(0.0), x1 = 3.0 * (u * u - v * v), y1 = 6.0 * u * v, x2 = 6.0 * u, y2 = 6.0 * v;
+        sp_pair jet[SP_PARAMETRIC_JET] = {u * u * u - 3.0 * u * v * v,
+                                          3.0 * u * u * v - v * v * v,
+                                          zero,
+                                          x1,
+                                          y1,
+                                          zero,
+                                          -y1,
+                                          x1,
+                                          zero,
+                                          x2,
+                                          y2,
+                                          zero,
+                                          -y2,
+                                          x2,
+                                          zero,
+                                          -x2,
+                                          -y2,
+                                          zero};
+        memcpy(out, jet, sizeof jet);
+    }
+}
+static void cover_value(int32_t count, const sp_pair *in, sp_pair *out) {
+    sp_pair jet[SP_PARAMETRIC_JET];
+    for (int32_t i = 0; i < count; i++, in += 2, out += SP_PARAMETRIC_VALUES) {
+        cover_jet(1, in, jet);
+        memcpy(out, jet, SP_PARAMETRIC_VALUES * sizeof(sp_pair));
+    }
+}
+
+/* Paths end in a branch point, along straight lines of the plane. From side to side none leads that a solver may call one, unless it passes
+ * beside. */
+static void check_branch(uint64_t *seed) {
+    const struct sp_surface cover = {cover_jet, cover_value, SP_PARAMETRIC, 0, {-1, -1}, {1, 1}, 0};
+    const struct sp_arena small = arena;
+    arena = (struct sp_arena){aligned_alloc(16, 1 << 23), 1 << 23, 0};
+    for (int i = 0; i < 40; i++) {
+        double u = 2 * random_unit(seed) - 1, v = 2 * random_unit(seed) - 1, length = pow(u * u + v * v, 1.5);
+        struct sp_request request = {{u, v, 0}, {0, 0, 0}, NULL, 0, 0};
+        struct sp_options options = options_of(64, 0);
+        options.algorithm = SP_ELEMENTS;
+        struct sp_result result = solve(&cover, request, options);
+        CHECK(result.status == SP_CONVERGED && result.index == 0, "%g, %g: status %d", u, v, result.status);
+        CHECK(fabs(result.length / length - 1) <= 1e-12, "%g, %g: %g", u, v, result.length / length - 1);
+        request.to[0] = -u, request.to[1] = -v; /* one and a half turns on */
+        CHECK(solve(&cover, request, options).status != SP_CONVERGED, "%g, %g, through the point", u, v);
+    }
+    free(arena.base);
+    arena = small;
+}
+
 static void check_projection(uint64_t *seed) {
     for (int i = 0; i < 200; i++) {
         double point[3], place[3], length = 0;
@@ -209,6 +263,7 @@ int main(void) {
     check_arena(&globe_surface, (struct sp_request){{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0}, 1);
     check_hostile();
     check_apex(&seed);
+    check_branch(&seed);
     check_projection(&seed);
     free(arena.base);
     return checks_failed();
