@@ -12,7 +12,7 @@ enum sp_status {
     SP_SADDLE = 5,            /* stationary, but a neighbouring path is shorter */
     SP_EDGE_REACHED = 6,      /* tracing only: the edge of the domain came first */
     SP_DISCONNECTED = -1,     /* the ends lie on different pieces of the surface */
-    SP_SINGULAR_METRIC = -2,  /* the first fundamental form (implicit: the gradient of f) vanishes on the path */
+    SP_SINGULAR_METRIC = -2,  /* the first fundamental form vanishes on the path; implicit: the gradient of f, at an end, too */
     SP_SHEET_JUMP = -3,       /* implicit: a chord leads from one sheet of the surface to another */
     SP_OFF_SURFACE = -4,      /* implicit: an end could not be projected onto the surface nearby */
     SP_NOT_FINITE = -5,       /* the surface is NaN or infinite where the path must go */
