@@ -34,7 +34,11 @@ threads.Worker = class extends threads.Worker {
 
 /** Ends a worker as nobody expects it. @param {import('./random.js').Random} random @returns when it has ended: until then it may be given work */
 export async function killOne(random) {
-  if (alive.size > 0) await random.pick([...alive]).terminate();
+  if (alive.size === 0) return;
+  /* A pool that is done meanwhile lets Node.js exit before its workers have ended. */
+  const keep = setInterval(() => {}, 1000);
+  await random.pick([...alive]).terminate();
+  clearInterval(keep);
 }
 
 /** @param {number} milliseconds */

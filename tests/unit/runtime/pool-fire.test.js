@@ -58,6 +58,16 @@ describe(`workers that are killed, seed ${SEED}`, () => {
       await ended;
     });
 
+  test('when all is done, before the answer', async () => {
+    let ended;
+    const onProgress = (/** @type {{ done: number, total: number }} */ { done, total }) => {
+      if (done === total) ended = killOne(random);
+    };
+    assert.deepEqual(await pool.lengths(definition, pairs, { ...OPTIONS, onProgress }), expected);
+    await ended;
+    await works(pool);
+  });
+
   test('again and again: every pair is solved, or lost for two workers', async () => {
     let [kills, last] = [0, 0];
     const timer = setInterval(() => {
