@@ -1,8 +1,9 @@
 /** Distances from one point to all vertices of a mesh: by one search of the surface's graph, which is in wasm/graph_field.c, or each by the solver. */
 
+import { findPath } from './intrinsic.js';
 import { copies } from './lifts.js';
 import { checkBoolean, checkOptions, isPath, readOptions } from './path.js';
-import { findBeside, findPath, findWithin } from './pieces.js';
+import { findBeside, findWithin } from './pieces.js';
 import { gap } from './rectangle.js';
 import { EXHAUSTED } from './runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';

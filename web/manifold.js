@@ -25,15 +25,18 @@ export class Manifold {
   #solver;
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
-  /** With what measures length, if it is not space alone, and the reference direction of its frame. @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, reference: number[] | null }} */
+  /**
+   * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
+   * @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null }}
+   */
   #compiled;
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
   /** @type {Installed | null} */ #installed = null;
   /** @type {Installed | null} */ #installedMetric = null;
-  #graphs;
-  /** Those of the pieces of its domain. @type {Graphs[]} */ #graphsOfPieces = [];
+  /** @type {Installed | null} */ #installedOwn = null;
+  /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
   /** The domain whose walls the solver knows now. @type {Domain | null} */ #walls = null;
   /** The solver's instance in which it is installed; 0: in none. */
   #generation = 0;
@@ -43,7 +46,6 @@ export class Manifold {
     this.#shape = readShape(kind, definition);
     this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
-    this.#graphs = new Graphs(KIND[this.kind]);
     this.#solver = solver;
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.parameters = checkParameters(kind, definition.parameters ?? {});
@@ -97,45 +99,51 @@ export class Manifold {
     return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
-  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
-  evaluate(what, points) {
+  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points @param {boolean} [isOwn] of its own E, F and G */
+  evaluate(what, points, isOwn = false) {
     const { variables, jet, value } = SHAPE[this.kind];
     if (points.length === 0) return new Float64Array(0);
     this.#wake();
-    const { call } = /** @type {Installed} */ (this.#installed);
+    const { call } = /** @type {Installed} */ (isOwn ? this.#installedOwn : this.#installed);
     return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
   }
 
   /**
    * Runs something on the solver's memory, after making sure that this surface is installed there.
-   * @template T @param {import('./routes.js').Call<T>} call @param {Domain | null} [domain] its own, or that of a piece
+   * @template T @param {import('./routes.js').Call<T>} call @param {Domain | null} [domain] its own, or that of a piece @param {boolean} [isOwn] as its own E, F and G measure it
    * @returns {T}
    */
-  run(call, domain = this.domain) {
+  run(call, domain = this.domain, isOwn = false) {
     this.#wake();
     if (this.#walls !== domain) this.#writeRecord(domain);
     const shape = /** @type {Installed} */ (this.#installed);
-    return this.#solver.run(() => call(this.#solver.heap, (this.#installedMetric ?? shape).record, shape));
+    const measured = (isOwn ? this.#installedOwn : this.#installedMetric) ?? shape;
+    return this.#solver.run(() => call(this.#solver.heap, measured.record, shape));
   }
 
-  /** What a question needs of this surface, or of a piece of it. @param {Domain | null} [domain] @param {Graphs} [graphs] @returns {import('./routes.js').Field} */
-  field(domain = this.domain, graphs = this.#graphs) {
+  /** What a question needs of this surface. @returns {import('./routes.js').Field} */
+  field() {
+    const own = () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null);
+    return { ...this.#fieldOf(this.domain, 0, false), own: this.kind === 'parametric' && !this.#measure.metric ? own : null };
+  }
+
+  /** @param {Domain | null} domain its own, or that of a piece @param {number} place of its graphs @param {boolean} isOwn @returns {import('./routes.js').Field} */
+  #fieldOf(domain, place, isOwn) {
     const isAbstract = this.kind === 'metric';
-    const pieces = domain?.pinches?.pieces ?? [];
+    const graphs = this.#graphs[Number(isOwn)];
+    graphs[place] ??= new Graphs(KIND[this.kind]);
     return {
       kind: KIND[this.kind],
       domain,
       box: this.box,
-      graphs,
-      isPlain: !isAbstract && !this.#compiled.metric,
+      graphs: graphs[place],
+      isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
-      run: (call) => this.run(call, domain),
-      jets: (places) => this.evaluate('jet', places),
+      run: (call) => this.run(call, domain, isOwn),
+      jets: (places) => this.evaluate('jet', places, isOwn),
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
-      pieces: pieces.map((piece, i) => {
-        this.#graphsOfPieces[i] ??= new Graphs(KIND[this.kind]);
-        return this.field(piece, this.#graphsOfPieces[i]);
-      }),
+      pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
+      own: null,
     };
   }
 
@@ -151,7 +159,7 @@ export class Manifold {
       apply: this.#solver.apply,
       valueOrder: SHAPE[this.kind].valueOrder,
     });
-    return { ...compiled, metric, reference };
+    return { ...compiled, metric, own: null, reference };
   }
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
@@ -175,15 +183,34 @@ export class Manifold {
       throw error;
     }
     this.#installed = installed;
+    this.#installedOwn = null;
     this.#generation = this.#solver.generation;
     this.#writeParameters();
+  }
+
+  /** Compiles and installs its own E, F and G, unless that is done. Returns whether there is room for them. */
+  #installOwn() {
+    this.#wake();
+    if (this.#installedOwn) return true;
+    const measure = { ...this.#measure, isOwn: true };
+    try {
+      this.#compiled.own ??= compileMetric(this.kind, measure, this.#shape, this.#reference, this.parameters, this.#solver.apply);
+      const { module, data, dataBytes } = /** @type {NonNullable<ReturnType<typeof compileMetric>>} */ (this.#compiled.own).compiled;
+      this.#installedOwn = this.#solver.install(module, data, dataBytes);
+    } catch (error) {
+      if (error instanceof RangeError || error instanceof WebAssembly.CompileError) return false;
+      throw error;
+    }
+    this.#writeParameters();
+    this.#writeRecord(this.#walls);
+    return true;
   }
 
   /** Gives back what the solver's present instance holds of it, if anything; {@link #wake} installs it again. */
   #uninstall() {
     this.#generation = 0;
-    for (const installed of [this.#installed, this.#installedMetric]) if (installed) this.#solver.remove(installed);
-    this.#installed = this.#installedMetric = null;
+    for (const installed of this.#everyInstalled) if (installed) this.#solver.remove(installed);
+    this.#installed = this.#installedMetric = this.#installedOwn = null;
   }
 
   /** Installs the surface again where a trap has made the solver begin anew. */
@@ -191,7 +218,7 @@ export class Manifold {
     /* By a getter, say, of the options of a call that has begun. */
     if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
     if (this.#generation === this.#solver.generation) return;
-    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(null);
+    for (const graphs of this.#graphs.flat()) graphs.drop(null);
     try {
       this.#install();
       this.#writeRecord();
@@ -201,8 +228,12 @@ export class Manifold {
     }
   }
 
+  get #everyInstalled() {
+    return [this.#installed, this.#installedMetric, this.#installedOwn];
+  }
+
   #writeParameters() {
-    for (const installed of [this.#installed, this.#installedMetric])
+    for (const installed of this.#everyInstalled)
       if (installed) this.#solver.heap.writeDoubles(installed.data, Object.values(this.parameters));
   }
 
@@ -215,10 +246,13 @@ export class Manifold {
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
     const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent: this.extent };
     const { heap } = this.#solver;
-    const { metric } = this.#compiled;
-    const measured = this.#installedMetric;
+    const { metric, own } = this.#compiled;
     heap.writeSurface(record, this.kind === 'metric' ? { ...shape, metric: METRIC.tensor, value: 0 } : shape);
-    if (metric && measured) heap.writeSurface(measured.record, { ...shape, metric: metric.code, jet: measured.jet });
+    for (const [measure, measured] of /** @type {const} */ ([
+      [metric, this.#installedMetric],
+      [own, this.#installedOwn],
+    ]))
+      if (measure && measured) heap.writeSurface(measured.record, { ...shape, metric: measure.code, jet: measured.jet });
   }
 
   /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
@@ -264,6 +298,6 @@ export class Manifold {
   /** Frees the graphs: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
     const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
-    for (const graphs of [this.#graphs, ...this.#graphsOfPieces]) graphs.drop(heap);
+    for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }
 }

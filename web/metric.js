@@ -15,7 +15,10 @@ const TENSOR = {
   implicit: { entries: ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'], order: ['xx', 'xy', 'yy', 'xz', 'yz', 'zz'] },
 };
 
-/** @typedef {{ density?: import('./definition.js').Expression, metric?: Record<string, import('./definition.js').Expression> }} Measure what measures length besides space */
+/**
+ * What measures length besides space. isOwn: the E, F and G that space induces, in its place, on a parametric surface.
+ * @typedef {{ density?: import('./definition.js').Expression, metric?: Record<string, import('./definition.js').Expression>, isOwn?: boolean }} Measure
+ */
 
 /** @param {string} kind @param {any} definition @returns {Measure} a copy */
 export function readMeasure(kind, { density, metric }) {
@@ -36,6 +39,16 @@ export function readMeasure(kind, { density, metric }) {
   return { density, metric: { ...metric } };
 }
 
+/** S_u·S_u, S_u·S_v and S_v·S_v as nodes. @param {import('./expression/compile.js').Formulas} formulas @param {number[]} position nodes of x, y, z @param {string[]} variables */
+function induced({ graph, slope }, position, variables) {
+  const [a, b] = variables.map((variable) => position.map((node) => slope(node, variable)));
+  return [
+    [a, a],
+    [a, b],
+    [b, b],
+  ].map(([p, q]) => p.map((node, i) => graph.multiply(node, q[i])).reduce((sum, node) => graph.add(sum, node)));
+}
+
 /**
  * Compiles what measures length, if it is not space alone: the function `jet` of wasm/surface.h for that metric. Formulas are over u, v, the shape's own
  * variables, and, a density's, x, y and z; over x, y, z on an implicit surface.
@@ -43,8 +56,8 @@ export function readMeasure(kind, { density, metric }) {
  * @param {Record<string, number>} parameters @param {import('./expression/compile.js').Apply} apply
  * @returns {{ code: number, compiled: Compiled } | null}
  */
-export function compileMetric(kind, { density, metric }, shape, reference, parameters, apply) {
-  if (density === undefined && metric === undefined) return null;
+export function compileMetric(kind, { density, metric, isOwn }, shape, reference, parameters, apply) {
+  if (density === undefined && metric === undefined && !isOwn) return null;
   const { outputs, names, variables } = shape;
   const order = metric ? TENSOR[kind].order : [];
   const compiled = compile({
@@ -60,9 +73,10 @@ export function compileMetric(kind, { density, metric }, shape, reference, param
       const everything = kind === 'implicit' ? places : { ...places, x, y, z };
       const factor = density === undefined ? graph.one : read(density, 'density', variables, known(everything));
       const square = graph.multiply(factor, graph.absolute(factor));
-      const tensor = metric ? order.map((name) => read(metric[name], `metric.${name}`, variables, known(places))) : [graph.one];
+      const entry = (/** @type {string} */ name) => read(/** @type {any} */ (metric)[name], `metric.${name}`, variables, known(places));
+      const tensor = isOwn ? induced(formulas, shaped, variables) : metric ? order.map(entry) : [graph.one];
       const measured = tensor.map((component) => graph.multiply(component, square));
-      return kind === 'parametric' && metric ? measured : [...shaped, ...measured];
+      return kind === 'parametric' && tensor.length > 1 ? measured : [...shaped, ...measured];
     },
     names,
     variables,
@@ -70,5 +84,5 @@ export function compileMetric(kind, { density, metric }, shape, reference, param
     valueOrder: 0,
     apply,
   });
-  return { code: metric ? METRIC.tensor : METRIC.density, compiled };
+  return { code: metric || isOwn ? METRIC.tensor : METRIC.density, compiled };
 }

@@ -27,6 +27,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @typedef {object} Field a surface, as far as finding paths on it needs to know
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
+ * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points
@@ -34,7 +35,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>) => T} run
- * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
+ * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space; of E, F and G, where these are its own
  * @property {(box: number[], resolution: number) => import('./mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
  */
 

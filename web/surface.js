@@ -4,12 +4,13 @@ import { readPairs, readPairOptions } from './batch.js';
 import { readList, checkParameters, readNumbers } from './definition.js';
 import { DISPOSE } from './dispose.js';
 import { measureField, readFieldOptions } from './field.js';
+import { findGeodesics, findPath } from './intrinsic.js';
 import { SHAPE } from './kind.js';
 import { Manifold } from './manifold.js';
 import { meshSurface } from './mesh.js';
 import { evaluateNormals } from './normals.js';
 import { checkOptions, makePath, MOST_POINTS, readOptions, readStart, wholeNumber } from './path.js';
-import { findGeodesics, findPath } from './pieces.js';
+
 import { projectOnto } from './projection.js';
 import { gap } from './rectangle.js';
 import { emptyPath } from './runtime/result.js';

@@ -1,7 +1,8 @@
 /** Paths through given points: the shortest path from each to the next. */
 
+import { findPath } from './intrinsic.js';
 import { joinPieces, reverse } from './join.js';
-import { findPath, placed } from './pieces.js';
+import { placed } from './pieces.js';
 import { isAfter } from './routes.js';
 
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */

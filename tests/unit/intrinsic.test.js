@@ -1,0 +1,183 @@
+// Surfaces whose sheets cross, or lie nearer to each other than chords are long: paths found by E, F and G where chords in space jump from sheet to sheet. Against E, F and G written
+// by hand, closed forms, and traced geodesics.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+/** @typedef {import('../../web/definition.js').ParametricDefinition} ParametricDefinition */
+
+const surfpath = await load();
+/** Two tolerances of 1e-9, relative: one of each path. */
+const RIGHT = 2e-9;
+/** A traced path ends this near to where it should, in parts of its length; beside a pinch point neighbours part by a millionfold. */
+const LANDED = 1e-3;
+/** So much of the range, from its edges, is left free of ends. */
+const MARGIN = 0.02;
+
+/** @param {import('../../web/surface.js').Surface} surface @param {number} seed @param {number} count @returns {number[][][]} */
+function randomPairs(surface, seed, count) {
+  const random = createRandom(seed);
+  const { u, v } = /** @type {NonNullable<typeof surface.domain>} */ (surface.domain);
+  const place = () => [u, v].map(([low, high]) => random.between(low + MARGIN * (high - low), high - MARGIN * (high - low)));
+  return Array.from({ length: count }, () => [place(), place()]);
+}
+
+/** The direction in u and v in which a path begins, by five of its points. @param {import('../../web/path.js').Path} path */
+function slopeOf({ parameters }) {
+  const at = /** @type {Float64Array} */ (parameters);
+  return [0, 1].map((j) => -25 * at[j] + 48 * at[j + 2] - 36 * at[j + 4] + 16 * at[j + 6] - 3 * at[j + 8]);
+}
+
+/** Pinch points, from which double lines begin, with E, F and G by hand. @type {{ title: string, surface: ParametricDefinition, metric: { E: string, F: string, G: string }, least: number }[]} */
+const PINCHED = [
+  {
+    title: "Whitney's umbrella",
+    surface: { x: 'u*v', y: 'u', z: 'v^2', u: [-1, 1], v: [-1, 1] },
+    metric: { E: 'v^2 + 1', F: 'u*v', G: 'u^2 + 4v^2' },
+    least: 20,
+  },
+  {
+    title: "Plücker's conoid",
+    surface: { x: 'v*cos(u)', y: 'v*sin(u)', z: 'sin(2u)', u: [0, '2pi'], v: [-1, 1] },
+    metric: { E: 'v^2 + 4cos(2u)^2', F: '0', G: '1' },
+    least: 19,
+  },
+  {
+    title: 'the sine surface',
+    surface: { x: 'sin(u)', y: 'sin(v)', z: 'sin(u + v)', u: [0, '2pi'], v: [0, '2pi'] },
+    metric: { E: 'cos(u)^2 + cos(u + v)^2', F: 'cos(u + v)^2', G: 'cos(v)^2 + cos(u + v)^2' },
+    least: 18,
+  },
+];
+
+for (const { title, surface: definition, metric, least } of PINCHED)
+  describe(title, () => {
+    const surface = surfpath.parametric(definition);
+    const { periodic } = /** @type {NonNullable<typeof surface.domain>} */ (surface.domain);
+    const abstract = surfpath.metric({ ...metric, u: definition.u, v: definition.v, periodic });
+    const pairs = randomPairs(surface, 81, 20);
+    const paths = pairs.map(([from, to]) => surface.shortestPath(from, to));
+
+    test('nearly all paths converge, are geodesics, and as long as E, F and G say', () => {
+      let count = 0;
+      for (const [i, path] of paths.entries()) {
+        if (!path.converged) continue;
+        const [from, to] = pairs[i];
+        const other = abstract.shortestPath(from, to);
+        if (other.converged)
+          assert.ok(Math.abs(path.length / other.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${other.length}`);
+        if (!path.touchesBoundary) {
+          const end = surface.trace(from, slopeOf(surface.shortestPath(from, to, { points: 4095 })), path.length).points.slice(-3);
+          const missed = Math.hypot(
+            ...surface
+              .evaluate(to)
+              .subarray(0, 3)
+              .map((x, j) => x - end[j]),
+          );
+          assert.ok(missed < LANDED * path.length, `${from} to ${to}: traced, it misses the end by ${missed}`);
+        }
+        count++;
+      }
+      assert.ok(count >= least, `${count} of ${paths.length}`);
+    });
+
+    test('the same both ways, in bulk, and with however many points', () => {
+      const few = pairs.slice(0, 5);
+      assert.deepEqual(
+        surface.lengths(few.flat(2)),
+        Float64Array.from(few, (_, i) => paths[i].length),
+      );
+      for (const [i, [from, to]] of few.entries()) {
+        assert.equal(surface.shortestPath(to, from).length, paths[i].length);
+        assert.equal(surface.shortestPath(from, to, { points: 9 }).length, paths[i].length);
+      }
+    });
+  });
+
+describe('a sheet with waves that are steeper than chords can follow', () => {
+  /* Unrolled it is a plane. */
+  const [height, waves] = [0.2, 30];
+  const definition = {
+    x: 'u',
+    y: 'v',
+    z: 'h*sin(k*u)',
+    u: /** @type {const} */ ([-2, 2]),
+    v: /** @type {const} */ ([-2, 2]),
+    parameters: { h: height, k: waves },
+  };
+  /** Arc length of a wave by Simpson's rule. @param {number} low @param {number} high @param {number} k */
+  const unroll = (low, high, k) => {
+    const count = 40_000;
+    const step = (high - low) / count;
+    const speed = (/** @type {number} */ i) => Math.sqrt(1 + (height * k * Math.cos(k * (low + i * step))) ** 2);
+    let sum = speed(0) + speed(count);
+    for (let i = 1; i < count; i++) sum += (i & 1 ? 4 : 2) * speed(i);
+    return (sum * step) / 3;
+  };
+
+  /** @param {import('../../web/surface.js').Surface} surface @param {number} k @param {number} seed */
+  const check = (surface, k, seed) => {
+    let count = 0;
+    for (const [from, to] of randomPairs(surface, seed, 12)) {
+      const path = surface.shortestPath(from, to);
+      if (!path.converged) continue;
+      const wanted = Math.hypot(unroll(from[0], to[0], k), to[1] - from[1]);
+      assert.ok(Math.abs(path.length / wanted - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${wanted}`);
+      count++;
+    }
+    return count;
+  };
+
+  test('as long as unrolled, also after a parameter has changed', () => {
+    const surface = surfpath.parametric(definition);
+    assert.ok(check(surface, waves, 82) >= 10);
+    surface.set({ k: 25 });
+    assert.ok(check(surface, 25, 83) >= 10);
+    surface.dispose();
+  });
+});
+
+test('a hollow cylinder whose walls are 0.04 apart: all paths converge, none through a wall', () => {
+  const surface = surfpath.parametric({
+    x: 'cos(u)*(1 + 0.02cos(v))',
+    y: 'sin(u)*(1 + 0.02cos(v))',
+    z: 'sin(v)',
+    u: [0, '2pi'],
+    v: [0, '2pi'],
+  });
+  for (const [from, to] of randomPairs(surface, 84, 20)) {
+    const path = surface.shortestPath(from, to, { points: 500 });
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    const { points } = path;
+    let chords = 0;
+    for (let i = 3; i < points.length; i += 3) chords += Math.hypot(...[0, 1, 2].map((j) => points[i + j] - points[i + j - 3]));
+    assert.ok(Math.abs(chords / path.length - 1) < 1e-3, `${from} to ${to}: ${path.length}, its chords ${chords}`);
+  }
+});
+
+test('with a density: as E, F and G with it', () => {
+  const [x, y, z] = ['v*cos(u)', 'v*sin(u)', 'sin(2u)'];
+  const range = /** @type {const} */ ({ u: [0, '2pi'], v: [-1, 1] });
+  const surface = surfpath.parametric({ x, y, z, ...range, density: '1 + x^2' });
+  const factor = '(1 + v^2*cos(u)^2)^2';
+  const abstract = surfpath.metric({ E: `(v^2 + 4cos(2u)^2)*${factor}`, F: 0, G: factor, ...range, periodic: { u: true } });
+  let count = 0;
+  for (const [from, to] of randomPairs(surface, 85, 6)) {
+    const [path, other] = [surface, abstract].map((one) => one.shortestPath(from, to));
+    if (!path.converged || !other.converged) continue;
+    assert.ok(Math.abs(path.length / other.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${other.length}`);
+    count++;
+  }
+  assert.ok(count >= 5, `${count} converged`);
+});
+
+test('who allows few steps learns where they end', () => {
+  const surface = surfpath.parametric(PINCHED[1].surface);
+  const [from, to] = [
+    [2.4, -0.4],
+    [5, -0.37],
+  ];
+  assert.equal(surface.shortestPath(from, to).status, 'converged');
+  assert.notEqual(surface.shortestPath(from, to, { maxIterations: 60 }).status, 'converged');
+});
