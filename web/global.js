@@ -10,7 +10,7 @@ import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './branched.js';
 import { besidePoles, overPoles } from './poles.js';
-import { isKnown, solveBeside, solveFinest, solveRoughly, stallsAtBranch } from './rough.js';
+import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, STALLED } from './runtime/status.js';
 import { findStarts } from './starts.js';
@@ -85,10 +85,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
   const poles = overPoles(problem, options, tried, rough);
   const beside = besidePoles(problem, options, poles, rough);
   const ways = [...poles, ...through];
-  if (rough.length === 0 && ![...ways, ...beside].some(holds)) {
-    if (problem.isLeg) return [emptyPath(STALLED)];
-    rough = holding(problem, solveFinest(problem, tried));
-  }
+  if (problem.isLeg && rough.length === 0 && ![...ways, ...beside].some(holds)) return [emptyPath(STALLED)];
   const found = choosePaths(problem, options, most, { tried, status, rough, ways, beside });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))

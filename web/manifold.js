@@ -99,12 +99,12 @@ export class Manifold {
     return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`) : numbers;
   }
 
-  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points @param {boolean} [isOwn] of its own E, F and G */
-  evaluate(what, points, isOwn = false) {
+  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
+  evaluate(what, points) {
     const { variables, jet, value } = SHAPE[this.kind];
     if (points.length === 0) return new Float64Array(0);
     this.#wake();
-    const { call } = /** @type {Installed} */ (isOwn ? this.#installedOwn : this.#installed);
+    const { call } = /** @type {Installed} */ (this.#installed);
     return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
   }
 
@@ -140,7 +140,7 @@ export class Manifold {
       isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
       run: (call) => this.run(call, domain, isOwn),
-      jets: (places) => this.evaluate('jet', places, isOwn),
+      jets: (places) => this.evaluate('jet', places),
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,
@@ -197,13 +197,13 @@ export class Manifold {
       this.#compiled.own ??= compileMetric(this.kind, measure, this.#shape, this.#reference, this.parameters, this.#solver.apply);
       const { module, data, dataBytes } = /** @type {NonNullable<ReturnType<typeof compileMetric>>} */ (this.#compiled.own).compiled;
       this.#installedOwn = this.#solver.install(module, data, dataBytes);
-    } catch (error) {
-      if (error instanceof RangeError || error instanceof WebAssembly.CompileError) return false;
-      throw error;
+      this.#writeParameters();
+      this.#writeRecord(this.#walls);
+      return true;
+    } catch {
+      /* No memory, or more than a module may hold: it goes without. */
+      return false;
     }
-    this.#writeParameters();
-    this.#writeRecord(this.#walls);
-    return true;
   }
 
   /** Gives back what the solver's present instance holds of it, if anything; {@link #wake} installs it again. */

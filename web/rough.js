@@ -14,8 +14,6 @@ import { ILL_CONDITIONED, SHEET_JUMP, STALLED } from './runtime/status.js';
 const ROUGH = [31, 63, 127, 255];
 const MOST_ROUGH = 255;
 export const FINEST = 1023;
-/** So many starts are solved with that many, where nothing else holds. */
-const MOST_FINEST = 4;
 export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
 /** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
 const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
@@ -73,17 +71,6 @@ function solveFiner(problem, one) {
 /** Where no way leads through branch points: those of the starts that stalled, solved with more points. @param {Problem} problem @param {Tried[]} tried */
 export const solveBeside = (problem, tried) =>
   tried.map((one) => (one.start && stallsAtBranch(problem, one) ? solveFiner(problem, one) : one));
-
-/**
- * Where no start leads to a path that holds: those of the shortest of them that hold on the finest polylines, around rims that are sharper than chords of others.
- * @param {Problem} problem @param {Tried[]} tried @returns {Tried[]}
- */
-export const solveFinest = (problem, tried) =>
-  tried
-    .filter(({ start, path }) => start && path.length > 0 && isTooCoarse(path))
-    .sort((a, b) => a.path.length - b.path.length)
-    .slice(0, MOST_FINEST)
-    .map((one) => ({ ...one, path: solveFrom(problem, one, { ...ROUGHLY, points: FINEST }) }));
 
 /** Inner points. @param {RawPath} path */
 const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;

@@ -9,7 +9,6 @@ import { reverse, turned } from './join.js';
 import { copies, liftEnds, moveOnto, slide } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
-import { FINEST, isTooCoarse, ROUGHLY } from './rough.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
@@ -35,7 +34,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>) => T} run
- * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space; of E, F and G, where these are its own
+ * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
  * @property {(box: number[], resolution: number) => import('./mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
  */
 
@@ -75,13 +74,6 @@ export function solveNear(field, ends, options, start) {
     passing = pass();
   }
   if (passing) return passing;
-  /* Around rims that are sharper than chords of others, the finest polyline leads on. */
-  if (start && options.algorithm === ELEMENTS && isTooCoarse(near) && options.maxIterations >= ROUGHLY.maxIterations) {
-    const fine = solve({ ...ROUGHLY, points: FINEST });
-    const from = fine.parameters ?? fine.points;
-    const again = holds({ path: fine }) && run((heap, record) => heap.solve(record, { ...request, start: from }, options));
-    if (again && holds({ path: again })) near = again;
-  }
   const path = makePath(near);
   if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
   return path;
