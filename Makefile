@@ -235,7 +235,7 @@ build/site/main.js: $(shell find demo -type f) dist/wasm.js $(WEB) Makefile $(NP
 	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --format=esm --target=es2022 \
 	    --alias:surfpath=./web/index.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
 	@cd $(@D) && largest=$$(ls -S *.js | head -1) && ls *.js | grep -v $$largest | xargs -P2 -I{} $(CURDIR)/$(BIN)/terser {} $(SHORTER) --output {} && \
-	    $(CURDIR)/$(BIN)/terser $$largest --module --ecma 2022 --compress passes=2 --mangle --output $$largest
+	    $(CURDIR)/$(BIN)/terser $$largest --module --ecma 2022 --compress passes=2,pure_getters --mangle --output $$largest
 	@sed 's/^ *//' demo/index.html >$(@D)/index.html
 	@cp -r demo/icon.svg demo/thumbnails $(@D)
 

@@ -60,6 +60,9 @@ function instead({ own, graphs }, path, options) {
   return field && { field, options: { ...options, maxIterations: STEPS } };
 }
 
+/** @param {SolveOptions} options */
+const isCompared = (options) => options.points === compared(options).points && !options.record;
+
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
 function isGood(field, { converged, parameters, points, length }, { tolerance }) {
   if (!converged || !parameters) return false;
@@ -77,16 +80,18 @@ export function findPath(field, ends, options, start) {
   const path = findIn(field, ends, options, start);
   const again = instead(field, path, options);
   if (!again) return path;
-  const isCompared = options.points === compared(options).points && !options.record;
   const own = findIn(again.field, ends, compared(again.options), start);
   if (!isGood(field, own, options)) return path;
   /* Chords that stall may have jumped, and are as long as the line through their nodes; any other path is one on the surface. */
   const mayJump = path.status === 'stalled' && !path.crossesSingularity;
   if (!mayJump && own.length > mostOf(path)) return path;
   const line =
-    mayJump && field.isPlain && start === 'global' && (isCompared ? path : findIn(field, ends, compared(options), start)).parameters;
+    mayJump &&
+    field.isPlain &&
+    start === 'global' &&
+    (isCompared(options) ? path : findIn(field, ends, compared(options), start)).parameters;
   if (line && own.length > measure(field, line).length) return path;
-  return isCompared ? own : findIn(again.field, ends, again.options, start);
+  return isCompared(options) ? own : findIn(again.field, ends, again.options, start);
 }
 
 /**
@@ -97,6 +102,8 @@ export function findPath(field, ends, options, start) {
 export function findGeodesics(field, ends, options, most) {
   const paths = findAllIn(field, ends, options, most);
   const again = paths.length === 1 ? instead(field, paths[0], options) : null;
-  const own = again ? findAllIn(again.field, ends, again.options, most).filter((path) => isGood(field, path, options)) : [];
-  return own.length > 0 ? own : paths;
+  if (!again) return paths;
+  const own = findAllIn(again.field, ends, compared(again.options), most);
+  if (!own.every((path) => isGood(field, path, options))) return paths;
+  return isCompared(options) ? own : findAllIn(again.field, ends, again.options, most);
 }
