@@ -20,8 +20,12 @@ const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
 const [AT_REST, NEAR_REST] = [1e-9, 1e-4];
 
+/** An error of this part of the length is that of nodes which do not see a metric between them. */
+const UNSEEN = 0.1;
+
 /** @param {RawPath} path @returns {boolean} more points may help */
-export const isTooCoarse = ({ status }) => status === STALLED || status === SHEET_JUMP;
+export const isTooCoarse = ({ status, length, lengthError }) =>
+  status === STALLED || status === SHEET_JUMP || lengthError > UNSEEN * length;
 
 /**
  * Whether a path of the fewest points that stalls is one that another start had on its way to a path that holds. At a hole, which chords jump over, so look the ways on both
