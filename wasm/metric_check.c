@@ -6,7 +6,7 @@ static const double VANISHING = 1e-8;
 enum { SEARCH_ROUNDS = 40 };
 /* Middles differ by more than this part of the length only where the metric changes between nodes that do not see it: else, as the nodes
  * are at rest, the trapezoidal rule is much better than that. */
-static const double HIDDEN = 0.3;
+static const double HIDDEN = 0.1;
 
 /* The determinant at t of the way from pair k to k + 1. */
 static sp_pair determinant_at(const struct sp_polyline *line, int32_t k, sp_pair t, double scale) {
