@@ -47,6 +47,26 @@ test('a torus whose density has waves: paths that speed up and slow down along t
   }
 });
 
+test('two thin walls of density with a gap each: between few nodes they are not seen, and the error says so; the path leads through the gaps', () => {
+  const wall = (/** @type {string} */ u, /** @type {string} */ gap) => `exp(-100*(${u})^2)*(1 - exp(-30*(${gap})^2))`;
+  const density = `1 + 30*(${wall('u + 1', 'v - 2.5')} + ${wall('u - 1', 'v + 2.5')})`;
+  const surface = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [-4, 4], v: [-4, 4], density });
+  const [from, to] = [
+    [-2.5, 0],
+    [2.5, 0],
+  ];
+  const path = surface.shortestPath(from, to);
+  assert.equal(path.status, 'converged');
+  const [half, all] = [2047, 4095].map((points) => surface.shortestPath(from, to, { algorithm: 'polyline', start: path, points }));
+  const extrapolated = all.length + (all.length - half.length) / 3;
+  assert.ok(Math.abs(path.length / extrapolated - 1) < 1e-7, `${path.length}, polylines ${extrapolated}`);
+  assert.equal(surface.geodesics(from, to)[0].length, path.length);
+  for (const points of [31, 63]) {
+    const rough = surface.shortestPath(from, to, { algorithm: 'polyline', start: 'straight', points });
+    assert.ok(rough.length + rough.lengthError > path.length, `${points}: ${rough.length} ± ${rough.lengthError}, for ${path.length}`);
+  }
+});
+
 test('a sphere by Mercator, given by E, F and G alone: great circles, also near its poles, seed 4', () => {
   const surface = surfpath.metric({ E: '1/cosh(v)^2', F: 0, G: '1/cosh(v)^2', u: [0, '2pi'], v: [-9, 9], periodic: { u: true } });
   const random = createRandom(4);
