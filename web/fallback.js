@@ -79,12 +79,7 @@ function shorterAnyway(problem, path, least, options) {
   /* Who allows fewer steps than that takes wants to know where they end. */
   if (options.maxIterations < ROUGHLY.maxIterations) return path;
   const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
-  if (!holds(finer)) {
-    /* Between its nodes a metric may hide what takes longer than its error says. */
-    const isHidden = isOnSurface(finer.path) && finer.path.length > length + lengthError;
-    if (!isHidden) return path;
-    return finer.path.length < least ? finer.path : null;
-  }
+  if (!holds(finer)) return path;
   if (estimate(finer.path) < least) {
     const refined = solveFrom(problem, finer, options);
     if (!holds({ path: refined })) return path;

@@ -10,7 +10,6 @@ import { Manifold } from './manifold.js';
 import { meshSurface } from './mesh.js';
 import { evaluateNormals } from './normals.js';
 import { checkOptions, makePath, MOST_POINTS, readOptions, readStart, wholeNumber } from './path.js';
-
 import { projectOnto } from './projection.js';
 import { gap } from './rectangle.js';
 import { emptyPath } from './runtime/result.js';
