@@ -289,6 +289,13 @@ static int passes(const struct cell *from, const struct cell *to) {
     return away == 1 && shared && from->faces && to->faces;
 }
 
+/* A box has a slot for every cell of its own and none for others: looked for in a full table, they would be for ever. */
+static int is_within(const struct cells *cells, const int32_t at[3]) {
+    for (int j = 0; j < 3; j++)
+        if (cells->size[j] && (at[j] < 0 || at[j] >= cells->size[j])) return 0;
+    return 1;
+}
+
 static int join_around(const struct cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
@@ -298,7 +305,7 @@ static int join_around(const struct cells *cells, int32_t vertex) {
     for (int32_t k = -REACH; k <= REACH; k++)
         for (int32_t j = -REACH; j <= REACH; j++)
             for (int32_t i = -REACH; i <= REACH; i++) {
-                int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k}, to = *find_slot(cells, at);
+                int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k}, to = is_within(cells, at) ? *find_slot(cells, at) : -1;
                 if (to < 0 || to == vertex) continue;
                 read_vertex(graph, to, other);
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);

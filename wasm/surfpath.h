@@ -90,9 +90,9 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
 
 /* Finds the point of the surface closest to `point` (three numbers), from `place` downhill: Newton on the squared distance, safeguarded.
  *
- * `place`: in and out, u v or x y z; an implicit surface is first reached from it by Eq. 37. Parametric: stays in the rectangle.
- * Returns SP_CONVERGED, SP_STALLED (no closer point found, but not stationary to 1e-10), SP_OFF_SURFACE, SP_NOT_FINITE; `place` is
- * unchanged by the last two. */
+ * `surface`: SP_INDUCED, as distance in space is asked for. `place`: in and out, u v or x y z; an implicit surface is first reached from it
+ * by Eq. 37. Parametric: stays in the rectangle. Returns SP_CONVERGED, SP_STALLED (no closer point found, but not stationary to 1e-10),
+ * SP_OFF_SURFACE, SP_NOT_FINITE; `place` is unchanged by the last two. */
 int32_t sp_project_point(const struct sp_surface *surface, const double point[3], double place[3]);
 
 /* Where a geodesic starts, and how far it goes. */

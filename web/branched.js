@@ -5,9 +5,9 @@ import { asAsked, compared, ELEMENTS, holds, lengthOfShortest, MARGIN } from './
 import { findChain } from './chain.js';
 import { joinLegs, reverse } from './join.js';
 import { moveNear } from './lifts.js';
-import { isPath } from './path.js';
-import { gap } from './rectangle.js';
+import { isGeodesic } from './path.js';
 import { CONVERGED, STALLED } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
@@ -37,7 +37,7 @@ export function overBranches(problem, options, found) {
     return joinLegs(legs, asked, solve, domain, least);
   };
   const { path, parts } = join(compared(options), PARTS);
-  if (!parts.every(isPath)) return [];
+  if (!parts.every(isGeodesic)) return [];
   const corner = places.slice(1, -1).reduce((sum, branch, k) => {
     const sides = [reverse(parts[k]), parts[k + 1]].map(({ parameters }) => {
       const own = Float64Array.from(/** @type {Float64Array} */ (parameters));
@@ -48,7 +48,7 @@ export function overBranches(problem, options, found) {
     return turn <= STRAIGHT ? sum : sum + (turn < 2 ? turn : 2) * Math.min(parts[k].length, parts[k + 1].length);
   }, 0);
   const judged = (/** @type {Path} */ whole) =>
-    corner === 0 && isPath(whole)
+    corner === 0 && isGeodesic(whole)
       ? { ...whole, status: CONVERGED }
       : { ...whole, status: STALLED, index: -1, lengthError: whole.lengthError + corner };
   return [
@@ -81,7 +81,7 @@ function findLegs({ from, to, branches, leg }, positions, options, most) {
   /* A leg that is no path may be none on the surface; and where it led through another branch point, that way is a chain, too. */
   const solve = (/** @type {number} */ i, /** @type {number} */ j) => {
     const path = leg([places[i].at, places[j].at], asked);
-    return isPath(path) ? path : { ...path, length: Number.NaN };
+    return isGeodesic(path) ? path : { ...path, length: Number.NaN };
   };
   const { way, length, legs } = findChain(places.length, bound, solve, most);
   const known = legs.flatMap((path) => path ?? []);

@@ -4,8 +4,9 @@
  */
 
 import { copies } from './lifts.js';
-import { dot, vector } from './rectangle.js';
+import { vector } from './rectangle.js';
 import { angleAlong } from './tips.js';
+import { cross, dot } from './vector.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
 /** @typedef {(places: ArrayLike<number>) => Float64Array} Evaluate */
@@ -45,7 +46,7 @@ function isBranch({ lower, upper }, jets, at) {
   const sampled = jets([...ring, at].flat());
   const seen = Array.from({ length: 17 }, (_, i) => {
     const [a, b] = [3, 6].map((offset, j) => vector(sampled, i, offset).map((x) => x * span[j]));
-    return { squared: dot(a, a) + dot(b, b), normal: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]] };
+    return { squared: dot(a, a) + dot(b, b), normal: cross(a, b) };
   });
   return seen.slice(0, 16).every(({ squared, normal }, i) => {
     const next = seen[(i + 1) % 16].normal;

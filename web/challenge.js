@@ -1,8 +1,8 @@
 /** Whether a path can be the shortest, where ways of the graph were not followed: these are measured on the surface itself. */
 
 import { holds, leaps, MARGIN } from './candidates.js';
-import { gap } from './rectangle.js';
 import { STALLED } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */

@@ -1,7 +1,7 @@
 /** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
 
 import { editDistance } from './expression/advice.js';
-import { checkObject, describe } from './path.js';
+import { checkObject, describe, readFinite, refuse, refuseNumber } from './arguments.js';
 
 /** @typedef {string | number} Expression a formula, or a number */
 
@@ -43,13 +43,13 @@ import { checkObject, describe } from './path.js';
 /** @param {string} caller @param {string} name @param {unknown} value */
 export function checkExpression(caller, name, value) {
   if (typeof value !== 'string' && !(typeof value === 'number' && Number.isFinite(value)))
-    throw new TypeError(`${caller}: ${name} must be a formula in a string, or a finite number, not ${describe(value)}`);
+    refuse(`${caller}: ${name}`, 'a formula in a string, or a finite number', value);
 }
 
 /** Several formulas in an array. @param {string} caller @param {string} name @param {unknown} value @param {number} count */
 export function checkExpressions(caller, name, value, count) {
   if (!Array.isArray(value) || value.length !== count)
-    throw new TypeError(`${caller}: ${name} must be ${count} formulas, ${count === 2 ? '[x, y]' : '[x, y, z]'}, not ${describe(value)}`);
+    refuse(`${caller}: ${name}`, `${count} formulas, ${count === 2 ? '[x, y]' : '[x, y, z]'}`, value);
   for (const [i, one] of value.entries()) checkExpression(caller, `${name}[${i}]`, one);
 }
 
@@ -94,8 +94,7 @@ export function checkPeriodic(caller, periodic = 'auto') {
 /** Points or pairs as a flat list; looked at one by one, as its length may be anything. @param {string} name for messages, of points @param {any} list @param {string[]} variables of one @param {string} one what one is @returns {Float64Array} a copy, which no getter can change */
 export function readList(name, list, variables, one) {
   const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a ${one}`;
-  if (typeof list !== 'object' || list === null || typeof list.length !== 'number')
-    throw new TypeError(`${name} must be ${what}, not ${describe(list)}`);
+  if (typeof list !== 'object' || list === null || typeof list.length !== 'number') refuse(name, what, list);
   for (let i = 0; i < list.length; i++)
     if (typeof list[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(list[i])}`);
   if (list.length % variables.length) throw new RangeError(`${name} must be ${what}, not ${list.length} numbers`);
@@ -106,11 +105,9 @@ export function readList(name, list, variables, one) {
 export function checkParameters(caller, given) {
   /** @type {Record<string, number>} */
   const parameters = Object.create(null);
-  if (typeof given !== 'object' || given === null)
-    throw new TypeError(`${caller}: parameters must be an object of numbers, not ${describe(given)}`);
+  if (typeof given !== 'object' || given === null) refuse(`${caller}: parameters`, 'an object of numbers', given);
   for (const [name, value] of Object.entries(given)) {
-    if (typeof value !== 'number') throw new TypeError(`${caller}: parameter ${name} must be a number, not ${describe(value)}`);
-    if (!Number.isFinite(value)) throw new RangeError(`${caller}: parameter ${name} must be a finite number, not ${describe(value)}`);
+    if (!Number.isFinite(value)) refuseNumber(`${caller}: parameter ${name}`, 'a finite number', value);
     parameters[name] = value;
   }
   return parameters;
@@ -118,8 +115,7 @@ export function checkParameters(caller, given) {
 
 /** @param {string} caller @param {unknown} range @param {string} name */
 export function checkRange(caller, range, name) {
-  if (!Array.isArray(range) || range.length !== 2)
-    throw new TypeError(`${caller}: ${name} must be a range [from, to], not ${describe(range)}`);
+  if (!Array.isArray(range) || range.length !== 2) refuse(`${caller}: ${name}`, 'a range [from, to]', range);
   const bad = range.find((end) => typeof end === 'number' && !Number.isFinite(end));
   if (bad !== undefined) throw new RangeError(`${caller}: ${name} must hold finite numbers, not ${describe(bad)}`);
 }
@@ -127,8 +123,7 @@ export function checkRange(caller, range, name) {
 /** @param {string} caller @param {any} bounds @returns {number[] | null} xmin xmax ymin ymax zmin zmax */
 export function checkBounds(caller, bounds) {
   if (bounds === undefined) return null;
-  if (!Array.isArray(bounds) || bounds.length !== 3)
-    throw new TypeError(`${caller}: bounds must be [[x, x], [y, y], [z, z]], not ${describe(bounds)}`);
+  if (!Array.isArray(bounds) || bounds.length !== 3) refuse(`${caller}: bounds`, '[[x, x], [y, y], [z, z]]', bounds);
   const box = [];
   for (const [i, range] of bounds.entries()) {
     checkRange(caller, range, `bounds[${i}]`);
@@ -145,13 +140,8 @@ export function checkBounds(caller, bounds) {
 export function readNumbers(caller, name, given, count) {
   const what = count === 2 ? '[u, v]' : '[x, y, z]';
   if (typeof given !== 'object' || given === null || typeof (/** @type {any} */ (given).length) !== 'number')
-    throw new TypeError(`${caller}: ${name} must be ${what}, not ${describe(given)}`);
+    refuse(`${caller}: ${name}`, what, given);
   const { length } = /** @type {ArrayLike<number>} */ (given);
   if (length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${length}`);
-  const numbers = Array.from(/** @type {ArrayLike<number>} */ (given));
-  const other = numbers.findIndex((x) => typeof x !== 'number');
-  if (other >= 0) throw new TypeError(`${caller}: ${name}[${other}] must be a number, not ${describe(numbers[other])}`);
-  const bad = numbers.findIndex((x) => !Number.isFinite(x));
-  if (bad >= 0) throw new RangeError(`${caller}: ${name}[${bad}] must be a finite number, not ${describe(numbers[bad])}`);
-  return numbers;
+  return readFinite(`${caller}: ${name}`, /** @type {ArrayLike<number>} */ (given));
 }

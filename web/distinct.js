@@ -1,6 +1,6 @@
 /** Which of several paths between the same ends are the same one, judged by their lengths and where they run. */
 
-import { gap } from './rectangle.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./runtime/result.js').RawPath} RawPath */
 

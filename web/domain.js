@@ -1,8 +1,9 @@
 /** The domain of a surface: its parameter rectangle, how that is glued, which edges are points; and points that enter it. */
 
-import { FRACTIONS, gap, linePlaces, POSITION_GAP, reach } from './rectangle.js';
+import { edgeOf, FRACTIONS, linePlaces, POSITION_GAP, reach } from './rectangle.js';
 import { findSeams } from './seams.js';
 import { findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning } from './tips.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Sampled} Sampled */
@@ -62,8 +63,8 @@ function describeEdges(glued, written, surface) {
   const { jets, tensors } = surface;
   /** Radians by which the direction across turns along an edge. @param {number} pole */
   const turned = (pole) => {
-    const direction = (pole - 1) >> 1;
-    return turning(jets, linePlaces(range, direction, (pole - 1) & 1, FRACTIONS), direction);
+    const { across, side } = edgeOf(pole);
+    return turning(jets, linePlaces(range, across, side, FRACTIONS), across);
   };
   const winding = tensors ? [] : [1, 2, 3, 4].filter((pole) => turned(pole) > Math.PI);
   const holes = winding.filter((pole) => !poles.includes(pole)).flatMap((pole) => findHole(jets, range, periodic, pole));
@@ -71,15 +72,15 @@ function describeEdges(glued, written, surface) {
   const tips = [
     ...poles.map((pole) =>
       tensors
-        ? { pole, beyond: 0, at: null, radius: 0, smooth: periodic[pole > 2 ? 0 : 1] && isSmooth(tensors, range, pole) }
-        : tipAt(jets, range, periodic, pole, (pole - 1) & 1),
+        ? { pole, beyond: 0, at: null, radius: 0, smooth: periodic[edgeOf(pole).along] && isSmooth(tensors, range, pole) }
+        : tipAt(jets, range, periodic, pole, edgeOf(pole).side),
     ),
     ...holes,
   ];
   const around = winding
     .filter((pole) => tips.some((tip) => tip.pole === pole))
     .map((pole) => {
-      const along = pole > 2 ? 0 : 1;
+      const { along } = edgeOf(pole);
       return { along, most: (HALF_AROUND / turned(pole)) * (upper[along] - lower[along]) };
     });
   return { ...glued, written: { lower: written.lower, upper: written.upper }, poles, tips, around, pinches: null };
@@ -102,14 +103,14 @@ export function enterDomain({ lower, upper, periodic }, point, name) {
 
 /** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */
 export function isAtPole({ lower, upper }, point, pole) {
-  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const { across, side } = edgeOf(pole);
   return point[across] === (side ? upper : lower)[across];
 }
 
 /** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
 function freeCoordinate(domain, point) {
   const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
-  return at === undefined ? -1 : 1 - ((at - 1) >> 1);
+  return at === undefined ? -1 : edgeOf(at).along;
 }
 
 /**

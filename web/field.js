@@ -2,13 +2,14 @@
 
 import { findPath } from './intrinsic.js';
 import { copies } from './lifts.js';
-import { checkBoolean, checkOptions, isPath, readOptions } from './path.js';
+import { checkBoolean, checkOptions } from './arguments.js';
+import { isGeodesic, readOptions } from './path.js';
 import { findBeside, findWithin } from './pieces.js';
-import { gap } from './rectangle.js';
 import { EXHAUSTED } from './runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { spread } from './spread.js';
 import { netOf } from './through.js';
+import { gap } from './vector.js';
 
 /**
  * @typedef {object} FieldOptions
@@ -125,7 +126,7 @@ function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
   return lengths.map((length, i) => {
     if (length === Infinity || length === 0) return length;
     const [path] = find(i, []);
-    return isPath(path) ? path.length : Number.NaN;
+    return isGeodesic(path) ? path.length : Number.NaN;
   });
 }
 

@@ -1,7 +1,7 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
 import { DISPOSE } from './dispose.js';
-import { checkObject, checkOptions, describe } from './path.js';
+import { checkObject, checkOptions, refuse } from './arguments.js';
 import { compileSolver, Solver } from './runtime/solver.js';
 import { PARAMETRIC_KINDS } from './shapes.js';
 import { Surface } from './surface.js';
@@ -89,7 +89,7 @@ export class Surfpath {
   surface(definition) {
     checkObject('surface: the definition', definition);
     const { kind } = definition;
-    if (!KINDS.includes(kind)) throw new RangeError(`surface: kind must be one of ${KINDS.join(', ')}, not ${describe(kind)}`);
+    if (!KINDS.includes(kind)) refuse('surface: kind', `one of ${KINDS.join(', ')}`, kind, RangeError);
     return Surfpath.#add(this, kind, definition);
   }
 

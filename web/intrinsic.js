@@ -6,7 +6,8 @@
 import { compared, ELEMENTS } from './candidates.js';
 import { mostOf } from './path.js';
 import { findGeodesics as findAllIn, findPath as findIn } from './pieces.js';
-import { dot, gap, vector } from './rectangle.js';
+import { vector } from './rectangle.js';
+import { dot, gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */

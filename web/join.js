@@ -1,7 +1,7 @@
 /** Paths that follow each other, joined into one; paths turned round. Knows paths as plain data. */
 
 import { moveNear } from './lifts.js';
-import { isPath } from './path.js';
+import { isGeodesic } from './path.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./seams.js').Glued} Glued */
@@ -12,7 +12,7 @@ import { isPath } from './path.js';
  * @param {number[]} lengths @param {number} points inner points of the whole, at least 2 lengths.length − 1
  * @returns {number[]}
  */
-export function shareOut(lengths, points) {
+function shareOut(lengths, points) {
   const total = lengths.reduce((sum, length) => sum + length, 0);
   const free = points - (lengths.length - 1) - lengths.length;
   const wanted = lengths.map((length) => (total > 0 ? (free * length) / total : 0));
@@ -52,7 +52,7 @@ function joinParameters(pieces, glued) {
  * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
  * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
  */
-export function joinPaths(pieces, glued) {
+function joinPaths(pieces, glued) {
   const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
@@ -93,7 +93,7 @@ export function joinLegs(legs, asked, solve, glued, least = 1) {
   );
   const parts = shares.map((share, k) => solve(k, { ...asked, points: (share + 1) * Math.ceil(least / (share + 1)) - 1 }));
   const whole = joinPaths(
-    parts.map((part, k) => (least > 1 && isPath(part) ? thinned(part, shares[k] + 2) : part)),
+    parts.map((part, k) => (least > 1 && isGeodesic(part) ? thinned(part, shares[k] + 2) : part)),
     glued,
   );
   return { parts, path: points > asked.points && whole.length >= 0 ? thinned(whole, asked.points + 2) : whole };

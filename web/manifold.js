@@ -9,9 +9,9 @@ import { compile } from './expression/compile.js';
 import { Graphs } from './graphs.js';
 import { KIND, SHAPE } from './kind.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
-import { gap } from './rectangle.js';
 import { ReferenceFinder } from './reference.js';
 import { evaluateRanges, readShape } from './shapes.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
 /** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */

@@ -1,7 +1,7 @@
 /** Triangle meshes, for drawing: a grid of the rectangle. Implicit surfaces are meshed in C; here only the result is judged. */
 
 import { evaluateNormals } from './normals.js';
-import { wholeNumber } from './path.js';
+import { wholeNumber } from './arguments.js';
 import { STATUS } from './runtime/status.js';
 
 /** @typedef {import('./manifold.js').Manifold} Manifold */

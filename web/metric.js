@@ -2,7 +2,7 @@
 
 import { checkExpression } from './definition.js';
 import { compile } from './expression/compile.js';
-import { describe } from './path.js';
+import { refuse } from './arguments.js';
 
 /** @typedef {import('./expression/compile.js').Compiled} Compiled */
 
@@ -31,7 +31,7 @@ export function readMeasure(kind, { density, metric }) {
   if (metric === undefined) return { density };
   const { entries } = TENSOR[kind === 'implicit' ? kind : 'parametric'];
   const what = `{ ${entries.join(', ')} }`;
-  if (typeof metric !== 'object' || metric === null) throw new TypeError(`${kind}: metric must be ${what}, not ${describe(metric)}`);
+  if (typeof metric !== 'object' || metric === null) refuse(`${kind}: metric`, what, metric);
   for (const name of entries) {
     if (metric[name] === undefined) throw new TypeError(`${kind}: metric must be ${what}; ${name} is missing`);
     checkExpression(kind, `metric.${name}`, metric[name]);

@@ -1,6 +1,6 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
 
-import { dot, gap } from './rectangle.js';
+import { cross, dot, gap } from './vector.js';
 
 /**
  * @typedef {object} Node
@@ -19,9 +19,6 @@ const FLAT = 1e-3;
 const [CELLS, AROUND] = [48, 2.5];
 /** A point belongs to what lies so many cells farther from it than the nearest. */
 const BESIDE = 1.5;
-
-/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
 const times = (matrix, v) => matrix.map((row) => dot(row, v));
@@ -52,7 +49,7 @@ function mayLead(jets, i, cell) {
  * @param {(places: ArrayLike<number>) => Float64Array} jets ten numbers a point @param {number[]} box @param {number} grid points a direction from which they are looked for
  * @returns {Node[]} those in the box that are found, none where the surface is degenerate, or they are too many
  */
-export function findNodes(jets, box, grid) {
+function findNodes(jets, box, grid) {
   const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
   const size = gap(low, high);
   const cell = size / grid;
@@ -139,7 +136,7 @@ function findParts({ positions, indices }, cell, nodes) {
 
 /**
  * The nodes in a box, and which places can be joined without passing one.
- * @param {import('./routes.js').Field} field an implicit surface @param {number[]} box @param {number} grid as for {@link findNodes}
+ * @param {import('./routes.js').Field} field an implicit surface @param {number[]} box @param {number} grid cells a direction
  */
 export function findNet({ jets, mesh }, box, grid) {
   const nodes = findNodes(jets, box, grid);

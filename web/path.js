@@ -1,5 +1,6 @@
 /** Options in, Path out: what a caller may ask of a path, checked, and how the solver's answer is handed back as plain data. */
 
+import { checkBoolean, checkOptions, readFinite, readTolerance, refuse, refuseNumber, wholeNumber } from './arguments.js';
 import { STATUS } from './runtime/status.js';
 
 /**
@@ -57,50 +58,6 @@ const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientToleran
 export const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
-/** @param {string} caller @param {string} name @param {unknown} value @param {number} least @param {number} most @returns {number} */
-export function wholeNumber(caller, name, value, least, most) {
-  if (typeof value !== 'number') throw new TypeError(`${caller}: options.${name} must be a number, not ${describe(value)}`);
-  if (!Number.isInteger(value) || value < least || value > most)
-    throw new RangeError(`${caller}: options.${name} must be a whole number from ${least} to ${most}, not ${value}`);
-  return value;
-}
-
-/** A value as an error message shows it. @param {unknown} value */
-export function describe(value) {
-  if (value === null) return 'null';
-  if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
-  if (Array.isArray(value)) return `an array of ${value.length}`;
-  return /** @type {Record<string, string>} */ ({ object: 'an object', function: 'a function' })[typeof value] ?? String(value);
-}
-
-/** @param {string} name @param {unknown} value */
-export function checkObject(name, value) {
-  if (typeof value !== 'object' || value === null || Array.isArray(value))
-    throw new TypeError(`${name} must be an object, not ${describe(value)}`);
-}
-
-/** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
-export function checkOptions(caller, options = {}, known) {
-  checkObject(`${caller}: options`, options);
-  for (const name in options)
-    if (!known.includes(name) && Object.hasOwn(options, name) && /** @type {Record<string, unknown>} */ (options)[name] !== undefined)
-      throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
-  return options;
-}
-
-/** @param {string} caller @param {unknown} tolerance @param {number} least @param {number} most @returns {number} */
-export function readTolerance(caller, tolerance, least, most) {
-  if (typeof tolerance !== 'number') throw new TypeError(`${caller}: options.tolerance must be a number, not ${describe(tolerance)}`);
-  if (!(tolerance >= least && tolerance <= most))
-    throw new RangeError(`${caller}: options.tolerance must lie between ${least} and ${most}, not ${tolerance}`);
-  return tolerance;
-}
-
-/** @param {string} caller @param {string} name @param {unknown} value */
-export function checkBoolean(caller, name, value) {
-  if (typeof value !== 'boolean') throw new TypeError(`${caller}: options.${name} must be true or false, not ${describe(value)}`);
-}
-
 /**
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
@@ -115,8 +72,7 @@ export function readOptions(caller, given, others = []) {
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 400 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
-  if (code === undefined)
-    throw new RangeError(`${caller}: options.algorithm must be 'elements', 'polyline' or 'paper', not ${describe(algorithm)}`);
+  if (code === undefined) refuse(`${caller}: options.algorithm`, "'elements', 'polyline' or 'paper'", algorithm, RangeError);
   if (options.tolerance !== undefined && algorithm !== 'elements')
     throw new RangeError(
       `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
@@ -126,9 +82,9 @@ export function readOptions(caller, given, others = []) {
       `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,
     );
   if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
-    throw new RangeError(`${caller}: options.gradientTolerance must be a positive number, not ${describe(gradientTolerance)}`);
+    refuseNumber(`${caller}: options.gradientTolerance`, 'a positive number', gradientTolerance);
   checkBoolean(caller, 'record', record);
-  if (!Array.isArray(via)) throw new TypeError(`${caller}: options.via must be an array of points, not ${describe(via)}`);
+  if (!Array.isArray(via)) refuse(`${caller}: options.via`, 'an array of points', via);
   const solve = {
     tolerance: readTolerance(caller, tolerance, 1e-15, 0.1),
     gradientTolerance: gradientTolerance ?? 0,
@@ -148,34 +104,29 @@ export function readOptions(caller, given, others = []) {
 export function readStart(caller, start, dimension) {
   if (start === 'straight') return null;
   const path = /** @type {any} */ (start);
-  const isPath = typeof path === 'object' && path !== null && typeof path.status === 'string';
-  if (isPath && !(path.points instanceof Float64Array))
+  const isGiven = typeof path === 'object' && path !== null && typeof path.status === 'string';
+  if (isGiven && !(path.points instanceof Float64Array))
     throw new TypeError(
       `${caller}: options.start is a path whose points are no Float64Array, which JSON does not keep; give its points or parameters as a flat array`,
     );
-  const numbers = isPath ? (dimension === 2 ? path.parameters : path.points) : path;
+  const numbers = isGiven ? (dimension === 2 ? path.parameters : path.points) : path;
   const what = dimension === 2 ? 'u v' : 'x y z';
-  if (isPath && !(numbers?.length > 0))
+  if (isGiven && !(numbers?.length > 0))
     throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
-    throw new TypeError(
-      `${caller}: options.start must be 'global', 'straight', a polyline (a flat array of ${what}) or a path, not ${describe(start)}`,
-    );
+    refuse(`${caller}: options.start`, `'global', 'straight', a polyline (a flat array of ${what}) or a path`, start);
   if (Array.isArray(numbers) && numbers.some(Array.isArray))
     throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
-  const copy = Float64Array.from(/** @type {ArrayLike<number>} */ (numbers));
-  const bad = copy.findIndex((x) => !Number.isFinite(x));
-  if (bad >= 0) throw new RangeError(`${caller}: options.start[${bad}] must be a finite number, not ${describe(numbers[bad])}`);
-  return copy;
+  return Float64Array.from(readFinite(`${caller}: options.start`, numbers));
 }
 
-/** @param {Path} path */
-export const isPath = ({ status }) => status === 'converged' || status === 'ill-conditioned';
+/** Whether it is a geodesic, certified as far as it can be. @param {Path} path */
+export const isGeodesic = ({ status }) => status === 'converged' || status === 'ill-conditioned';
 
 /** What the length of a path is at most; infinite where there is none. @param {Path} path */
-export const mostOf = (path) => (path.length >= 0 ? path.length + (isPath(path) ? 0 : path.lengthError || 0) : Infinity);
+export const mostOf = (path) => (path.length >= 0 ? path.length + (isGeodesic(path) ? 0 : path.lengthError || 0) : Infinity);
 
 /** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {

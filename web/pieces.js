@@ -7,12 +7,12 @@ import { POLYLINE } from './candidates.js';
 import { isAtPole } from './domain.js';
 import { joinPieces, reverse } from './join.js';
 import { liftEnds, moveNear } from './lifts.js';
-import { gap } from './rectangle.js';
-import { isPath, makePath, mostOf } from './path.js';
+import { isGeodesic, makePath, mostOf } from './path.js';
 import { findGlobal, findNear, isAfter, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
 import { findThrough } from './through.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./domain.js').Domain} Domain */
@@ -80,7 +80,7 @@ function findIn(field, ends, options, start) {
   if (!start) return rest ?? solveNear(field, ends, options, start);
   const path = solveNear(field, ends, options, start);
   /* A given start may lead around something; one that does not has shrunk to what rounding leaves. */
-  const isShrunk = rest && !isPath(path) && path.length <= NEAR * Math.max(...rest.points.subarray(0, 3).map(Math.abs));
+  const isShrunk = rest && !isGeodesic(path) && path.length <= NEAR * Math.max(...rest.points.subarray(0, 3).map(Math.abs));
   return isShrunk ? rest : path;
 }
 
@@ -202,7 +202,7 @@ function findAcross(field, ends, options, start) {
       : placed(field.domain, findIn(legs[0].piece, legs[0].ends, options, start), ends[0]);
   const isNear = start !== 'global' && ways[0].length === 1;
   const near = isNear ? solve(ways[0]) : null;
-  if (near && isPath(near)) return near;
+  if (near && isGeodesic(near)) return near;
   const open = (isNear ? ways.slice(1) : ways).map((legs) => ({ legs, bound: boundOf(field, legs) })).sort((a, b) => a.bound - b.bound);
   let best = near;
   let missed = Infinity;
@@ -214,7 +214,7 @@ function findAcross(field, ends, options, start) {
     if (!best || mostOf(path) < mostOf(best)) best = path;
   }
   const shortest = /** @type {Path} */ (best);
-  return isPath(shortest) && missed < shortest.length ? { ...shortest, status: 'stalled', converged: false } : shortest;
+  return isGeodesic(shortest) && missed < shortest.length ? { ...shortest, status: 'stalled', converged: false } : shortest;
 }
 
 /**
@@ -239,7 +239,7 @@ export function findGeodesics(field, ends, options, most) {
   const paths = findGlobal(leg.piece, leg.ends, options, most);
   /* Rounded, the path that rests may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
   const isLoop = (/** @type {Path} */ { length, lengthError }) => length > 10 * lengthError && length > ROOM * (first?.lengthError ?? 0);
-  if (!field.domain && !first && !paths.some(isPath)) return [findPath(field, ends, options, 'global')];
+  if (!field.domain && !first && !paths.some(isGeodesic)) return [findPath(field, ends, options, 'global')];
   const all = first ? [first, ...paths.filter(isLoop)] : paths;
   return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

@@ -7,9 +7,10 @@ import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, so
 import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
-import { gap } from './rectangle.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
+import { edgeOf } from './rectangle.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
@@ -73,7 +74,7 @@ export function passPoles(problem, options, near) {
  */
 function solveAt({ from, domain, solve }, { pole, beyond, smooth }, isOver, to, start, options) {
   const range = /** @type {import('./domain.js').Domain} */ (domain);
-  const along = pole > 2 ? 0 : 1;
+  const { along } = edgeOf(pole);
   const end = [...liftNear(range, to, from), range.periodic[along] ? range.upper[along] - range.lower[along] : 0];
   return solve(end, start, options, pole + (isOver ? 0 : smooth && !(beyond > 0) ? 4 : 8), beyond);
 }
@@ -135,10 +136,9 @@ export function passedTip({ lower, upper, tips }, parameters, part) {
   let nearest = Infinity;
   for (const tip of tips) {
     const { pole } = tip;
-    const across = (pole - 1) >> 1;
-    const along = 1 - across;
+    const { across, along, side } = edgeOf(pole);
     for (let i = 2; i < parameters.length; i += 2) {
-      const away = Math.abs(parameters[i + across] - (pole & 1 ? lower : upper)[across]);
+      const away = Math.abs(parameters[i + across] - (side ? upper : lower)[across]);
       const turned = Math.abs(parameters[i + along] - parameters[i + along - 2]);
       if (turned > part * (upper[along] - lower[along]) && away < nearest) [passed, nearest] = [tip, away];
     }

@@ -1,8 +1,8 @@
 /** The point of a surface closest to one of space: downhill from a place, which the vertices of a mesh may tell. */
 
 import { meshSurface } from './mesh.js';
-import { gap } from './rectangle.js';
 import { CONVERGED, STATUS } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./manifold.js').Manifold} Manifold */
 

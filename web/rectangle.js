@@ -1,5 +1,7 @@
 /** A surface sampled along lines of its parameter rectangle. Knows only evaluations of S and its derivatives. */
 
+import { gap } from './vector.js';
+
 /** @typedef {{ lower: number[], upper: number[] }} Range */
 /** @typedef {(points: number[]) => Float64Array} Jets 18 numbers a point (u, v): S, S_u, S_v, S_uu, S_uv, S_vv */
 /** @typedef {(points: number[]) => ArrayLike<number>[]} Sampler */
@@ -13,12 +15,6 @@ export const POSITION_GAP = 1e-9;
 /** @param {Float64Array} jets @param {number} i @param {number} offset of three numbers in a jet */
 export const vector = (jets, i, offset) => jets.subarray(18 * i + offset, 18 * i + offset + 3);
 
-/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
-
-/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
 /** The largest distance from a point to those of these samples that are finite. @param {Float64Array} jets @param {ArrayLike<number>} point */
 export function reach(jets, point) {
   let farthest = 0;
@@ -28,6 +24,12 @@ export function reach(jets, point) {
   }
   return farthest;
 }
+
+/**
+ * An edge of a rectangle by its number, 1 + 2 · across + side: the coordinate that is constant there, the other one, and 0 for the lower edge, 1 for the upper.
+ * @param {number} edge
+ */
+export const edgeOf = (edge) => ({ across: (edge - 1) >> 1, along: edge > 2 ? 0 : 1, side: (edge - 1) & 1 });
 
 /** 17 × 17 places. @param {Range} range */
 function gridPlaces({ lower, upper }) {

@@ -4,7 +4,7 @@
  * have no part in it, is the same in every engine. */
 
 import { compile } from './expression/compile.js';
-import { dot } from './rectangle.js';
+import { cross, dot } from './vector.js';
 
 /** @typedef {import('./definition.js').Expression} Expression */
 /** @typedef {import('./runtime/solver.js').Solver} Solver */
@@ -15,9 +15,6 @@ const STEPS = 512;
 /** The least sine of the angle between reference and curve: for the first direction that keeps it, and for any reference at all. */
 const GOOD = 0.3;
 const LEAST = 0.03;
-
-/** @param {number[]} a @param {number[]} b */
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /** @param {number[]} a */
 function unit(a) {

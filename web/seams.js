@@ -4,7 +4,8 @@
  * many turns is periodic like any other, and each point of the surface is in it as often. MATH.md, "Seams".
  */
 
-import { diagonal, dot, FRACTIONS, gap, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+import { diagonal, FRACTIONS, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+import { dot, gap } from './vector.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Jets} Jets */

@@ -4,8 +4,8 @@
  */
 
 import { thinned } from './join.js';
-import { isPath } from './path.js';
-import { gap } from './rectangle.js';
+import { isGeodesic } from './path.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./mesh.js').Mesh} Mesh */
@@ -56,9 +56,9 @@ export function spread(mesh, rough, find) {
     return chosen.map(({ line }) => line);
   };
   const take = (/** @type {number} */ i, /** @type {Path[]} */ paths) => {
-    if (isPath(paths[0]) && !(paths[0].length >= lengths[i])) lengths[i] = paths[0].length;
+    if (isGeodesic(paths[0]) && !(paths[0].length >= lengths[i])) lengths[i] = paths[0].length;
     for (const path of paths) {
-      if (!isPath(path)) continue;
+      if (!isGeodesic(path)) continue;
       const one = reachedBy(path);
       if (reached[i].some(({ trail }) => isBeside(one.trail, trail, ROUGHLY * path.length))) continue;
       reached[i].push(one);
@@ -93,13 +93,12 @@ function isBeside(one, other, least) {
 
 /** The vertices that share an edge with each, or with one at the same place. @param {Mesh} mesh @returns {Set<number>[]} */
 function findNeighbours({ positions, indices }) {
-  const same = SAME * positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-  /** Vertices at the same place share the list of them. @type {Map<string, number[]>} */ const places = new Map();
+  const same = SAME * positions.reduce((most, x) => (Math.abs(x) < Infinity ? Math.max(most, Math.abs(x)) : most), 0);
+  /** Vertices at the same place share the list of them; those that are nowhere share none. @type {Map<string, number[]>} */ const places =
+    new Map();
   const here = Array.from({ length: positions.length / 3 }, (_, i) => {
-    const place = positions
-      .subarray(3 * i, 3 * i + 3)
-      .map((x) => Math.round(x / same))
-      .join();
+    const point = positions.subarray(3 * i, 3 * i + 3);
+    const place = point.every(Number.isFinite) ? point.map((x) => Math.round(x / same)).join() : `${i}`;
     const list = places.get(place) ?? [];
     list.push(i);
     places.set(place, list);

@@ -9,13 +9,14 @@ import { SHAPE } from './kind.js';
 import { Manifold } from './manifold.js';
 import { meshSurface } from './mesh.js';
 import { evaluateNormals } from './normals.js';
-import { checkOptions, makePath, MOST_POINTS, readOptions, readStart, wholeNumber } from './path.js';
+import { checkOptions, wholeNumber } from './arguments.js';
+import { makePath, MOST_POINTS, readOptions, readStart } from './path.js';
 import { projectOnto } from './projection.js';
-import { gap } from './rectangle.js';
 import { emptyPath } from './runtime/result.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 import { readTrace, readTraceOptions, traceFrom } from './trace.js';
 import { passThrough } from './via.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */

@@ -3,10 +3,10 @@
 import { findChain } from './chain.js';
 import { joinLegs, reverse } from './join.js';
 import { crosses, findNet } from './nodes.js';
-import { isPath } from './path.js';
-import { dot, gap } from './rectangle.js';
+import { isGeodesic } from './path.js';
 import { ROUGHLY } from './rough.js';
 import { findGlobal, isAfter, solveNear } from './routes.js';
+import { dot, gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */
@@ -43,7 +43,7 @@ export function netOf(field, ends) {
 export function findThrough(field, ends, options) {
   const { box, domain } = field;
   const solve = () => findGlobal(field, ends, options, 1)[0];
-  const isStraight = () => isPath(solveNear(field, ends, { ...ROUGHLY, points: POINTS }, null));
+  const isStraight = () => isGeodesic(solveNear(field, ends, { ...ROUGHLY, points: POINTS }, null));
   if (domain || (!box && isStraight())) return solve();
   const net = netOf(field, ends);
   if (net.nodes.length === 0) return solve();
@@ -73,7 +73,7 @@ function joinThrough(field, { nodes, partsAt }, ends, options) {
   if (way.length < 3 || !isSmooth) {
     const path = legOf(0, 1) ?? solve(0, 1, options);
     /* A way over nodes that is shorter and no path, or not all of which was solved, leaves it open what is the shortest. */
-    const isOpen = isPath(path) && known.reduce((sum, leg) => sum + leg.lengthError, length) < path.length;
+    const isOpen = isGeodesic(path) && known.reduce((sum, leg) => sum + leg.lengthError, length) < path.length;
     return isOpen ? { ...path, status: 'stalled', converged: false } : path;
   }
   const solveAgain = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>

@@ -1,6 +1,7 @@
 /** Edges of a parameter rectangle that are one point, or almost: poles, apexes, small holes. Knows only samples of the surface. */
 
-import { dot, FRACTIONS, gap, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+import { edgeOf, FRACTIONS, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+import { dot, gap } from './vector.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Jets} Jets */
@@ -46,7 +47,7 @@ export function findPoles({ jets, tensors }, range) {
  * @returns {Tip[]} none or one
  */
 export function findHole(jets, range, periodic, pole) {
-  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const { across: direction, side } = edgeOf(pole);
   const span = range.upper[direction] - range.lower[direction];
   const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
   /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
@@ -141,7 +142,7 @@ export function leastAcross(jets, range, across) {
 
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
 export function tipAt(jets, range, periodic, pole, fraction) {
-  const [direction, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const { across: direction, side } = edgeOf(pole);
   const sampled = jets(linePlaces(range, direction, fraction, FRACTIONS));
   const at = vector(sampled, 0, 0);
   const beyond = (fraction - side) * (side ? 1 : -1) * (range.upper[direction] - range.lower[direction]);
@@ -218,7 +219,7 @@ function hasNoLength(tensors, range) {
  * @param {Sampler} tensors @param {Range} range @param {number} pole
  */
 export function isSmooth(tensors, range, pole) {
-  const [across, side] = [(pole - 1) >> 1, (pole - 1) & 1];
+  const { across, side } = edgeOf(pole);
   const [away, turn] = [across, 1 - across].map((j) => range.upper[j] - range.lower[j]);
   /* Over dr and r dθ: what the diagonal differs by, twice the mixed part, the trace. */
   const around = (/** @type {number} */ fraction) => {

@@ -2,7 +2,8 @@
 
 import { readNumbers } from './definition.js';
 import { KIND } from './kind.js';
-import { checkOptions, describe, makePath, MOST_POINTS, readTolerance, wholeNumber } from './path.js';
+import { checkOptions, readTolerance, refuseNumber, wholeNumber } from './arguments.js';
+import { makePath, MOST_POINTS } from './path.js';
 import { placed, placeIn } from './pieces.js';
 import { CONVERGED, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
 
@@ -23,9 +24,8 @@ const [LOOSER, LOOSEST] = [100, 1e-5];
 export function readTrace(caller, direction, length, dimension) {
   const numbers = readNumbers(caller, 'direction', direction, dimension);
   if (numbers.every((x) => x === 0)) throw new RangeError(`${caller}: direction must not be zero; only its length does not matter`);
-  if (typeof length !== 'number') throw new TypeError(`${caller}: length must be a number, not ${describe(length)}`);
-  if (!(length >= 0 && length < Infinity))
-    throw new RangeError(`${caller}: length must be a finite number that is not negative, not ${length}`);
+  if (typeof length !== 'number' || !(length >= 0 && length < Infinity))
+    refuseNumber(`${caller}: length`, 'a finite number that is not negative', length);
   return { direction: numbers, length };
 }
 

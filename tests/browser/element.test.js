@@ -155,7 +155,10 @@ describe('attributes', () => {
     assert.ok(chords < higher && chords > 0.99 * higher);
     await change('hill', 'algorithm', null);
     const [, type, message] = await change('hill', 'tolerance', '7');
-    assert.deepEqual([type, message], ['error', 'RangeError: shortestPath: options.tolerance must lie between 1e-15 and 0.1, not 7']);
+    assert.deepEqual(
+      [type, message],
+      ['error', 'RangeError: shortestPath: options.tolerance must be a number between 1e-15 and 0.1, not 7'],
+    );
     await change('hill', 'tolerance', null);
   });
 
@@ -274,6 +277,33 @@ describe('with controls', () => {
     assert.equal(await handle().count(), 0);
     assert.equal((await change('torus', 'surface', 'parametricTorus'))[1], 'path');
     await handle().waitFor();
+  });
+
+  test('and an end that is nowhere is said, and leaves no handles behind', async () => {
+    const definition = { kind: 'graph', z: 'sqrt(1 - x^2 - y^2)', x: [-1, 1], y: [-1, 1] };
+    const counts = await page.$eval(
+      '#torus',
+      async (element, given) => {
+        const torus = /** @type {any} */ (element);
+        const later = () => new Promise((resolve) => setTimeout(resolve, 200));
+        const held = { definition: torus.definition, from: torus.getAttribute('from'), to: torus.getAttribute('to') };
+        const buttons = [];
+        torus.definition = given;
+        torus.setAttribute('from', '0,0');
+        for (const to of ['0.9,0.9', '0.95,0.95', '0.5,0.5']) {
+          torus.setAttribute('to', to);
+          await later();
+          buttons.push(torus.shadowRoot.querySelectorAll('button').length);
+        }
+        torus.definition = null;
+        torus.setAttribute('from', held.from);
+        torus.setAttribute('to', held.to);
+        await later();
+        return [...buttons, torus.shadowRoot.querySelectorAll('button').length];
+      },
+      definition,
+    );
+    assert.deepEqual(counts, [0, 0, 2, 2]);
   });
 
   test('and moved by keys; the other element has no handles', async () => {

@@ -328,6 +328,50 @@ for (const [title, name] of TESTED)
         assert.deepEqual([last.calls.drag, last.calls.end], [5, 5]);
       });
 
+      test('leaves controls alone that it has not switched off, and tells of no change before it is made', async () => {
+        await begin([5, 0.9]);
+        await page.evaluate(() => {
+          /** @type {any} */ (window).view.controls.enabled = false;
+        });
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('ArrowRight');
+        const { enabled, calls } = await where();
+        assert.deepEqual([enabled, calls.end], [false, 1]);
+        const told = await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          view.controls.enabled = true;
+          let changes = 0;
+          const drawn = { camera: view.camera, domElement: view.renderer.domElement, radius: undefined, onChange: () => changes++ };
+          const handle = new view.draw.DragHandle(view.surface, [1, 1], drawn);
+          const before = changes;
+          handle.setPoint([1, 2]);
+          handle.dispose();
+          return [before, changes];
+        });
+        assert.deepEqual(told, [0, 1]);
+      });
+
+      test('stays as it is where it cannot be put on another surface', async () => {
+        await begin([5, 0.9]);
+        const before = await where();
+        const message = await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          const dome = view.surfpath.graph({ z: 'sqrt(1 - x^2 - y^2)', x: [-1, 1], y: [-1, 1] });
+          try {
+            view.handle.setSurface(dome, [0.9, 0.9]);
+            return '';
+          } catch (error) {
+            return String(error);
+          }
+        });
+        assert.match(message, /^RangeError: DragHandle: the surface has no point at \[0.9,0.9\]/);
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('ArrowRight');
+        const after = await where();
+        assert.notDeepEqual(after.point, before.point);
+        assert.ok(fromTorus(after.position) < 1e-12);
+      });
+
       test('refuses a place that is none, and a line what is no number', async () => {
         const messages = await page.evaluate(() => {
           const { draw, gallery, surfpath, camera, renderer } = /** @type {any} */ (window).view;

@@ -148,6 +148,25 @@ static void check_graphs(void) {
     check_graph(&torus_surface, flood, (double[6]){5.5, 0, 0, 4, 0, 1.5});
 }
 
+/* cos(8 pi x): of 16 cells a direction, each has a change of sign. */
+static void planes_value(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 3, out += 4) {
+        sp_pair sine = sp_sincos(8 * HALF_TURN * in[0], out);
+        out[1] = -8 * HALF_TURN * sine, out[2] = out[3] = sp_splat(0.0);
+    }
+}
+
+/* A graph that fills its box to the last cell is built, and an end of time. */
+static void check_full_box(void) {
+    const struct sp_surface planes = {planes_value, planes_value, SP_IMPLICIT, SP_INDUCED, {0}, {0}, 3.5};
+    const struct sp_graph_options box = {{-1, 1, -1, 1, -1, 1}, 0, 16, 0, 0};
+    struct sp_arena arena = allocate(1 << 28);
+    struct sp_graph graph;
+    int32_t status = sp_graph_build(&planes, &box, &arena, &graph);
+    CHECK(status == SP_CONVERGED && graph.vertex_count == 16 * 16 * 16, "full box: status %d, %d vertices", status, graph.vertex_count);
+    free(arena.base);
+}
+
 static void check_meshes(void) {
     const double box[6] = {-5.7, 5.7, -5.7, 5.7, -5.7, 5.7};
     struct sp_mesh mesh;
@@ -250,6 +269,7 @@ int main(void) {
     check_solves();
     check_traces();
     check_graphs();
+    check_full_box();
     check_meshes();
     check_options();
     check_graph_options();

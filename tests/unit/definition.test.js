@@ -38,7 +38,7 @@ describe('definitions', () => {
     ['a periodic that is a word', { ...gallery.saddle, periodic: 'yes' }, TypeError, /periodic must be 'auto' or .* not 'yes'/],
     ['a periodic that is a number', { ...gallery.saddle, periodic: { u: 1 } }, TypeError, /periodic must be .* not u: 1/],
     ['a parameter that is NaN', { ...gallery.saddle, parameters: { a: NaN } }, RangeError, /parameter a must be a finite number/],
-    ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, TypeError, /parameter a must be a number, not '1'/],
+    ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, TypeError, /parameter a must be a finite number, not '1'/],
     ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],
     ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
     ['a field misspelt', { ...gallery.saddle, densty: '1 + u' }, TypeError, /has no field 'densty'; did you mean density\?/],

@@ -88,6 +88,18 @@ describe('closed forms', () => {
     surface.dispose();
   });
 
+  test('hemisphere over a square: vertices in its corners are nowhere, and are not near each other', () => {
+    const surface = surfpath.graph({ z: 'sqrt(1 - x^2 - y^2)', x: [-1, 1], y: [-1, 1] });
+    const start = [0.1, 0.2, Math.sqrt(0.95)];
+    const { mesh, distances } = surface.distanceField([0.1, 0.2], { exact: true, resolution: 12 });
+    for (const [i, distance] of distances.entries()) {
+      const place = mesh.positions.subarray(3 * i, 3 * i + 3);
+      if (!Number.isFinite(place[2])) assert.ok(!(distance < Infinity), `vertex ${i}: ${distance}`);
+      else if (place[2] > 0.1) assert.ok(Math.abs(distance - greatCircle(place, start)) < 1e-8, `vertex ${i}: ${distance}`);
+    }
+    surface.dispose();
+  });
+
   test('plane', () => {
     const surface = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [0, 3], v: [0, 1] });
     compare(surface, [0.31, 0.77], ([x, y]) => Math.hypot(x - 0.31, y - 0.77), 8);

@@ -60,20 +60,32 @@ test('a product with the number 0 is 0, whatever the other factor; with a parame
 test('a function in place of a value is told as one, not with its source', () => {
   const surface = plane();
   const secret = () => 'secret';
-  refuses(() => surface.shortestPath([0, 0], [1, 1], { points: anything(secret) }), TypeError, /points must be a number, not a function$/);
+  refuses(
+    () => surface.shortestPath([0, 0], [1, 1], { points: anything(secret) }),
+    TypeError,
+    /points must be a whole number .*, not a function$/,
+  );
   refuses(() => surface.shortestPath(anything(secret), [1, 1]), TypeError, /from must be \[u, v\], not a function$/);
   refuses(() => surfpath.surface(anything({ kind: class Kind {} })), RangeError, /, not a function$/);
 });
 
 test('null is no resolution and no tolerance', () => {
   const surface = plane();
-  refuses(() => surface.mesh({ resolution: anything(null) }), TypeError, /^mesh: options\.resolution must be a number, not null$/);
+  refuses(
+    () => surface.mesh({ resolution: anything(null) }),
+    TypeError,
+    /^mesh: options\.resolution must be a whole number from 1 to 256, not null$/,
+  );
   refuses(
     () => surface.distanceField([0, 0], { resolution: anything(null) }),
     TypeError,
     /^distanceField: options\.resolution .*, not null$/,
   );
-  refuses(() => surface.shortestPath([0, 0], [1, 1], { tolerance: anything(null) }), TypeError, /tolerance must be a number, not null$/);
+  refuses(
+    () => surface.shortestPath([0, 0], [1, 1], { tolerance: anything(null) }),
+    TypeError,
+    /tolerance must be a number between .*, not null$/,
+  );
 });
 
 test('load and compileModule complain in their own names', async () => {

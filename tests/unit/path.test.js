@@ -46,14 +46,16 @@ describe('options', () => {
     [{ points: 100_001 }, RangeError, /points must be/],
     [{ points: 2.5 }, RangeError, /points must be a whole number/],
     [{ points: NaN }, RangeError, /points must be a whole number/],
-    [{ points: '64' }, TypeError, /points must be a number, not '64'/],
+    [{ points: '64' }, TypeError, /points must be a whole number from 1 to 100000, not '64'/],
     [{ maxIterations: -1 }, RangeError, /maxIterations must be a whole number from 0 to 10000/],
     [{ gradientTolerance: 0 }, RangeError, /gradientTolerance must be a positive number, not 0/],
-    [{ gradientTolerance: '1' }, RangeError, /gradientTolerance must be a positive number, not '1'/],
+    [{ gradientTolerance: '1' }, TypeError, /gradientTolerance must be a positive number, not '1'/],
     [{ record: 1 }, TypeError, /record must be true or false, not 1/],
     [{ start: [0, 0, 1] }, RangeError, /start must be a flat array of u v, 2 to 1,000,000 points, not 3 numbers/],
     [{ start: [0, 0] }, RangeError, /start must be a flat array/],
     [{ start: [0, 0, NaN, 1] }, RangeError, /start\[2\] must be a finite number, not NaN/],
+    [{ start: ['0', 0, 0.5, 0.5] }, TypeError, /start\[0\] must be a finite number, not '0'/],
+    [{ start: [0, 0, null, 1] }, TypeError, /start\[2\] must be a finite number, not null/],
     [
       {
         start: [

@@ -30,7 +30,7 @@ describe('ends', () => {
     ['three numbers', [0, 0, 0], RangeError, /from must be \[u, v\], 2 numbers, not 3/],
     ['NaN', [NaN, 0], RangeError, /from\[0\] must be a finite number, not NaN/],
     ['Infinity', [0, -Infinity], RangeError, /from\[1\] must be a finite number, not -Infinity/],
-    ['numbers as text', ['0', '0'], TypeError, /from\[0\] must be a number, not '0'/],
+    ['numbers as text', ['0', '0'], TypeError, /from\[0\] must be a finite number, not '0'/],
     ['a point outside the range of u', [1.5, 0], RangeError, /from\[0\] = 1.5 lies outside the range of u, \[-1, 1\]/],
     ['a point outside the range of v', [0, -2], RangeError, /from\[1\] = -2 lies outside the range of v/],
   ];

@@ -2,7 +2,8 @@
 
 import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
-import { checkOptions, describe, makePath, wholeNumber } from '../path.js';
+import { checkOptions, describe, refuse, wholeNumber } from '../arguments.js';
+import { makePath } from '../path.js';
 import { Crew } from './crew.js';
 import { emptyPath } from './result.js';
 import { Job } from './job.js';
@@ -59,11 +60,10 @@ function readCall(caller, given, isBatch) {
   if (typeof given !== 'object' || given === null) return { options: given };
   const { signal, ...others } = given;
   if (signal !== undefined && (typeof signal?.aborted !== 'boolean' || typeof signal.addEventListener !== 'function'))
-    throw new TypeError(`${caller}: options.signal must be an AbortSignal, not ${describe(signal)}`);
+    refuse(`${caller}: options.signal`, 'an AbortSignal', signal);
   if (!isBatch) return { signal, options: others };
   const { onProgress, ...options } = others;
-  if (onProgress !== undefined && typeof onProgress !== 'function')
-    throw new TypeError(`${caller}: options.onProgress must be a function, not ${describe(onProgress)}`);
+  if (onProgress !== undefined && typeof onProgress !== 'function') refuse(`${caller}: options.onProgress`, 'a function', onProgress);
   return { signal, onProgress, options };
 }
 

@@ -1,6 +1,6 @@
 /** What the drawing modules ask of their arguments, and say when they do not get it. */
 
-import { describe } from '../path.js';
+import { refuse } from '../arguments.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 
@@ -9,13 +9,13 @@ export function checkDrawable(caller, surface) {
   const { kind } = /** @type {{ kind?: unknown }} */ (surface ?? {});
   if (kind === 'metric')
     throw new TypeError(`${caller}: a surface given by E, F and G has no positions in space; draw its paths in the parameter plane`);
-  if (kind !== 'parametric' && kind !== 'implicit') throw new TypeError(`${caller}: surface must be a Surface, not ${describe(surface)}`);
+  if (kind !== 'parametric' && kind !== 'implicit') refuse(`${caller}: surface`, 'a Surface', surface);
 }
 
 /** Refuses what is no geometry of a surface. @param {string} caller @param {unknown} geometry */
 export function checkGeometry(caller, geometry) {
   const { attributes } = /** @type {{ attributes?: { position?: unknown } }} */ (geometry ?? {});
-  if (!attributes?.position) throw new TypeError(`${caller}: geometry must be one that surfaceGeometry made, not ${describe(geometry)}`);
+  if (!attributes?.position) refuse(`${caller}: geometry`, 'one that surfaceGeometry made', geometry);
 }
 
 /**
@@ -27,7 +27,7 @@ export function readPoints(caller, given) {
   if (given === null) return null;
   const { points = given, length } = /** @type {any} */ (given ?? {});
   if (typeof points !== 'object' || typeof points.length !== 'number')
-    throw new TypeError(`${caller}: path must be a Path, a flat array of x y z, or null, not ${describe(given)}`);
+    refuse(`${caller}: path`, 'a Path, a flat array of x y z, or null', given);
   if (points !== given && points.length === 0) {
     if (Number.isNaN(length)) return null;
     throw new TypeError(`${caller}: the path has no points: a metric without positions has none; draw its parameters in the plane`);

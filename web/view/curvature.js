@@ -1,15 +1,11 @@
 /** Gaussian curvature K at many places of a surface, as space has it: exact normals and gradients, differentiated once more by central differences. */
 
+import { cross, dot } from '../vector.js';
+
 /** @typedef {import('../surface.js').Surface} Surface */
 
 /** Share of the range, or of the size, on either side: truncation and rounding are both near 1e-10 of K then. */
 const STEP = 1e-5;
-
-/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-/** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /** @param {Float64Array} values @param {number} width @param {number} i @param {number} offset: the three from there on, of entry i minus those of entry i + 1 */
 const difference = (values, width, i, offset) =>

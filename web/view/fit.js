@@ -1,7 +1,7 @@
 /** Where a camera must stand so that a surface just fills its view. */
 
 import { Vector3 } from 'three';
-import { describe } from '../path.js';
+import { refuse, refuseNumber } from '../arguments.js';
 import { checkGeometry } from './check.js';
 
 /** The fit is exact for the distance, and centred to a per cent after so many rounds: perspective moves the middle a little. */
@@ -38,12 +38,12 @@ export function fitCamera(camera, geometry, towards, margin = 0.1) {
 /** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {ArrayLike<number>} towards @param {number} margin */
 function check(camera, geometry, towards, margin) {
   const caller = 'fitCamera';
-  if (!camera?.isPerspectiveCamera) throw new TypeError(`${caller}: camera must be a PerspectiveCamera, not ${describe(camera)}`);
+  if (!camera?.isPerspectiveCamera) refuse(`${caller}: camera`, 'a PerspectiveCamera', camera);
   checkGeometry(caller, geometry);
+  if (geometry.index?.count === 0) throw new RangeError(`${caller}: geometry has no triangles`);
   const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
-  if (!(length > 0 && Number.isFinite(length)))
-    throw new TypeError(`${caller}: towards must be a direction x y z, none of length 0, not ${describe(towards)}`);
-  if (!(margin >= 0 && margin < 1)) throw new RangeError(`${caller}: margin must be in [0, 1), not ${describe(margin)}`);
+  if (!(length > 0 && Number.isFinite(length))) refuse(`${caller}: towards`, 'a direction x y z, none of length 0', towards);
+  if (!(margin >= 0 && margin < 1)) refuseNumber(`${caller}: margin`, 'a number in [0, 1)', margin);
 }
 
 /**

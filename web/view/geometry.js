@@ -1,7 +1,7 @@
 /** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkOptions, describe } from '../path.js';
+import { checkOptions, refuse } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
@@ -96,7 +96,7 @@ export function surfaceGeometry(surface, options = {}) {
   checkOptions(caller, options, NAMES);
   const { resolution, colour = 'none', from, exact } = options;
   if (typeof colour !== 'function' && !['none', 'curvature', 'distance'].includes(colour))
-    throw new RangeError(`${caller}: options.colour must be 'none', 'curvature', 'distance' or a function, not ${describe(colour)}`);
+    refuse(`${caller}: options.colour`, "'none', 'curvature', 'distance' or a function", colour, RangeError);
   if (colour === 'distance' && from === undefined) throw new TypeError(`${caller}: options.colour 'distance' needs options.from, a point`);
   const field = colour === 'distance' ? surface.distanceField(/** @type {ArrayLike<number>} */ (from), { resolution, exact }) : null;
   const mesh = field ? field.mesh : surface.mesh({ resolution });

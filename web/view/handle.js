@@ -1,7 +1,7 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import { checkOptions } from '../path.js';
+import { checkOptions } from '../arguments.js';
 import { HandleButton } from './button.js';
 import { checkDrawable } from './check.js';
 import { Marker } from './marker.js';
@@ -22,7 +22,7 @@ import { stepAlong } from './step.js';
  * @property {number} [radius] of the ball, in CSS pixels; default 6. What can be pressed is 24 pixels wide at least, 44 for a finger
  * @property {number} [step] of an arrow key, in CSS pixels; with Shift five times that; default 8
  * @property {(point: number[], handle: DragHandle) => void} [onDrag] the point has moved: u v or x y z
- * @property {(handle: DragHandle) => void} [onDragStart] @property {(handle: DragHandle) => void} [onDragEnd]
+ * @property {(handle: DragHandle) => void} [onDragStart] it is pressed @property {(handle: DragHandle) => void} [onDragEnd] it is let go; or the arrow key that moved it is
  * @property {() => void} [onChange] it looks different: draw again
  */
 
@@ -49,7 +49,7 @@ export class DragHandle extends Group {
   #options;
   /** Whether it is behind the surface: then it is dragged there. */
   #isHidden = false;
-  #wereEnabled = true;
+  /** Whether the controls were, before it was dragged; null: it is not. @type {boolean | null} */ #wereEnabled = null;
   /** Where the view was drawn last, in CSS pixels from the corner of the canvas; nowhere at first. */
   #view = { left: 0, top: 0, width: 0, height: 0 };
 
@@ -63,7 +63,9 @@ export class DragHandle extends Group {
     checkDrawable('DragHandle', surface);
     checkOptions('DragHandle', options ?? {}, [...NAMES, ...EVENTS]);
     if (!options?.camera || !options.domElement) throw new TypeError('DragHandle: options.camera and options.domElement are needed');
-    this.#options = { label: 'Point', radius: 6, step: 8, ...options };
+    const { label = 'Point', radius = 6, step = 8, onChange = () => {} } = options;
+    // Nobody draws what is not made yet.
+    this.#options = { ...options, label, radius, step, onChange: () => {} };
     this.#surface = surface;
     this.add(this.#marker);
     this.#marker.onDraw = (camera, viewport, renderer) => this.#follow(camera, viewport, renderer);
@@ -77,6 +79,7 @@ export class DragHandle extends Group {
       nudge: (right, up) => this.#nudge(right, up),
       highlight: (on) => this.#highlight(on),
     });
+    this.#options.onChange = onChange;
   }
 
   /** Where it is: u v, or x y z; a copy. */
@@ -91,15 +94,20 @@ export class DragHandle extends Group {
 
   /** Moves it, without calling `onDrag`. Throws what `project` throws. @param {ArrayLike<number>} point as for the constructor */
   setPoint(point) {
-    const surface = this.#surface;
+    this.#put(this.#surface, point);
+  }
+
+  /** @param {Surface} surface @param {ArrayLike<number>} point */
+  #put(surface, point) {
     const given = Array.from(point);
     const place = surface.domain ? given : surface.project(given);
     const position = surface.domain ? surface.evaluate(place) : place;
     if (place.length !== (surface.domain ? 2 : 3) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
       throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
+    this.#surface = surface;
     this.#point = place;
     this.position.set(position[0], position[1], position[2]);
-    this.#options.onChange?.();
+    this.#options.onChange();
   }
 
   /**
@@ -109,17 +117,16 @@ export class DragHandle extends Group {
    */
   setSurface(surface, point = this.#point, mesh = undefined) {
     checkDrawable('DragHandle', surface);
+    this.#put(surface, point);
     this.#picker?.dispose();
     this.#picker = null;
-    this.#surface = surface;
     this.#options.mesh = mesh;
-    this.setPoint(point);
   }
 
   /** What is not named stays. @param {{ colour?: Colour, ring?: Colour }} colours */
   setColours({ colour, ring }) {
     this.#marker.setColours({ colour, ring });
-    this.#options.onChange?.();
+    this.#options.onChange();
   }
 
   /** Frees what it holds, removes its button, and leaves its scene. */
@@ -134,7 +141,7 @@ export class DragHandle extends Group {
   /** @param {boolean} on */
   #highlight(on) {
     this.#marker.setRadius((on ? GROWTH : 1) * this.#options.radius, RING_WIDTH);
-    this.#options.onChange?.();
+    this.#options.onChange();
   }
 
   /**
@@ -234,7 +241,8 @@ export class DragHandle extends Group {
 
   #end() {
     const { controls, onDragEnd } = this.#options;
-    if (controls) controls.enabled = this.#wereEnabled;
+    if (controls && this.#wereEnabled !== null) controls.enabled = this.#wereEnabled;
+    this.#wereEnabled = null;
     onDragEnd?.(this);
   }
 }

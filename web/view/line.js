@@ -3,7 +3,7 @@
 import { GreaterDepth, Group, Vector3 } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { checkOptions } from '../path.js';
+import { checkOptions } from '../arguments.js';
 import { readPoints } from './check.js';
 import { LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
@@ -85,6 +85,7 @@ export class GeodesicLine extends Group {
     this.add(this.#body);
     checkOptions('GeodesicLine', options, NAMES);
     const { colour = PATH, width = 4, halo = HALO, haloWidth = 1.5, hidden = true, hiddenColour = colour, dash = 7 } = options;
+    this.#isHiddenOwn = options.hiddenColour !== undefined;
     const border = halo === null ? 0 : haloWidth;
     this.#lift.value = liftOf(width / 2 + border);
     const dashes = {
@@ -92,14 +93,13 @@ export class GeodesicLine extends Group {
       dashSize: dash,
       gapSize: GAP * dash,
       depthFunc: GreaterDepth,
-      opacity: options.hiddenColour ? 1 : DIMMER,
+      opacity: this.#isHiddenOwn ? 1 : DIMMER,
     };
     this.#passes = {
       hidden: this.#makePass(hiddenColour, Math.max(1.5, THINNER * width), dashes, hidden),
       halo: this.#makePass(halo ?? HALO, width + 2 * border, {}, border > 0),
       line: this.#makePass(colour, width, {}, true),
     };
-    this.#isHiddenOwn = options.hiddenColour !== undefined;
     this.setPath(path);
   }
 
@@ -133,6 +133,7 @@ export class GeodesicLine extends Group {
     const behind = this.#isHiddenOwn ? hiddenColour : colour;
     if (colour !== undefined) line.material.color.set(colour);
     if (behind !== undefined) hidden.material.color.set(behind);
+    if (this.#isHiddenOwn) hidden.material.opacity = 1;
     if (halo !== undefined) border.material.color.set(halo);
   }
 

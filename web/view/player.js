@@ -1,14 +1,14 @@
 /** Plays how a path converges: the iterates that `record` kept, one melting into the next, from cool to warm. */
 
 import { Color } from 'three';
-import { checkOptions } from '../path.js';
+import { checkOptions, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
 
 /** @typedef {import('../path.js').Path} Path */
 
 /**
  * @typedef {object} PathPlayerOptions
- * @property {number} [duration] in milliseconds, default 1200
+ * @property {number} [duration] in milliseconds, ≥ 0, default 1200
  * @property {import('three').ColorRepresentation} [cool] colour of the start, default a blue
  * @property {import('three').ColorRepresentation} [warm] colour of the converged path, default an orange-red
  * @property {boolean} [reducedMotion] show the final path at once; default: what the reader's system asks for
@@ -63,6 +63,8 @@ export class PathPlayer {
   constructor(line, path, options = {}) {
     checkOptions('PathPlayer', options, NAMES);
     const { duration = 1200, cool = COOL, warm = WARM, reducedMotion, onFrame = () => {} } = options;
+    if (!(duration >= 0 && duration < Infinity))
+      refuseNumber('PathPlayer: options.duration', 'a finite number that is not negative', duration);
     this.#line = line;
     this.#duration = duration;
     this.#colours = { cool: new Color(cool), warm: new Color(warm), now: new Color() };
@@ -99,7 +101,7 @@ export class PathPlayer {
    * @param {number} moment in [0, 1], from the start to the path
    */
   scrub(moment) {
-    if (!(moment >= 0 && moment <= 1)) throw new RangeError(`PathPlayer: moment must lie between 0 and 1, not ${moment}`);
+    if (!(moment >= 0 && moment <= 1)) refuseNumber('PathPlayer: moment', 'a number between 0 and 1', moment);
     this.#moment = moment;
     const last = this.#frames.length - 1;
     const place = moment * last;
@@ -142,7 +144,7 @@ export class PathPlayer {
       /** @type {number | null} */ let begin = null;
       const step = (/** @type {number} */ now) => {
         begin ??= now;
-        const share = Math.min((now - begin) / this.#duration, 1);
+        const share = this.#duration > 0 ? Math.min((now - begin) / this.#duration, 1) : 1;
         this.scrub(ease(share));
         if (share < 1) this.#request = requestAnimationFrame(step);
         else this.stop();

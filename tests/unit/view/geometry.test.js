@@ -149,8 +149,20 @@ for (const [title, { draw, THREE }] of await loadReleases())
       for (const margin of [-0.1, 1, Number.NaN])
         assert.throws(
           () => draw.fitCamera(camera, geometry, [1, 0, 0], margin),
-          wrong(/^fitCamera: margin must be in \[0, 1\)/, 'RangeError'),
+          wrong(/^fitCamera: margin must be a number in \[0, 1\)/, 'RangeError'),
         );
+      const nothing = surfpath.implicit({
+        f: 'x^2 + y^2 + z^2 + 1',
+        bounds: [
+          [-1, 1],
+          [-1, 1],
+          [-1, 1],
+        ],
+      });
+      assert.throws(
+        () => draw.fitCamera(camera, draw.surfaceGeometry(nothing), [1, 0, 0]),
+        wrong(/^fitCamera: geometry has no triangles/, 'RangeError'),
+      );
     });
 
     test('fitCamera fills the view and centres what is seen', () => {

@@ -67,6 +67,16 @@ for (const [title, { draw, THREE }] of await loadReleases())
         assert.ok(!halo.dashed && !line.dashed && [halo, line].every(({ depthFunc }) => depthFunc === THREE.LessEqualDepth));
       });
 
+      test('the hidden part is opaque in a colour of its own, black too', () => {
+        const opacity = (/** @type {InstanceType<typeof draw.GeodesicLine>} */ line) => passes(line)[0].material.opacity;
+        assert.equal(opacity(new draw.GeodesicLine(path, { hiddenColour: 0x000000 })), 1);
+        const line = new draw.GeodesicLine(path);
+        line.setColours({ colour: 'red' });
+        assert.ok(opacity(line) < 1);
+        line.setColours({ hiddenColour: 'blue' });
+        assert.equal(opacity(line), 1);
+      });
+
       test('is drawn without a halo or a hidden part if asked so', () => {
         const line = new draw.GeodesicLine(path, { halo: null, hidden: false });
         assert.deepEqual(
@@ -143,6 +153,19 @@ for (const [title, { draw, THREE }] of await loadReleases())
         assert.equal(moments.at(-1), 1);
         assert.ok(moments.every((moment, i) => i === 0 || moment >= moments[i - 1]));
         assert.ok(moments[2] < 0.05 && Math.abs(moments[3] - 0.5) < 1e-12 && moments[4] > 0.95, `${moments}`);
+      });
+
+      test('takes no time where none is given it, and refuses less', async () => {
+        const player = new draw.PathPlayer(new draw.GeodesicLine(), film, { duration: 0 });
+        const played = player.play();
+        frame(100);
+        await played;
+        assert.deepEqual([player.moment, asked.size], [1, 0]);
+        for (const duration of [-1, Number.NaN, Infinity])
+          assert.throws(() => new draw.PathPlayer(new draw.GeodesicLine(), film, { duration }), {
+            name: 'RangeError',
+            message: /^PathPlayer: options.duration must be a finite number that is not negative/,
+          });
       });
 
       test('shows the end at once for less motion, and where nothing was recorded', async () => {

@@ -1,7 +1,7 @@
 /** What the attributes of <surface-path> say, as the library takes it. Pure: reads strings, knows no document. */
 
 import { gallery } from '../../gallery.js';
-import { describe } from '../../path.js';
+import { describe, refuse } from '../../arguments.js';
 
 /** @typedef {(name: string) => string | null} Attributes the value of an attribute, null where it is absent */
 /** @typedef {import('../../instance.js').AnyDefinition} AnyDefinition */
@@ -45,7 +45,7 @@ export function readNumbers(name, text) {
     .split(/\s*,\s*|\s+/)
     .map((part) => (part === '' ? Number.NaN : Number(part)));
   if (numbers.every(Number.isFinite)) return numbers;
-  throw new TypeError(`surface-path: ${name} must be numbers between commas, not ${describe(text)}`);
+  refuse(`surface-path: ${name}`, 'numbers between commas', text);
 }
 
 /** @param {string} text 'R = 3, r = 1' @returns {Record<string, number>} */
@@ -56,7 +56,7 @@ function readParameters(text) {
     .map((part) => {
       const [name, value, ...rest] = part.split('=').map((side) => side.trim());
       if (!name || !value || rest.length > 0 || !Number.isFinite(Number(value)))
-        throw new TypeError(`surface-path: parameters must be name=number between commas, not ${describe(part)}`);
+        refuse('surface-path: parameters', 'name=number between commas', part);
       return [name, Number(value)];
     });
   return Object.fromEntries(entries);
@@ -67,7 +67,7 @@ function readPeriodic(text) {
   const names = text.trim().split(/[\s,]+/);
   if (text.trim() === 'auto') return 'auto';
   if (!names.every((name) => ['u', 'v', 'none'].includes(name)))
-    throw new TypeError(`surface-path: periodic must be 'auto', 'none', 'u', 'v' or 'u v', not ${describe(text)}`);
+    refuse('surface-path: periodic', "'auto', 'none', 'u', 'v' or 'u v'", text);
   return { u: names.includes('u'), v: names.includes('v') };
 }
 
@@ -77,7 +77,7 @@ function readFormulas(attribute) {
   if (kind === undefined)
     throw new TypeError('surface-path: name a surface of the gallery (surface="torus"), or give formulas (x, y, z, u, v or f, bounds)');
   const fields = Object.hasOwn(KINDS, kind) ? KINDS[kind] : null;
-  if (!fields) throw new RangeError(`surface-path: kind must be one of ${Object.keys(KINDS).join(', ')}, not ${describe(kind)}`);
+  if (!fields) refuse('surface-path: kind', `one of ${Object.keys(KINDS).join(', ')}`, kind, RangeError);
   /** @type {Record<string, any> & { kind: string }} */
   const definition = { kind };
   for (const name of fields.formulas) definition[name] = attribute(name) ?? undefined;
@@ -169,7 +169,7 @@ export function readLook(attribute, definition, from) {
     );
   const towards = camera === null ? definition.camera : readNumbers('camera', camera);
   if (towards && !(towards.length === 3 && towards.some((/** @type {number} */ x) => x !== 0)))
-    throw new RangeError(`surface-path: camera must be a direction x, y, z to look from, not ${describe(camera)}`);
+    refuse('surface-path: camera', 'a direction x, y, z to look from', camera, RangeError);
   return {
     colour: /** @type {any} */ (colour ?? 'none'),
     ...(colour === 'distance' ? { from } : {}),

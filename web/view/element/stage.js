@@ -100,22 +100,31 @@ export class Stage {
   }
 
   /**
-   * Puts the ends as points to look at, or to drag; those that are there are moved.
+   * Puts the ends as points to look at, or to drag; those that are there are moved. Where the surface has no such point none is left, and it throws.
    * @param {Surface} surface @param {number[][]} points
    * @param {((end: number, point: number[], handle: DragHandle) => void) | null} onDrag the same in every call; null: to look at
    */
   setEnds(surface, points, onDrag) {
     this.#switchControls(onDrag !== null);
-    const isSame = this.#ends.length === points.length && this.#areDragged === (onDrag !== null);
+    this.#dropEnds(this.#areDragged === (onDrag !== null) ? points.length : 0);
     this.#areDragged = onDrag !== null;
-    if (isSame) for (const [i, end] of this.#ends.entries()) this.#moveEnd(end, surface, points[i]);
-    else {
-      for (const end of this.#ends) end.dispose();
-      this.#ends = [];
-      this.#ends = points.map((point, i) => (onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point)));
-      for (const end of this.#ends) this.#scene.add(end);
+    try {
+      for (const [i, point] of points.entries()) {
+        if (i < this.#ends.length) this.#moveEnd(this.#ends[i], surface, point);
+        else this.#ends.push(onDrag ? this.#makeHandle(surface, point, i, onDrag) : this.#makeMarker(surface, point));
+        this.#scene.add(this.#ends[i]);
+      }
+    } catch (error) {
+      // One that cannot be where it should be must not stay where it was.
+      this.#dropEnds();
+      throw error;
     }
     this.#paint();
+  }
+
+  /** @param {number} [first] from that one on */
+  #dropEnds(first = 0) {
+    for (const end of this.#ends.splice(first)) end.dispose();
   }
 
   /** @param {DragHandle | Marker} end @param {Surface} surface @param {number[]} point */
@@ -206,6 +215,7 @@ export class Stage {
   }
 
   #fit() {
+    if (this.#mesh.geometry.index?.count === 0) return;
     this.#isFitted = true;
     const margin = Math.min(MARGIN + COVERED / this.#size.height, 0.5);
     const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin);
@@ -221,7 +231,7 @@ export class Stage {
     cancelAnimationFrame(this.#request);
     this.#isVisible = false;
     this.#player.dispose();
-    for (const end of this.#ends) end.dispose();
+    this.#dropEnds();
     this.#controls?.dispose();
     this.#line.dispose();
     this.#mesh.geometry.dispose();

@@ -1,0 +1,59 @@
+/** What callers pass: checked, with errors that name the function and the argument, and say what it must be. */
+
+/** A value as an error message shows it. @param {unknown} value */
+export function describe(value) {
+  if (value === null) return 'null';
+  if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  return /** @type {Record<string, string>} */ ({ object: 'an object', function: 'a function' })[typeof value] ?? String(value);
+}
+
+/** Throws. @param {string} name function and argument @param {string} what it must be @param {unknown} value @param {ErrorConstructor} [Kind] @returns {never} */
+export function refuse(name, what, value, Kind = TypeError) {
+  throw new Kind(`${name} must be ${what}, not ${describe(value)}`);
+}
+
+/** Throws where a number is wanted: a RangeError if it is one. @param {string} name @param {string} what @param {unknown} value @returns {never} */
+export function refuseNumber(name, what, value) {
+  refuse(name, what, value, typeof value === 'number' ? RangeError : TypeError);
+}
+
+/** @param {string} name @param {unknown} value */
+export function checkObject(name, value) {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) refuse(name, 'an object', value);
+}
+
+/** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
+export function checkOptions(caller, options = {}, known) {
+  checkObject(`${caller}: options`, options);
+  for (const name in options)
+    if (!known.includes(name) && Object.hasOwn(options, name) && /** @type {Record<string, unknown>} */ (options)[name] !== undefined)
+      throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
+  return options;
+}
+
+/** @param {string} caller @param {string} name @param {unknown} value @param {number} least @param {number} most @returns {number} */
+export function wholeNumber(caller, name, value, least, most) {
+  if (!Number.isInteger(value) || /** @type {number} */ (value) < least || /** @type {number} */ (value) > most)
+    refuseNumber(`${caller}: options.${name}`, `a whole number from ${least} to ${most}`, value);
+  return /** @type {number} */ (value);
+}
+
+/** @param {string} caller @param {unknown} tolerance @param {number} least @param {number} most @returns {number} */
+export function readTolerance(caller, tolerance, least, most) {
+  if (typeof tolerance !== 'number' || !(tolerance >= least && tolerance <= most))
+    refuseNumber(`${caller}: options.tolerance`, `a number between ${least} and ${most}`, tolerance);
+  return tolerance;
+}
+
+/** @param {string} caller @param {string} name @param {unknown} value */
+export function checkBoolean(caller, name, value) {
+  if (typeof value !== 'boolean') refuse(`${caller}: options.${name}`, 'true or false', value);
+}
+
+/** @param {string} name function and argument @param {ArrayLike<number>} numbers each of which must be finite @returns {number[]} a copy */
+export function readFinite(name, numbers) {
+  const copy = Array.from(numbers);
+  for (let i = 0; i < copy.length; i++) if (!Number.isFinite(copy[i])) refuseNumber(`${name}[${i}]`, 'a finite number', copy[i]);
+  return copy;
+}
