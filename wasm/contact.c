@@ -6,14 +6,25 @@
 
 static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
 enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
+/* Between two nodes: how near to one the slope is taken, in parts of what lies between them; halvings to the lowest place, and to the edge.
+ */
+static const double BESIDE = 1e-3;
+/* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
+static const double BEYOND = 1e-12;
+/* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
+static const double ELSEWHERE = 0.04;
+enum { HALVINGS = 40 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* Nodes first … last of the polyline that lie on one edge. */
+/* A part of the path on one edge, or beyond it: nodes first … last, or what lies between those two. */
 struct run {
     int32_t first, last, across, side;
+    double from, to;  /* where in the path, 0 … 1 */
+    double along[2];  /* the coordinate along the edge there, */
+    double beside[2]; /* and around it: of one node on an edge only the nodes beside it tell a direction */
 };
 
 static int lies_on(const struct sp_polyline *line, int32_t node, int32_t edge) {
@@ -29,9 +40,14 @@ static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
     return found;
 }
 
+static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
+    return sp_fold_get(line->fold, line->nodes.places, 2, node, j);
+}
+
 /* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. `lone`: an end of the path that is alone on its
  * edge is one, too. */
-static int32_t find_runs(const struct sp_polyline *line, int32_t lone, struct run runs[SP_MAX_ARCS]) {
+static int32_t find_runs(const struct sp_system *system, int32_t lone, struct run runs[SP_MAX_ARCS]) {
+    const struct sp_polyline *line = &system->line;
     int32_t count = 0, kept = 0, last = line->fold.inner + 1;
     for (int32_t i = 0; i <= last; i++) {
         int32_t edge = edge_of(line, i);
@@ -40,11 +56,93 @@ static int32_t find_runs(const struct sp_polyline *line, int32_t lone, struct ru
         if (before && 2 * before->across + before->side == edge && i - before->last <= MERGED_GAP + 1)
             before->last = i;
         else if (count < SP_MAX_ARCS)
-            runs[count++] = (struct run){i, i, edge / 2, edge % 2};
+            runs[count++] = (struct run){.first = i, .last = i, .across = edge / 2, .side = edge % 2};
     }
     for (int32_t r = 0; r < count; r++)
         if (lone || runs[r].first < runs[r].last || (runs[r].first > 0 && runs[r].first < last)) runs[kept++] = runs[r];
+    for (int32_t r = 0; r < kept; r++) {
+        struct run *run = runs + r;
+        int32_t first = run->first, end = run->last, along = 1 - run->across;
+        run->from = sp_sample_parameter(&system->elements, first), run->to = sp_sample_parameter(&system->elements, end);
+        run->along[0] = coordinate(line, first, along), run->along[1] = coordinate(line, end, along);
+        run->beside[0] = coordinate(line, first > 0 ? first - 1 : 0, along);
+        run->beside[1] = coordinate(line, end < last ? end + 1 : last, along);
+    }
     return kept;
+}
+
+/* How far from an edge, inwards, a path is at t; and where along it. */
+static double depth_at(const struct sp_system *system, const struct run *edge, double t, double *along) {
+    const struct sp_surface *surface = system->line.surface;
+    double place[3];
+    sp_sample_place(system, t, place);
+    *along = place[1 - edge->across];
+    return edge->side ? surface->upper[edge->across] - place[edge->across] : place[edge->across] - surface->lower[edge->across];
+}
+
+/* Where between `from`, which is inside, and `to`, which is beyond it, a path crosses an edge. */
+static double crossing(const struct sp_system *system, const struct run *edge, double from, double to, double *along) {
+    for (int i = 0; i < HALVINGS; i++) {
+        double middle = 0.5 * (from + to);
+        if (depth_at(system, edge, middle, along) < 0)
+            to = middle;
+        else
+            from = middle;
+    }
+    return to;
+}
+
+/* Whether a path goes beyond an edge between two nodes that do not: `dip` tells where. */
+static int dips(const struct sp_system *system, const double depth[2], double slack, struct run *dip) {
+    double from = sp_sample_parameter(&system->elements, dip->first), to = sp_sample_parameter(&system->elements, dip->last),
+           step = BESIDE * (to - from), along, low = from, high = to;
+    if (!(depth_at(system, dip, from + step, &along) < depth[0] && depth_at(system, dip, to - step, &along) < depth[1])) return 0;
+    for (int i = 0; i < HALVINGS && high - low > step; i++) {
+        double middle = 0.5 * (low + high);
+        if (depth_at(system, dip, middle - 0.25 * step, &along) < depth_at(system, dip, middle + 0.25 * step, &along))
+            high = middle;
+        else
+            low = middle;
+    }
+    double lowest = 0.5 * (low + high);
+    if (!(depth_at(system, dip, lowest, &along) < -slack)) return 0;
+    int32_t across = 1 - dip->across, last = system->line.fold.inner + 1;
+    dip->from = from, dip->along[0] = coordinate(&system->line, dip->first, across);
+    dip->to = to, dip->along[1] = coordinate(&system->line, dip->last, across);
+    if (depth[0] > 0 || dip->first > 0) dip->from = crossing(system, dip, from, lowest, dip->along);
+    if (depth[1] > 0 || dip->last < last) dip->to = crossing(system, dip, to, lowest, dip->along + 1);
+    dip->beside[0] = dip->along[0], dip->beside[1] = dip->along[1];
+    return 1;
+}
+
+/* Where a path of elements whose nodes are inside is not, between them: too short a contact for so few of them. */
+static int32_t find_dips(const struct sp_system *system, double least, struct run runs[SP_MAX_ARCS]) {
+    const struct sp_polyline *line = &system->line;
+    const struct sp_surface *surface = line->surface;
+    int32_t count = 0;
+    for (int32_t i = 0; i <= line->fold.inner && system->elements.reference.degree > 1; i++)
+        for (int32_t edge = 0; edge < 4; edge++) {
+            struct run dip = {.first = i, .last = i + 1, .across = edge / 2, .side = edge % 2};
+            double wall = dip.side ? surface->upper[dip.across] : surface->lower[dip.across], depth[2], step = 0;
+            if (wall - wall != 0) continue;
+            for (int32_t k = -1; k <= 1; k++) {
+                int32_t node = i + k < 0 ? 0 : i + k > line->fold.inner ? line->fold.inner : i + k;
+                double by = absolute(coordinate(line, node + 1, dip.across) - coordinate(line, node, dip.across));
+                if (by > step) step = by;
+            }
+            for (int k = 0; k < 2; k++)
+                depth[k] = absolute(coordinate(line, i + k, dip.across) - wall);
+            double slack = least * (surface->upper[dip.across] - surface->lower[dip.across]);
+            if (smaller(depth[0], depth[1]) > step || !dips(system, depth, slack, &dip)) continue;
+            if (count == SP_MAX_ARCS) return count;
+            runs[count++] = dip;
+        }
+    return count;
+}
+
+int sp_contact_leaves(const struct sp_system *system) {
+    struct run runs[SP_MAX_ARCS];
+    return find_dips(system, BEYOND, runs) > 0;
 }
 
 /* Sine of the angle between the path and the edge at both ends: from the force p that holds the end node, which is accurate to the order
@@ -132,54 +230,52 @@ int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *p
     const struct sp_polyline *line = &piece->system.line;
     for (int32_t i = 1; i <= line->fold.inner; i++)
         for (int32_t j = 0; j < 2; j++) {
-            double x = sp_fold_get(line->fold, line->nodes.places, 2, i, j), slack = INSIDE * (surface->upper[j] - surface->lower[j]);
+            double x = coordinate(line, i, j), slack = INSIDE * (surface->upper[j] - surface->lower[j]);
             if (x < surface->lower[j] - slack || x > surface->upper[j] + slack) return 0;
         }
-    return 1;
+    struct run dips[SP_MAX_ARCS];
+    return find_dips(&piece->system, INSIDE, dips) == 0;
 }
 
 /* The pieces and edge arcs that the runs cut the path into. Returns how many pieces, or -1. */
 static int32_t cut(const struct sp_system *system, const struct run *runs, int32_t count, struct sp_piece *pieces, struct sp_arcs *arcs) {
     const struct sp_polyline *line = &system->line;
-    const struct sp_elements *elements = &system->elements;
-    int32_t last = line->fold.inner + 1, from = 0, made = 0;
+    int32_t last = line->fold.inner + 1, made = 0;
+    double from = 0;
     struct sp_joint start = {0};
     for (int32_t j = 0; j < 2; j++)
-        start.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, 0, j);
+        start.place[j] = coordinate(line, 0, j);
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
-        int32_t to = r < count ? runs[r].first : last;
-        struct sp_joint end = {.slides = r < count && to > 0, .across = r < count ? runs[r].across : 0};
+        const struct run *run = runs + r;
+        double to = r < count ? run->from : 1;
+        struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
-            end.place[j] = sp_fold_get(line->fold, line->nodes.places, 2, to, j);
-        if (r > 0 && r < count && to - from <= 1) return -1; /* two edges that meet in a corner */
+            end.place[j] = coordinate(line, last, j);
+        if (r > 0 && r < count && run->first - run[-1].last <= 1) return -1; /* two edges that meet in a corner */
+        if (r < count) {
+            end.across = run->across;
+            end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
+            end.place[1 - run->across] = run->along[0];
+        }
         if (to > from && arcs->count < SP_MAX_ARCS) {
-            pieces[made++] = (struct sp_piece){.joint = {start, end},
-                                               .system = *system,
-                                               .first = sp_sample_parameter(elements, from),
-                                               .last = sp_sample_parameter(elements, to)};
+            pieces[made++] = (struct sp_piece){.joint = {start, end}, .system = *system, .first = from, .last = to};
             arcs->arc[arcs->count++] = (struct sp_arc){.on_edge = 0};
         }
         if (r == count) break;
         if (arcs->count >= SP_MAX_ARCS - 1) return -1;
-        const struct sp_surface *surface = line->surface;
-        int32_t across = runs[r].across;
-        double value = runs[r].side ? surface->upper[across] : surface->lower[across];
-        struct sp_arc *arc = arcs->arc + arcs->count++;
-        *arc = (struct sp_arc){.on_edge = 1, .across = across, .value = value};
-        /* A run of one node has a direction, too: that of the nodes beside it. */
-        from = runs[r].last;
-        arc->ends[0] = sp_fold_get(line->fold, line->nodes.places, 2, to > 0 ? to - 1 : 0, 1 - across);
-        arc->ends[1] = sp_fold_get(line->fold, line->nodes.places, 2, from < last ? from + 1 : last, 1 - across);
-        start = (struct sp_joint){.slides = from < last, .across = across};
-        start.place[across] = value, start.place[1 - across] = sp_fold_get(line->fold, line->nodes.places, 2, from, 1 - across);
+        arcs->arc[arcs->count++] =
+            (struct sp_arc){.on_edge = 1, .across = run->across, .value = end.place[run->across], .ends = {run->beside[0], run->beside[1]}};
+        from = run->to;
+        start = end;
+        start.slides = from < 1, start.place[1 - run->across] = run->along[1];
     }
     return made;
 }
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
     struct run runs[SP_MAX_ARCS];
-    int32_t count = find_runs(&system->line, 0, runs);
+    int32_t count = find_runs(system, 0, runs);
     contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
 }
 
@@ -208,11 +304,34 @@ static int take_storage(const struct sp_newton *newton, struct sp_piece *pieces,
     return 1;
 }
 
+/* How many chords lead elsewhere than their nodes' coordinates do: across a hole, say, that is smaller. Of the others the part by which the
+ * way along a coordinate line, and so an edge, is longer: an angle's square by six. */
+static double chords_astray(const struct sp_polyline *line) {
+    double sum = 0;
+    for (int32_t i = 0; i <= line->fold.inner; i++)
+        for (int end = 0; end < 2; end++) {
+            const sp_pair *chart = line->nodes.charts + (size_t)SP_CHART * (size_t)sp_fold_pair(line->fold, i + end);
+            int lane = sp_fold_lane(line->fold, i + end);
+            double squared = 0, apart = 0, by[2];
+            for (int32_t j = 0; j < 2; j++)
+                by[j] = coordinate(line, i + 1, j) - coordinate(line, i, j);
+            for (int32_t k = 0; k < 3; k++) {
+                double chord = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i + 1, k) -
+                               sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, k),
+                       off = chord - chart[SP_CHART_1 + k][lane] * by[0] - chart[SP_CHART_2 + k][lane] * by[1];
+                squared += chord * chord, apart += off * off;
+            }
+            if (squared > 0) sum += apart > ELSEWHERE * squared ? 0.5 : apart / squared / 6;
+        }
+    return sum;
+}
+
 /* The best that chords can do, where arcs do not fit. */
 static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *contact,
                                    struct sp_arena *arena) {
     struct sp_refined chords = sp_refine_chords(newton, options, FALLBACK_CHORDS, contact, arena);
     chords.length_error *= 3; /* what twice as long ones differ by: round a corner the error falls no faster than they do */
+    chords.length_error += chords_astray(&newton->system.line) * chords.length / (newton->system.line.fold.inner + 1);
     if (chords.outcome.status == SP_CONVERGED && chords.length_error > options->tolerance * chords.length)
         chords.outcome.status = SP_TOLERANCE_NOT_MET;
     return chords;
@@ -245,7 +364,7 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
 static void drop_shortest(struct run *runs, int32_t count) {
     int32_t shortest = 0;
     for (int32_t r = 1; r < count; r++)
-        if (runs[r].last - runs[r].first < runs[shortest].last - runs[shortest].first) shortest = r;
+        if (runs[r].to - runs[r].from < runs[shortest].to - runs[shortest].from) shortest = r;
     memmove(runs + shortest, runs + shortest + 1, (size_t)(count - shortest - 1) * sizeof *runs);
 }
 
@@ -273,10 +392,11 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     const struct sp_system *walled = &kept;
     struct run runs[SP_MAX_ARCS];
-    int32_t lone = 0, fits, touching = find_runs(&walled->line, 0, runs);
+    int32_t lone = 0, fits, touching = find_runs(walled, 0, runs);
     if (touching == 0) { /* too short a contact for so few chords */
         walled = given;
-        touching = find_runs(&walled->line, 0, runs);
+        touching = find_runs(walled, 0, runs);
+        if (touching == 0) touching = find_dips(walled, BEYOND, runs);
     }
     size_t bottom = arena->used;
     int32_t spared = newton->steps_left / KEPT;
@@ -289,7 +409,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         int may_try = contact.made >= 0 && 2 * (newton->steps_left + spared) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
         if (touching == 0)
-            lone = 1, touching = find_runs(&walled->line, lone, runs);
+            lone = 1, touching = find_runs(walled, lone, runs);
         else if (may_try)
             drop_shortest(runs, touching--);
         else

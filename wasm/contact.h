@@ -18,6 +18,9 @@ void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact);
  * wrongly. newton->system then holds its path. `checked`: to the tolerance. Returns 0 where that fails. */
 int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
 
+/* Whether a path of elements leaves the rectangle between its nodes, which do not. */
+int sp_contact_leaves(const struct sp_system *system);
+
 /* Whether a free arc stays in the rectangle it was solved without. */
 int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *piece);
 

@@ -132,6 +132,6 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
     refined.outcome.status = SP_OUT_OF_MEMORY;
     if (!start_piece(newton, &near, 0, near.far[1], near.angle, &piece, arena)) return refined;
     refined = sp_refine_again(newton, options, &piece.system, 0, arena);
-    if (refined.outcome.active) refined.outcome.status = SP_SINGULAR_METRIC;
+    if (refined.outcome.active || sp_contact_leaves(&newton->system)) refined.outcome.status = SP_SINGULAR_METRIC;
     return refined;
 }

@@ -1,6 +1,7 @@
 /* From a request to a result: calls the stages in order. The only file that knows them all. */
 #include "arcs.h"
 #include "check.h"
+#include "contact.h"
 #include "functions.h"
 #include "metric_elements.h"
 #include "polar.h"
@@ -146,8 +147,9 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
         newton->steps_left += kept;
         if (kept && refined.outcome.status == SP_ITERATION_LIMIT) refined.outcome.status = SP_SINGULAR_METRIC;
         int solved = refined.outcome.status == SP_CONVERGED || refined.outcome.status == SP_TOLERANCE_NOT_MET;
-        if (solved && refined.outcome.active) {
+        if (solved && (refined.outcome.active || (line->surface->kind == SP_PARAMETRIC && sp_contact_leaves(&newton->system)))) {
             start = sp_storage_keep(&storage, &newton->system), arena->used = used;
+            if (start.elements.reference.degree == 1) start.elements.count = line->fold.inner + 1;
             return sp_contact_run(newton, options, &start, arena, arcs);
         }
         if (refined.outcome.status != SP_SINGULAR_METRIC || !may) return refined;
@@ -188,7 +190,8 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
                                      double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
                                      struct sp_refined *refined) {
     size_t used = arena->used;
-    for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used) {
+    struct sp_elements chords = newton->system.elements;
+    for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {
         enum sp_status status = start_with(newton, request, ends, inner, arena, result);
         if (status == SP_CONVERGED) {
             *refined = solve_elements(newton, options, request, arena, arcs, result);

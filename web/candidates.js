@@ -38,7 +38,7 @@ export const POLYLINE = 1;
 export const MARGIN = 1e-3;
 
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
-const COMPARED_POINTS = 64;
+export const COMPARED_POINTS = 64;
 
 /** Whether a path is locally shortest, as far as can be told. @param {{ path: RawPath }} found */
 export const holds = ({ path }) => path.status === CONVERGED || path.status === ILL_CONDITIONED;

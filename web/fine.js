@@ -1,6 +1,6 @@
 /** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
 
-import { ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
+import { COMPARED_POINTS, compared, ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { comesNear, distinct, estimate, isAmong } from './distinct.js';
 import { refine } from './poles.js';
 import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
@@ -47,6 +47,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   /** @type {RawPath[]} */
   const failed = [];
   let solved = 0;
+  const isFew = options.algorithm === ELEMENTS && options.points < COMPARED_POINTS;
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
     queue = rest;
@@ -60,7 +61,8 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
       continue;
     }
     solved++;
-    const refined = { to: found.to, path: refine(problem, found, options) };
+    const again = (/** @type {SolveOptions} */ wanted) => refine(problem, found, wanted);
+    const refined = isFew ? { to: found.to, path: again(compared(options)), again } : { to: found.to, path: again(options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
   }

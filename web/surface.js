@@ -2,6 +2,7 @@
 
 import { readPairs, readPairOptions } from './batch.js';
 import { readList, checkParameters, readNumbers } from './definition.js';
+import { COMPARED_POINTS, ELEMENTS } from './candidates.js';
 import { DISPOSE } from './dispose.js';
 import { measureField, readFieldOptions } from './field.js';
 import { findGeodesics, findPath } from './intrinsic.js';
@@ -108,9 +109,15 @@ export class Surface {
     wholeNumber(caller, 'max', max, 1, MOST_POINTS);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
-    return findGeodesics(this.#manifold.field(), ends, solve, max).filter(
+    const field = this.#manifold.field();
+    const found = findGeodesics(field, ends, solve, max).filter(
       ({ index, status }) => (index === 0 && !AT_NO_REST.includes(status)) || status === 'out-of-memory',
     );
+    // The shortest is looked for in more ways than all of them are.
+    const shortest = findPath(field, ends, solve, 'global');
+    const isNew =
+      shortest.converged && !found.some(({ length, lengthError }) => length - lengthError <= shortest.length + shortest.lengthError);
+    return isNew ? [shortest, ...found].slice(0, max) : found;
   }
 
   /**
@@ -261,8 +268,8 @@ export class Surface {
   *#solvePairs(caller, pairs, options, shapeless = false) {
     Surface.#enter(this, caller);
     const { solve, start } = readPairOptions(caller, options);
-    // Elements are sampled in the end, chords are what is solved.
-    if (shapeless && solve.algorithm === 0) solve.points = 1;
+    // Elements are sampled in the end, chords are what is solved; but what is compared has points.
+    if (shapeless && solve.algorithm === ELEMENTS) solve.points = start === 'global' ? COMPARED_POINTS : 1;
     for (const ends of readPairs(caller, pairs, this.#variables, this.#manifold.domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
       else yield findPath(this.#manifold.field(), ends, solve, start === 'global' ? start : null);

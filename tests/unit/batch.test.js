@@ -35,6 +35,18 @@ for (const name of /** @type {const} */ (['saddle', 'parametricTorus', 'genus2',
       surface.dispose();
     });
 
+test('under a density whose rough paths are found twice: to the bit, however many points are asked for, seed 3', () => {
+  const density = '0.08 + 2.56x^2 + 0.82sin(4.71y)^2';
+  const surface = surfpath.graph({ z: '0.22*x*y', x: [-1, 1], y: [-1, 1], density });
+  const random = createRandom(3);
+  const pairs = Array.from({ length: 16 }, () => Array.from({ length: 4 }, () => random.between(-1, 1)));
+  const lengths = surface.lengths([0, 0, 0.76, 0.57, ...pairs.flat()]);
+  for (const [i, [a, b, c, d]] of [[0, 0, 0.76, 0.57], ...pairs].entries())
+    for (const points of [64, 10, 1])
+      assert.equal(surface.shortestPath([a, b], [c, d], { points }).length, lengths[i], `${i}, ${points} points`);
+  surface.dispose();
+});
+
 test('a bad pair does not stop the others: parametric', () => {
   const surface = make('saddle');
   const pairs = [0, 0, 0.5, 0.5, Number.NaN, 0, 0.5, 0.5, 0, 0, 0.5, Infinity, 0, 0, 1.5, 0, 0.1, 0.2, 0.3, 0.4];

@@ -131,6 +131,19 @@ test('geodesics: both paths of an exact tie', () => {
   }
 });
 
+test('geodesics: the first is the shortest path, though that is found in another way than they are', () => {
+  const ripples = surfpath.graph({ z: '0.69*cos(4.36*(x^2+y^2))', x: [-1, 1], y: [-1, 1] });
+  const ends = /** @type {const} */ ([
+    [-1, 1],
+    [0.55, 0.05],
+  ]);
+  const [first, second] = ripples.geodesics(...ends);
+  assert.equal(first.length, ripples.shortestPath(...ends).length);
+  assert.ok(first.length < 4.19 && second.length > 5, `${first.length}, ${second.length}`);
+  assert.equal(ripples.geodesics(...ends, { max: 1 }).length, 1);
+  ripples.dispose();
+});
+
 test('geodesics: one, where there is only one', () => {
   const surface = make({ x: 'u', y: 'v', z: 'u^2-v^2', u: [-1, 1], v: [-1, 1] });
   assert.equal(surface.geodesics([-0.9, 0.1], [0.8, -0.7], POLYLINE).length, 1);

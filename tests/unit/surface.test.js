@@ -267,8 +267,12 @@ describe('mesh', () => {
   test('refuses misuse', () => {
     for (const resolution of [0, 257, 1.5, NaN])
       refuses(() => saddle.mesh({ resolution }), RangeError, /resolution must be a whole number from 1 to 256/);
-    refuses(() => saddle.mesh(anything({ resolution: '8' })), TypeError, /resolution must be a number, not '8'/);
-    refuses(() => saddle.geodesics([0, 0], [1, 1], anything({ max: '3' })), TypeError, /max must be a number, not '3'/);
+    refuses(() => saddle.mesh(anything({ resolution: '8' })), TypeError, /resolution must be a whole number from 1 to 256, not '8'/);
+    refuses(
+      () => saddle.geodesics([0, 0], [1, 1], anything({ max: '3' })),
+      TypeError,
+      /max must be a whole number from 1 to 100000, not '3'/,
+    );
     const bounds = anything([
       ['-1', 1],
       [-1, 1],

@@ -162,14 +162,14 @@ test('mistakes throw, and say which', () => {
     [[[0, 0], [1, 0], -1], RangeError, /^trace: length must be .*not -1$/],
     [[[0, 0], [1, 0], Number.NaN], RangeError, /^trace: length must be/],
     [[[0, 0], [1, 0], Infinity], RangeError, /^trace: length must be/],
-    [[[0, 0], [1, 0], '1'], TypeError, /^trace: length must be a number/],
+    [[[0, 0], [1, 0], '1'], TypeError, /^trace: length must be a finite number that is not negative/],
     [
       [
         [0, 0],
         [1, 0],
       ],
       TypeError,
-      /^trace: length must be a number/,
+      /^trace: length must be a finite number that is not negative/,
     ],
     [[[0, 0], [1, 0], 1, 7], TypeError, /^trace: options must be an object/],
     [[[0, 0], [1, 0], 1, { start: 'straight' }], TypeError, /no option 'start'/],

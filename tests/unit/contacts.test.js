@@ -1,0 +1,60 @@
+// Contacts with an edge that are shorter than what lies between two nodes: a plane around a disc, where the shortest way is known.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+const surfpath = await load();
+const PAIRS = 40;
+/** Part of a length by which the known one is rounded. */
+const ROUNDING = 4e-13;
+
+/** The shortest way around a disc. @param {number} radius @param {number} a distance of an end from its middle @param {number} b @param {number} angle between the ends, seen from there */
+function wayAround(radius, a, b, angle) {
+  const touching = [a, b].map((far) => Math.acos(Math.min(radius / far, 1)));
+  const wound = angle - touching[0] - touching[1];
+  const straight = [a, b].map((far) => Math.sqrt(Math.max(far ** 2 - radius ** 2, 0)));
+  return wound > 0 ? straight[0] + straight[1] + radius * wound : Math.sqrt(a ** 2 + b ** 2 - 2 * a * b * Math.cos(angle));
+}
+
+/** Ends between which the way touches the disc along an angle of 1e-4 … 0.1, or just passes it; some of them on its edge. @param {number} radius @param {ReturnType<typeof createRandom>} random */
+function grazing(radius, random) {
+  const far = () => radius + random.between(0, 1) ** 2 * (2 - radius);
+  const [a, b] = [random.between(0, 1) < 0.4 ? radius : far(), far()];
+  const wound = 10 ** random.between(-4, -1) * (random.between(0, 1) < 0.1 ? -1 : 1);
+  const angle = Math.acos(radius / a) + Math.acos(radius / b) + wound;
+  return { from: [0.05, a], to: [0.05 + angle, b], length: wayAround(radius, a, b, angle) };
+}
+
+for (const radius of [0.003, 0.03, 0.3, 1])
+  for (const tolerance of [1e-6, 1e-9, 1e-12])
+    test(`around a disc of radius ${radius}, tolerance ${tolerance}: as long as tangents and arc, seed 5`, () => {
+      const ring = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 0, u: [0, 5], v: [radius, 2] });
+      const random = createRandom(5);
+      for (let i = 0; i < PAIRS; i++) {
+        const { from, to, length } = grazing(radius, random);
+        if (!(to[0] > from[0])) continue;
+        for (const start of /** @type {const} */ (['global', 'straight'])) {
+          const path = ring.shortestPath(from, to, { tolerance, start });
+          const what = `${from} to ${to}, ${start}: ${path.status}, ${path.length} ± ${path.lengthError}, not ${length}`;
+          assert.ok(path.converged, what);
+          assert.ok(Math.abs(path.length - length) <= tolerance * length + ROUNDING * length, what);
+          assert.ok(Math.abs(path.length - length) <= 3 * path.lengthError + ROUNDING * length, what);
+        }
+      }
+      ring.dispose();
+    });
+
+test('the points of a path that touches for a moment are no longer than it', () => {
+  const ring = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 0, u: [0, 3], v: [1, 2] });
+  const far = 1.174;
+  for (const wound of [1.7e-3, 3.844e-3, 6e-3]) {
+    const path = ring.shortestPath([0.5, 1], [0.5 + Math.acos(1 / far) + wound, far], { points: 2000 });
+    let chords = 0;
+    for (let i = 3; i < path.points.length; i += 3)
+      chords += Math.hypot(path.points[i] - path.points[i - 3], path.points[i + 1] - path.points[i - 2]);
+    assert.ok(path.converged && path.touchesBoundary && Math.abs(path.length - Math.sqrt(far ** 2 - 1) - wound) < 1e-14, `${path.length}`);
+    assert.ok(chords <= path.length * (1 + 1e-14), `${chords} beside ${path.length}`);
+  }
+  ring.dispose();
+});
