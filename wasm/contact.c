@@ -115,28 +115,46 @@ static int dips(const struct sp_system *system, const double depth[2], double sl
     return 1;
 }
 
-/* Where a path of elements whose nodes are inside is not, between them: too short a contact for so few of them. */
+/* Puts a dip among the others, in the order of the path. Returns how many they are then. */
+static int32_t insert(struct run runs[SP_MAX_ARCS], int32_t count, struct run dip) {
+    if (count == SP_MAX_ARCS) return count;
+    int32_t r = count;
+    for (; r > 0 && runs[r - 1].first > dip.first; r--)
+        runs[r] = runs[r - 1];
+    runs[r] = dip;
+    return count + 1;
+}
+
+/* How far from an edge, inwards, the nodes of pair k are; the one after the middle is that before it in the other lane. */
+static sp_pair depths(const struct sp_polyline *line, int32_t edge, int32_t k) {
+    int32_t across = edge / 2, both = line->fold.both;
+    sp_pair x = k > both + 1 ? sp_swap(line->nodes.places[2 * both + across]) : line->nodes.places[2 * k + across];
+    return edge % 2 ? sp_splat(line->surface->upper[across]) - x : x - sp_splat(line->surface->lower[across]);
+}
+
+/* Where a path of elements whose nodes are inside is not, between them: too short a contact for so few of them. Only looked for where it
+ * comes nearer to an edge and leaves it again, and is not farther from it than its nodes are from each other. */
 static int32_t find_dips(const struct sp_system *system, double least, struct run runs[SP_MAX_ARCS]) {
     const struct sp_polyline *line = &system->line;
     const struct sp_surface *surface = line->surface;
-    int32_t count = 0;
-    for (int32_t i = 0; i <= line->fold.inner && system->elements.reference.degree > 1; i++)
-        for (int32_t edge = 0; edge < 4; edge++) {
-            struct run dip = {.first = i, .last = i + 1, .across = edge / 2, .side = edge % 2};
-            double wall = dip.side ? surface->upper[dip.across] : surface->lower[dip.across], depth[2], step = 0;
-            if (wall - wall != 0) continue;
-            for (int32_t k = -1; k <= 1; k++) {
-                int32_t node = i + k < 0 ? 0 : i + k > line->fold.inner ? line->fold.inner : i + k;
-                double by = absolute(coordinate(line, node + 1, dip.across) - coordinate(line, node, dip.across));
-                if (by > step) step = by;
+    int32_t count = 0, both = system->elements.reference.degree > 1 ? line->fold.both : -1;
+    for (int32_t edge = 0; edge < 4; edge++) {
+        double slack = least * (surface->upper[edge / 2] - surface->lower[edge / 2]);
+        if (slack - slack != 0) continue;
+        sp_pair here = depths(line, edge, 0), before = here, next = depths(line, edge, 1), step = sp_splat(0.0);
+        for (int32_t k = 0; k <= both; k++) {
+            sp_pair after = depths(line, edge, k + 2), by = sp_absolute(next - here),
+                    largest = sp_larger(sp_larger(step, by), sp_absolute(after - next));
+            sp_mask near = ((here <= largest) | (next <= largest)) & (before >= here) & (after >= next);
+            for (int lane = 0; lane < 2 && sp_any(near); lane++) {
+                struct run dip = {.first = lane ? line->fold.inner - k : k, .across = edge / 2, .side = edge % 2};
+                dip.last = dip.first + 1;
+                double depth[2] = {(lane ? next : here)[lane], (lane ? here : next)[lane]};
+                if (near[lane] && dips(system, depth, slack, &dip)) count = insert(runs, count, dip);
             }
-            for (int k = 0; k < 2; k++)
-                depth[k] = absolute(coordinate(line, i + k, dip.across) - wall);
-            double slack = least * (surface->upper[dip.across] - surface->lower[dip.across]);
-            if (smaller(depth[0], depth[1]) > step || !dips(system, depth, slack, &dip)) continue;
-            if (count == SP_MAX_ARCS) return count;
-            runs[count++] = dip;
+            before = here, here = next, next = after, step = by;
         }
+    }
     return count;
 }
 
