@@ -32,7 +32,7 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
   // All digits, for those who read the page by program.
   find('length').dataset.exact = exists ? String(path.length) : '';
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
-  write('length-error', exists && !moving ? formatEstimate(path.lengthError) : '');
+  write('length-error', exists && !moving && path.lengthError < path.length ? formatEstimate(path.lengthError) : '');
   if (!moving) {
     const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
     find('start-figure').hidden = !hasStart && !busy;

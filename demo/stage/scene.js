@@ -49,6 +49,8 @@ export class View {
     this.#compile();
     this.resize();
     new ResizeObserver(() => this.resize()).observe(element);
+    // Phones take it from pages behind others; what it held is sent again with the next frame.
+    canvas.addEventListener('webglcontextrestored', () => this.#compile());
   }
 
   get canvas() {
@@ -215,7 +217,7 @@ export class View {
 
   /** As large as its place in the page. */
   resize() {
-    const { width, height } = this.#element.getBoundingClientRect();
+    const { clientWidth: width, clientHeight: height } = this.#element;
     if (width < 1 || height < 1) return;
     // The style sheet knows what stands over the view: it is the view's padding.
     const { paddingTop, paddingBottom } = getComputedStyle(this.#element);

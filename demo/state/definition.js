@@ -38,6 +38,14 @@ export function textsOf(definition) {
   return texts;
 }
 
+/** An equation a = b, as people write them, is where a - (b) is 0; f(x, y, z) = … is none. @param {string} text */
+function differenceOf(text) {
+  const sides = text.split('=');
+  const isEquation = sides.length === 2 && sides.every((side) => side.trim()) && !/^\s*f\s*\(/.test(text);
+  const isWhole = sides[0].split('(').length === sides[0].split(')').length;
+  return isEquation && isWhole ? `${sides[0]}-(${sides[1]})` : text;
+}
+
 /**
  * @param {Kind} kind @param {Texts} texts @param {Readonly<Record<string, number>>} parameters
  * @returns {Definition}
@@ -52,8 +60,10 @@ export function definitionOf(kind, texts, parameters) {
     else definition[name] = [...(definition[name] ?? []), texts[field]];
   }
   const pairs = ranges.map((name) => [texts[`${name}-from`], texts[`${name}-to`]]);
-  if (kind === 'implicit') definition.bounds = pairs.map((pair) => pair.map(Number));
-  else for (const [i, name] of ranges.entries()) definition[name] = pairs[i];
+  if (kind === 'implicit') {
+    definition.f = differenceOf(definition.f);
+    definition.bounds = pairs.map((pair) => pair.map(Number));
+  } else for (const [i, name] of ranges.entries()) definition[name] = pairs[i];
   return /** @type {Definition} */ (definition);
 }
 

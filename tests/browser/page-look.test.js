@@ -1,7 +1,7 @@
 // How the page looks: labels that stand apart, a view that follows the surface, colours that are forced, a sheet of paper.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { COARSE, nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, measurePicture, nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -31,6 +31,7 @@ describe('lengths of all geodesics', () => {
     [320, 568],
     [390, 844],
     [640, 360],
+    [844, 390],
     [1280, 800],
   ])
     test(`${width} × ${height}: they cover neither each other nor anything else, the shortest is there`, async () => {
@@ -224,6 +225,22 @@ test('a scale of one number says that number', async () => {
   await openEntry(page, 'sphere');
   await page.selectOption('#colour', 'curvature');
   await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '1.00 everywhere');
+});
+
+test('a context that the browser has taken away and given back is drawn into at once', async () => {
+  const warm = async () => (await measurePicture(page, await page.locator('canvas').first().screenshot())).warm;
+  const before = await warm();
+  await page.evaluate(async () => {
+    const context = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas')).getContext('webgl2');
+    const loss = context?.getExtension('WEBGL_lose_context');
+    loss?.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    loss?.restoreContext();
+    await new Promise((resolve) => setTimeout(resolve, 500));
+  });
+  await nextFrame(page);
+  assert.ok(before > 0);
+  assert.ok((await warm()) > 0.95 * before);
 });
 
 test('the console stayed silent', () => {

@@ -7,18 +7,20 @@ let users = 0;
 /** What it has room for, in CSS pixels: growing is slow. */
 let room = { width: 0, height: 0, ratio: 0 };
 
-/** Makes the context if it is the first to ask. Throws where there is no WebGL. */
-export function acquireRenderer() {
+/** Makes the context if it is the first to ask. Throws where there is no WebGL. @param {() => void} redraw called when the browser, which may take the context away, has given it back */
+export function acquireRenderer(redraw) {
   if (!renderer) {
     renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'low-power' });
     renderer.toneMapping = NeutralToneMapping;
     room = { width: 0, height: 0, ratio: 0 };
   }
+  renderer.domElement.addEventListener('webglcontextrestored', redraw);
   users++;
 }
 
-/** Gives the context back to the browser if nobody else draws with it. Dispose of what was drawn before. */
-export function releaseRenderer() {
+/** Gives the context back to the browser if nobody else draws with it. Dispose of what was drawn before. @param {() => void} redraw as it was acquired */
+export function releaseRenderer(redraw) {
+  renderer?.domElement.removeEventListener('webglcontextrestored', redraw);
   users--;
   if (users > 0 || !renderer) return;
   renderer.dispose();
@@ -42,7 +44,8 @@ function makeRoom(width, height, ratio) {
  */
 export function drawInto(canvas, scene, camera, { width, height, ratio }) {
   const context = canvas.getContext('2d');
-  if (!renderer || !context) return;
+  // Without it the last picture stays.
+  if (!renderer || !context || renderer.getContext().isContextLost()) return;
   makeRoom(width, height, ratio);
   renderer.setViewport(0, 0, width, height);
   renderer.setScissor(0, 0, width, height);

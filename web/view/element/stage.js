@@ -38,11 +38,12 @@ export class Stage {
   /** Whether the reader has turned the view: then it is not ours to change. */
   #isTurned = false;
   #request = 0;
+  #redraw = () => this.invalidate();
   /** @type {Theme} */ #theme = { surface: '#d3d9de', line: '#e8501f', start: '#2f6fd6', halo: '#ffffff' };
 
   /** Throws where there is no WebGL. @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
-    acquireRenderer();
+    acquireRenderer(this.#redraw);
     this.#canvas = canvas;
     this.#camera.up.set(0, 0, 1);
     const sky = new HemisphereLight('#ffffff', '#b9b2a6', 1.45);
@@ -236,6 +237,6 @@ export class Stage {
     this.#line.dispose();
     this.#mesh.geometry.dispose();
     for (const material of [this.#mesh.material, ...this.#outgoing]) /** @type {import('three').Material} */ (material).dispose();
-    releaseRenderer();
+    releaseRenderer(this.#redraw);
   }
 }
