@@ -2,165 +2,27 @@
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
 #include "contact.h"
 #include "metric.h"
+#include "runs.h"
 #include <string.h>
 
 static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
-enum { CONTACT_NODES = 64, MERGED_GAP = 2, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
-/* Between two nodes: how near to one the slope is taken, in parts of what lies between them; halvings to the lowest place, and to the edge.
- */
-static const double BESIDE = 1e-3;
+enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
 /* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
 static const double BEYOND = 1e-12;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
 static const double ELSEWHERE = 0.04;
-enum { HALVINGS = 40 };
 
 static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* A part of the path on one edge, or beyond it: nodes first … last, or what lies between those two. */
-struct run {
-    int32_t first, last, across, side;
-    double from, to;  /* where in the path, 0 … 1 */
-    double along[2];  /* the coordinate along the edge there, */
-    double beside[2]; /* and around it: of one node on an edge only the nodes beside it tell a direction */
-};
-
-static int lies_on(const struct sp_polyline *line, int32_t node, int32_t edge) {
-    double x = sp_fold_get(line->fold, line->nodes.places, 2, node, edge / 2);
-    return edge % 2 ? x >= line->surface->upper[edge / 2] : x <= line->surface->lower[edge / 2];
-}
-
-/* The edge on which a node lies: 2 * coordinate + side, or -1. An end in a corner lies on that of its neighbour. */
-static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
-    int32_t last = line->fold.inner + 1, beside = node == 0 ? 1 : last - 1, found = -1;
-    for (int32_t edge = 0; edge < 4; edge++)
-        if (lies_on(line, node, edge) && (found < 0 || ((node == 0 || node == last) && lies_on(line, beside, edge)))) found = edge;
-    return found;
-}
-
 static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
     return sp_fold_get(line->fold, line->nodes.places, 2, node, j);
 }
 
-/* Runs of nodes on the walls, those of the same edge at most MERGED_GAP apart made one. `lone`: an end of the path that is alone on its
- * edge is one, too. */
-static int32_t find_runs(const struct sp_system *system, int32_t lone, struct run runs[SP_MAX_ARCS]) {
-    const struct sp_polyline *line = &system->line;
-    int32_t count = 0, kept = 0, last = line->fold.inner + 1;
-    for (int32_t i = 0; i <= last; i++) {
-        int32_t edge = edge_of(line, i);
-        if (edge < 0) continue;
-        struct run *before = count ? runs + count - 1 : NULL;
-        if (before && 2 * before->across + before->side == edge && i - before->last <= MERGED_GAP + 1)
-            before->last = i;
-        else if (count < SP_MAX_ARCS)
-            runs[count++] = (struct run){.first = i, .last = i, .across = edge / 2, .side = edge % 2};
-    }
-    for (int32_t r = 0; r < count; r++)
-        if (lone || runs[r].first < runs[r].last || (runs[r].first > 0 && runs[r].first < last)) runs[kept++] = runs[r];
-    for (int32_t r = 0; r < kept; r++) {
-        struct run *run = runs + r;
-        int32_t first = run->first, end = run->last, along = 1 - run->across;
-        run->from = sp_sample_parameter(&system->elements, first), run->to = sp_sample_parameter(&system->elements, end);
-        run->along[0] = coordinate(line, first, along), run->along[1] = coordinate(line, end, along);
-        run->beside[0] = coordinate(line, first > 0 ? first - 1 : 0, along);
-        run->beside[1] = coordinate(line, end < last ? end + 1 : last, along);
-    }
-    return kept;
-}
-
-/* How far from an edge, inwards, a path is at t; and where along it. */
-static double depth_at(const struct sp_system *system, const struct run *edge, double t, double *along) {
-    const struct sp_surface *surface = system->line.surface;
-    double place[3];
-    sp_sample_place(system, t, place);
-    *along = place[1 - edge->across];
-    return edge->side ? surface->upper[edge->across] - place[edge->across] : place[edge->across] - surface->lower[edge->across];
-}
-
-/* Where between `from`, which is inside, and `to`, which is beyond it, a path crosses an edge. */
-static double crossing(const struct sp_system *system, const struct run *edge, double from, double to, double *along) {
-    for (int i = 0; i < HALVINGS; i++) {
-        double middle = 0.5 * (from + to);
-        if (depth_at(system, edge, middle, along) < 0)
-            to = middle;
-        else
-            from = middle;
-    }
-    return to;
-}
-
-/* Whether a path goes beyond an edge between two nodes that do not: `dip` tells where. */
-static int dips(const struct sp_system *system, const double depth[2], double slack, struct run *dip) {
-    double from = sp_sample_parameter(&system->elements, dip->first), to = sp_sample_parameter(&system->elements, dip->last),
-           step = BESIDE * (to - from), along, low = from, high = to;
-    if (!(depth_at(system, dip, from + step, &along) < depth[0] && depth_at(system, dip, to - step, &along) < depth[1])) return 0;
-    for (int i = 0; i < HALVINGS && high - low > step; i++) {
-        double middle = 0.5 * (low + high);
-        if (depth_at(system, dip, middle - 0.25 * step, &along) < depth_at(system, dip, middle + 0.25 * step, &along))
-            high = middle;
-        else
-            low = middle;
-    }
-    double lowest = 0.5 * (low + high);
-    if (!(depth_at(system, dip, lowest, &along) < -slack)) return 0;
-    int32_t across = 1 - dip->across, last = system->line.fold.inner + 1;
-    dip->from = from, dip->along[0] = coordinate(&system->line, dip->first, across);
-    dip->to = to, dip->along[1] = coordinate(&system->line, dip->last, across);
-    if (depth[0] > 0 || dip->first > 0) dip->from = crossing(system, dip, from, lowest, dip->along);
-    if (depth[1] > 0 || dip->last < last) dip->to = crossing(system, dip, to, lowest, dip->along + 1);
-    dip->beside[0] = dip->along[0], dip->beside[1] = dip->along[1];
-    return 1;
-}
-
-/* Puts a dip among the others, in the order of the path. Returns how many they are then. */
-static int32_t insert(struct run runs[SP_MAX_ARCS], int32_t count, struct run dip) {
-    if (count == SP_MAX_ARCS) return count;
-    int32_t r = count;
-    for (; r > 0 && runs[r - 1].first > dip.first; r--)
-        runs[r] = runs[r - 1];
-    runs[r] = dip;
-    return count + 1;
-}
-
-/* How far from an edge, inwards, the nodes of pair k are; the one after the middle is that before it in the other lane. */
-static sp_pair depths(const struct sp_polyline *line, int32_t edge, int32_t k) {
-    int32_t across = edge / 2, both = line->fold.both;
-    sp_pair x = k > both + 1 ? sp_swap(line->nodes.places[2 * both + across]) : line->nodes.places[2 * k + across];
-    return edge % 2 ? sp_splat(line->surface->upper[across]) - x : x - sp_splat(line->surface->lower[across]);
-}
-
-/* Where a path of elements whose nodes are inside is not, between them: too short a contact for so few of them. Only looked for where it
- * comes nearer to an edge and leaves it again, and is not farther from it than its nodes are from each other. */
-static int32_t find_dips(const struct sp_system *system, double least, struct run runs[SP_MAX_ARCS]) {
-    const struct sp_polyline *line = &system->line;
-    const struct sp_surface *surface = line->surface;
-    int32_t count = 0, both = system->elements.reference.degree > 1 ? line->fold.both : -1;
-    for (int32_t edge = 0; edge < 4; edge++) {
-        double slack = least * (surface->upper[edge / 2] - surface->lower[edge / 2]);
-        if (slack - slack != 0) continue;
-        sp_pair here = depths(line, edge, 0), before = here, next = depths(line, edge, 1), step = sp_splat(0.0);
-        for (int32_t k = 0; k <= both; k++) {
-            sp_pair after = depths(line, edge, k + 2), by = sp_absolute(next - here),
-                    largest = sp_larger(sp_larger(step, by), sp_absolute(after - next));
-            sp_mask near = ((here <= largest) | (next <= largest)) & (before >= here) & (after >= next);
-            for (int lane = 0; lane < 2 && sp_any(near); lane++) {
-                struct run dip = {.first = lane ? line->fold.inner - k : k, .across = edge / 2, .side = edge % 2};
-                dip.last = dip.first + 1;
-                double depth[2] = {(lane ? next : here)[lane], (lane ? here : next)[lane]};
-                if (near[lane] && dips(system, depth, slack, &dip)) count = insert(runs, count, dip);
-            }
-            before = here, here = next, next = after, step = by;
-        }
-    }
-    return count;
-}
-
 int sp_contact_leaves(const struct sp_system *system) {
-    struct run runs[SP_MAX_ARCS];
-    return find_dips(system, BEYOND, runs) > 0;
+    struct sp_run runs[SP_MAX_ARCS];
+    return sp_runs_between(system, BEYOND, runs) > 0;
 }
 
 /* Sine of the angle between the path and the edge at both ends: from the force p that holds the end node, which is accurate to the order
@@ -251,12 +113,13 @@ int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *p
             double x = coordinate(line, i, j), slack = INSIDE * (surface->upper[j] - surface->lower[j]);
             if (x < surface->lower[j] - slack || x > surface->upper[j] + slack) return 0;
         }
-    struct run dips[SP_MAX_ARCS];
-    return find_dips(&piece->system, INSIDE, dips) == 0;
+    struct sp_run dips[SP_MAX_ARCS];
+    return sp_runs_between(&piece->system, INSIDE, dips) == 0;
 }
 
 /* The pieces and edge arcs that the runs cut the path into. Returns how many pieces, or -1. */
-static int32_t cut(const struct sp_system *system, const struct run *runs, int32_t count, struct sp_piece *pieces, struct sp_arcs *arcs) {
+static int32_t cut(const struct sp_system *system, const struct sp_run *runs, int32_t count, struct sp_piece *pieces,
+                   struct sp_arcs *arcs) {
     const struct sp_polyline *line = &system->line;
     int32_t last = line->fold.inner + 1, made = 0;
     double from = 0;
@@ -265,7 +128,7 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
         start.place[j] = coordinate(line, 0, j);
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
-        const struct run *run = runs + r;
+        const struct sp_run *run = runs + r;
         double to = r < count ? run->from : 1;
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
@@ -292,8 +155,8 @@ static int32_t cut(const struct sp_system *system, const struct run *runs, int32
 }
 
 void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact) {
-    struct run runs[SP_MAX_ARCS];
-    int32_t count = find_runs(system, 0, runs);
+    struct sp_run runs[SP_MAX_ARCS];
+    int32_t count = sp_runs_find(system, 0, runs);
     contact->made = cut(system, runs, count, contact->pieces, &contact->arcs);
 }
 
@@ -379,7 +242,7 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
 }
 
 /* Takes the shortest run out of the list: the path was only thought to touch there. */
-static void drop_shortest(struct run *runs, int32_t count) {
+static void drop_shortest(struct sp_run *runs, int32_t count) {
     int32_t shortest = 0;
     for (int32_t r = 1; r < count; r++)
         if (runs[r].to - runs[r].from < runs[shortest].to - runs[shortest].from) shortest = r;
@@ -409,12 +272,12 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     if (chords.outcome.status < 0) return chords;
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     const struct sp_system *walled = &kept;
-    struct run runs[SP_MAX_ARCS];
-    int32_t lone = 0, fits, touching = find_runs(walled, 0, runs);
+    struct sp_run runs[SP_MAX_ARCS];
+    int32_t lone = 0, fits, touching = sp_runs_find(walled, 0, runs);
     if (touching == 0) { /* too short a contact for so few chords */
         walled = given;
-        touching = find_runs(walled, 0, runs);
-        if (touching == 0) touching = find_dips(walled, BEYOND, runs);
+        touching = sp_runs_find(walled, 0, runs);
+        if (touching == 0) touching = sp_runs_between(walled, BEYOND, runs);
     }
     size_t bottom = arena->used;
     int32_t spared = newton->steps_left / KEPT;
@@ -427,7 +290,7 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         int may_try = contact.made >= 0 && 2 * (newton->steps_left + spared) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
         if (touching == 0)
-            lone = 1, touching = find_runs(walled, lone, runs);
+            lone = 1, touching = sp_runs_find(walled, lone, runs);
         else if (may_try)
             drop_shortest(runs, touching--);
         else
