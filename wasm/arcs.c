@@ -2,13 +2,10 @@
 #include "arcs.h"
 #include "metric.h"
 #include "sample.h"
+#include "scalar.h"
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
 enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6 };
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double absolute(double x) { return x < 0 ? -x : x; }
-static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* What a unit of the coordinate along an edge is long at a place of it. */
 static double edge_speed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
@@ -38,7 +35,7 @@ static double edge_length(const struct sp_surface *surface, const struct sp_arc 
 /* Sets the lengths of the pieces of edges and returns the whole length; NaN if the arena is full. */
 static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena) {
     struct sp_reference reference;
-    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return __builtin_nan("");
+    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return not_a_number();
     double length = 0;
     for (int32_t i = 0; i < arcs->count; i++) {
         struct sp_arc *arc = arcs->arc + i;
@@ -54,7 +51,7 @@ double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc
     size_t bottom = arena->used;
     int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
     arena->used = bottom;
-    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : __builtin_nan("");
+    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : not_a_number();
 }
 
 /* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
@@ -67,7 +64,7 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
         whole.length_error += arc->error, whole.outcome.energy += share * arc->energy, squared += gradient * gradient;
     }
     whole.outcome.gradient_norm = root(squared);
-    sp_newton_tell_end(newton, (struct sp_iterate){whole.outcome.energy, whole.outcome.gradient_norm, __builtin_nan(""), 0});
+    sp_newton_tell_end(newton, (struct sp_iterate){whole.outcome.energy, whole.outcome.gradient_norm, not_a_number(), 0});
     return whole;
 }
 

@@ -1,6 +1,7 @@
 /* Twisted block LDL': the two halves of the path are eliminated in the two lanes and meet in one 2 x 2 block. MATH.md, "The block solve".
  */
 #include "elimination.h"
+#include "scalar.h"
 
 /* How many eigenvalues of the pivot of a row are negative in this lane; -1: it is singular or not finite. */
 static int negative_eigenvalues(const struct sp_row *row, int lane) {
@@ -105,7 +106,7 @@ void sp_blocks_solve(struct sp_fold fold, const struct sp_row *rows, sp_pair *x)
 /* Eigenvector of the smaller eigenvalue of a pivot. */
 static void lowest_direction(const struct sp_row *row, int lane, double *u, double *v) {
     double a = row->pa[lane], b = row->pb[lane], d = row->pd[lane], half = 0.5 * (a - d);
-    double radius = sp_square_root(sp_splat(half * half + b * b))[0];
+    double radius = root(half * half + b * b);
     if (b == 0) {
         *u = a <= d, *v = a > d;
     } else if (half > 0) {

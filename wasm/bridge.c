@@ -1,14 +1,12 @@
 /* Lengths of bridges, their derivatives by the crossings, and quasi-Newton steps (BFGS) on these. MATH.md, "Arcs". */
 #include "bridge.h"
 #include "metric.h"
+#include "scalar.h"
 #include <string.h>
 
 static const double SLACK = 1e-14, ASIDE = 0.1;
 static const double FIRST_STEP = 0.25, LEAST_STEP = 1e-14; /* of a crossing's reach */
 enum { ROUNDS = 40 };
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double absolute(double x) { return x < 0 ? -x : x; }
 
 /* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
  * arc's length. */
@@ -52,7 +50,7 @@ static double length_beyond(const struct sp_bridge *bridge, int side, const stru
     struct sp_contact *beyond = bridge->beyond[side];
     double length = 0;
     *sp_bridge_beyond(bridge, side) = bridge->piece[side ? bridge->count : 0];
-    if (!sp_contact_assemble(beyond)) return __builtin_nan("");
+    if (!sp_contact_assemble(beyond)) return not_a_number();
     for (int32_t i = side; i < beyond->arcs.count - 1 + side; i++) {
         const struct sp_arc *arc = beyond->arcs.arc + i;
         length += arc->on_edge ? sp_arcs_edge_length(surface, arc, arena) : arc->length;

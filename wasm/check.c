@@ -2,15 +2,11 @@
 #include "check.h"
 #include "chord.h"
 #include "metric_check.h"
+#include "scalar.h"
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
 static const double PLAIN_SAGITTA = 0.05, PLAIN_DEPARTURE = 0.25;
 enum { BLOCK = 16 };
-
-static double distance(const double a[3], const double b[3]) {
-    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sp_square_root(sp_splat(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]))[0];
-}
 
 /* f and its gradient in the middles of `count` pairs of chords from pair `first` on. */
 static void look_at_middles(const struct sp_polyline *line, int32_t first, int32_t count, sp_pair *seen) {

@@ -2,6 +2,7 @@
 #include "chord.h"
 #include "metric.h"
 #include "normal.h"
+#include "scalar.h"
 #include <string.h>
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
@@ -17,13 +18,6 @@ enum { BISECTIONS = 60 };
 struct chord {
     double place[2][3], at[2][3], normal[2][3];
 };
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-static double distance(const double a[3], const double b[3]) {
-    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return root(dot(d, d));
-}
 
 static void read_node(const struct sp_polyline *line, int32_t i, struct chord *chord, int end) {
     int32_t pair = sp_fold_pair(line->fold, i);
@@ -139,7 +133,7 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     if (i == 0) first = mid;
     if (i == line->fold.inner) last = mid;
     double along = (first + 4 * mid + last) / 6;
-    if (!(distance(half, middle) - distance(half, middle) == 0)) return SP_NOT_FINITE;
+    if (!is_finite(distance(half, middle))) return SP_NOT_FINITE;
     if (distance(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
     return SP_CONVERGED;
 }

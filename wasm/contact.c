@@ -3,6 +3,7 @@
 #include "contact.h"
 #include "metric.h"
 #include "runs.h"
+#include "scalar.h"
 #include <string.h>
 
 static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
@@ -11,10 +12,6 @@ enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 
 static const double BEYOND = 1e-12;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
 static const double ELSEWHERE = 0.04;
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double absolute(double x) { return x < 0 ? -x : x; }
-static double smaller(double a, double b) { return a < b ? a : b; }
 
 static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
     return sp_fold_get(line->fold, line->nodes.places, 2, node, j);

@@ -3,13 +3,11 @@
 #include "chart.h"
 
 #include "normal.h"
+#include "scalar.h"
 #include <stddef.h>
 
 static const double VANISHING = 1e-8;
 enum { BISECTIONS = 60, CORRECTIONS = 20 };
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double absolute(double x) { return x < 0 ? -x : x; }
 
 static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
     sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
@@ -38,7 +36,7 @@ int sp_crossing_correct(const struct sp_surface *surface, struct sp_crossing *cr
     for (int round = 0; round < CORRECTIONS; round++) {
         struct sp_curve at = sp_curve_at(surface, crossing->place, crossing->nu, 0);
         double step = at.value / at.slope[other], size = absolute(crossing->place[other]) + absolute(crossing->place[crossing->along]);
-        if (!(step - step == 0)) return 0;
+        if (!is_finite(step)) return 0;
         crossing->place[other] -= step;
         if (absolute(step) <= 1e-15 * size || step == 0) return 1;
     }

@@ -3,12 +3,10 @@
 #include "bridge.h"
 #include "check.h"
 #include "normal.h"
+#include "scalar.h"
 
 static const double ROUNDING = 2e-15, ROUGH = 1e-4, ENOUGH = 0.02, MARGIN = 1.1, LOOSER = 1e4, TOUCHING = 1e-3, DOUBT = 2e-3, DOUBTFUL = 4;
 enum { CHECKS = 6, SEEDS = 5, SCAN = 64, MOST_BEYOND = 5, SETS = 4 };
-
-static double absolute(double x) { return x < 0 ? -x : x; }
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* Node i of the given path at parameter t. */
 static void given_place(const struct sp_system *given, double t, double place[2]) {
@@ -134,7 +132,7 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
             return bridge->beyond[side] = NULL, 0;
     }
     *arc = *part;
-    bridge->length = __builtin_nan(""); /* not a path before all is solved anew */
+    bridge->length = not_a_number(); /* not a path before all is solved anew */
     return 1;
 }
 

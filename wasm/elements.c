@@ -1,6 +1,7 @@
 /* High-order elements: gradient and Hessian of their energy, static condensation, two mirrored elements at a time. MATH.md, "Elements". */
 #include "elements.h"
 #include "metric_elements.h"
+#include "scalar.h"
 
 /* The charts of the p + 1 nodes of element pair e. */
 static const sp_pair *element_charts(const struct sp_elements *elements, const sp_pair *charts, int32_t e) {
@@ -246,7 +247,7 @@ static void divide_rows(sp_pair *matrix, int32_t order, int32_t count, int32_t j
 static void invert(sp_pair *pivot, struct sp_inertia *inertia) {
     for (int lane = 0; lane < 2; lane++) {
         double value = (*pivot)[lane];
-        if (!(value != 0 && value - value == 0)) inertia->usable = 0;
+        if (!(value != 0 && is_finite(value))) inertia->usable = 0;
         inertia->negative += value < 0;
     }
     *pivot = 1.0 / *pivot;

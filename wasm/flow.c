@@ -2,9 +2,7 @@
  * w_a w_b
  * + B_a w_a'; and the Gaussian curvature. MATH.md, "Tracing". One point at a time: both lanes of a chart are the same. */
 #include "flow.h"
-
-static int is_finite(double x) { return x - x == 0; }
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+#include "scalar.h"
 
 static void find_point(const struct sp_surface *surface, const double *state, struct sp_point *point) {
     sp_pair place[3] = {sp_splat(state[0]), sp_splat(state[1]), sp_splat(state[2])};

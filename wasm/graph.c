@@ -1,5 +1,6 @@
 /* Graphs of surfaces, whatever their kind: sizes, memory, edges. The builders are in graph_parametric.c and graph_implicit.c. */
 #include "graph_build.h"
+#include "scalar.h"
 
 #include <string.h>
 
@@ -9,8 +10,6 @@ enum { PARAMETRIC_EDGES = 32, IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
 /* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it, or a metric that changes as much along it; how
  * many may be. */
 static const double BENT = 0.02, MOST_BENT = 0.01;
-
-static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
 double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options) {
     double resolution = clamp(options->resolution, 8, SP_GRAPH_MAX_RESOLUTION), vertex = 4 * sizeof(double) + 3 * sizeof(float) + 4;
@@ -34,7 +33,7 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
     int sides = surface->kind == SP_IMPLICIT ? 3 : 2;
     for (int j = 0; j < sides; j++) {
         double side = clean.box[2 * j + 1] - clean.box[2 * j];
-        if (!(side > 0 || clean.cell > 0) || !sp_is_finite(side)) return SP_NOT_FINITE;
+        if (!(side > 0 || clean.cell > 0) || !is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
     graph->resolved = status == SP_CONVERGED && builder.bent <= MOST_BENT * graph->edge_count;
@@ -58,10 +57,10 @@ int sp_builder_take(struct sp_builder *builder) {
 
 int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
-    if (!sp_is_finite(length)) return 1;
+    if (!is_finite(length)) return 1;
     if (graph->edge_count == builder->edge_capacity) return 0;
     double excess = length - chord;
-    builder->bent += !((excess < 0 ? -excess : excess) <= BENT * chord);
+    builder->bent += !(absolute(excess) <= BENT * chord);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
     return 1;
 }

@@ -1,6 +1,7 @@
 /* Places between the vertices of a graph: which vertices are around them, and how far. Knows nothing of ways. */
 #include "chart.h"
 #include "graph_search.h"
+#include "scalar.h"
 
 enum { PATCH = 4 };
 static const double BESIDE = 1e-2;
@@ -76,7 +77,7 @@ static void attach_parametric(const struct sp_surface *surface, const struct sp_
         const double *vertex = graph->samples + (size_t)graph->width * (size_t)patch[k].number;
         double by[2] = {patch[k].place[0] - place[0], patch[k].place[1] - place[1]};
         double length = sp_graph_segment(surface, samples[0], samples[1 + k], vertex, by);
-        if (!sp_is_finite(length)) continue;
+        if (!is_finite(length)) continue;
         attached->vertex[attached->count] = patch[k].number, attached->length[attached->count++] = length;
     }
 }
@@ -89,7 +90,7 @@ static void implicit_normal(const struct sp_surface *surface, const double place
     sp_block_evaluate(&block);
     for (int32_t c = 0; c < 3; c++)
         normal[c] = sp_block_get(&block, 0, 1 + c);
-    double size = sp_root(sp_dot3(normal, normal));
+    double size = norm(normal);
     for (int c = 0; c < 3; c++)
         normal[c] /= size;
 }
@@ -110,7 +111,7 @@ static void attach_implicit(const struct sp_surface *surface, const struct sp_gr
         for (int c = 0; c < 3; c++)
             other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
         double length = sp_graph_sheet_length(surface, sample, is_node ? other : normal, vertex, other);
-        if (!sp_is_finite(length)) continue;
+        if (!is_finite(length)) continue;
         if (among && among->distance[i] + length < best) best = among->distance[i] + length;
         attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
     }
@@ -120,7 +121,7 @@ enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp
                                const struct sp_candidates *among, struct sp_attachment *attached) {
     attached->count = 0;
     for (int j = 0; j < (graph->kind == SP_IMPLICIT ? 3 : 2); j++)
-        if (!sp_is_finite(place[j])) return SP_NOT_FINITE;
+        if (!is_finite(place[j])) return SP_NOT_FINITE;
     if (graph->kind == SP_IMPLICIT)
         attach_implicit(surface, graph, place, among, attached);
     else
@@ -130,7 +131,7 @@ enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp
 
 static double near_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {
     double normal[2][3], sample[2][SP_GRAPH_WIDTH];
-    if (!(sp_distance3(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
+    if (!(distance(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
     implicit_normal(surface, from, normal[0]);
     implicit_normal(surface, to, normal[1]);
     sp_graph_sample(surface, from, sample[0]);

@@ -61,18 +61,11 @@ double sp_graph_segment(const struct sp_surface *surface, const double *from, co
 /* Any kind: the length of a short chord with samples at its ends. */
 double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]);
 
-static inline double sp_root(double x) { return __builtin_sqrt(x); }
-
-double sp_dot3(const double a[3], const double b[3]);
-double sp_distance3(const double a[3], const double b[3]);
-
 /* The largest whole number that is not above x, for |x| < 2^51. */
 static inline double sp_round_down(double x) {
     double rounded = (x + 6755399441055744.0) - 6755399441055744.0;
     return rounded > x ? rounded - 1 : rounded;
 }
-
-static inline int sp_is_finite(double x) { return x - x == 0; }
 
 /* Implicit: the length of the surface between two samples with unit normals, c (1 + theta^2/24) in space; infinite unless they lie on one
  * sheet: normals at most 72 degrees apart, the chord at most 37 degrees out of the tangent planes. */

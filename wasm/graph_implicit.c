@@ -2,6 +2,7 @@
  * point. Centres are moved onto f = 0; what lies within two cells on the same sheet is joined. */
 #include "chart.h"
 #include "graph_build.h"
+#include "scalar.h"
 
 /* The strides of a flood are 2^17/p and 2^17/p^2, p = 1.3247 the plastic number: rows of cells are then spread evenly over the slots. */
 enum { REACH = 2, FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP = 74691 };
@@ -177,7 +178,7 @@ static int is_within_reach(const struct cells *cells, const int32_t at[3]) {
     double ends[2][3], middle[3];
     for (int j = 0; j < 3; j++)
         ends[0][j] = options->box[2 * j], ends[1][j] = options->box[2 * j + 1], middle[j] = ends[0][j] + at[j] * options->cell;
-    return options->reach <= 0 || sp_distance3(ends[0], middle) + sp_distance3(ends[1], middle) <= options->reach;
+    return options->reach <= 0 || distance(ends[0], middle) + distance(ends[1], middle) <= options->reach;
 }
 
 /* Lists the neighbours into which the surface passes through a face; of the first cell, which it may pass by its corners, all six. */
@@ -225,9 +226,9 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
         position[c] = block->in[SP_IMPLICIT_INPUTS * (k / 2) + c][k & 1];
         gradient[c] = sp_block_get(block, k, 1 + c);
     }
-    double length = sp_root(sp_dot3(gradient, gradient)), value = sp_block_get(block, k, 0);
+    double length = norm(gradient), value = sp_block_get(block, k, 0);
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
-                  sp_distance3(position, center) <= FARTHEST * graph->spacing;
+                  distance(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
         double moved = position[c] - center[c];
         if (!settled || 2 * moved > cells->width[c] || -2 * moved > cells->width[c]) cells->list[vertex].faces = 0;
@@ -310,10 +311,10 @@ static int join_around(const struct cells *cells, int32_t vertex) {
                 read_vertex(graph, to, other);
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
                 double length = sp_graph_sheet_length(surface, here, normal, there, other);
-                if (cells->builder->options->loose && !sp_is_finite(length) && passes(cells->list + vertex, cells->list + to))
+                if (cells->builder->options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
                     length = LOOSE * sp_graph_chord(surface, here, there, NULL);
                 /* Between the ends a metric was not looked at. */
-                double chord = surface->metric == SP_INDUCED ? sp_distance3(here, there) : 0;
+                double chord = surface->metric == SP_INDUCED ? distance(here, there) : 0;
                 if (!sp_builder_edge(cells->builder, to, length, chord)) return 0;
             }
     return 1;
@@ -324,7 +325,7 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     struct cells cells = {.builder = builder};
     if (!(builder->options->cell > 0 ? flood(&cells) : sweep_box(&cells))) return SP_OUT_OF_MEMORY;
     graph->vertex_count = cells.count;
-    graph->spacing = sp_root(sp_dot3(cells.width, cells.width));
+    graph->spacing = root(dot(cells.width, cells.width));
     if (!sp_builder_take(builder)) return SP_OUT_OF_MEMORY;
     write_vertices(&cells);
     if (graph->width > 3) sample_metric(&cells);

@@ -4,6 +4,7 @@
 #include "graph_build.h"
 #include "metric.h"
 #include "normal.h"
+#include "scalar.h"
 #include <string.h>
 
 enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
@@ -77,7 +78,7 @@ static double inspect(const struct grid *grid, int32_t offset) {
             struct sp_vector normal = sp_chart_normal(point.chart);
             for (int lane = 0; lane < 2; lane++) {
                 double curvature = point.geometry.curvature[lane];
-                if (!(curvature <= largest)) largest = sp_is_finite(curvature) ? curvature : __builtin_inf();
+                if (!(curvature <= largest)) largest = is_finite(curvature) ? curvature : __builtin_inf();
                 double *at = grid->normals + 3 * vertex_at(grid, i, lane ? other : j);
                 if (!offset) at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
             }
@@ -88,7 +89,7 @@ static double inspect(const struct grid *grid, int32_t offset) {
 /* Whether the normal turns round between two places by vanishing. */
 static int crosses_singular(const struct sp_surface *surface, const double a[2], const double b[2]) {
     struct sp_turn turn;
-    return sp_normal_turn(surface, a, b, BISECTIONS, &turn) && sp_dot3(turn.normal, turn.normal) < VANISHING * VANISHING * turn.largest;
+    return sp_normal_turn(surface, a, b, BISECTIONS, &turn) && dot(turn.normal, turn.normal) < VANISHING * VANISHING * turn.largest;
 }
 
 /* Whether the normal vanishes between a vertex and the one before it in a direction. A vertex at which it vanishes tells nothing: it is
@@ -97,11 +98,11 @@ static int vanishes_before(const struct grid *grid, int direction, int32_t i, in
     int32_t at[2] = {i, j}, before[2] = {i, j};
     before[direction]--;
     const double *here = grid->normals + 3 * vertex_at(grid, i, j), *there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
-    while (before[direction] > 0 && sp_dot3(there, there) <= NOTHING * sp_dot3(here, here)) {
+    while (before[direction] > 0 && dot(there, there) <= NOTHING * dot(here, here)) {
         before[direction]--;
         there = grid->normals + 3 * vertex_at(grid, before[0], before[1]);
     }
-    if (!(sp_dot3(here, there) < 0)) return 0;
+    if (!(dot(here, there) < 0)) return 0;
     double places[2][2];
     for (int d = 0; d < 2; d++)
         places[0][d] = place_of(grid, d, 2 * before[d]), places[1][d] = place_of(grid, d, 2 * at[d]);
@@ -121,8 +122,8 @@ static int is_singular(const struct grid *grid) {
 static double farthest(const struct grid *grid, int direction, int32_t line, const double *point, int finite) {
     double farthest = 0;
     for (int32_t k = 0; k < grid->count[1 - direction]; k++) {
-        double away = sp_distance3(direction ? sample_at(grid, k, line) : sample_at(grid, line, k), point);
-        if (!sp_is_finite(away)) away = finite ? 0 : __builtin_inf();
+        double away = distance(direction ? sample_at(grid, k, line) : sample_at(grid, line, k), point);
+        if (!is_finite(away)) away = finite ? 0 : __builtin_inf();
         farthest = away > farthest ? away : farthest;
     }
     return farthest;
@@ -225,7 +226,7 @@ static double measure_steps(const struct grid *grid, int direction, double steps
         for (int s = 0; s <= STEPS; s++) {
             sp_block_sample(&block, s, samples[s & 1]);
             double length = s ? sp_graph_chord(builder->surface, samples[~s & 1], samples[s & 1], by) : 0;
-            if (s && sp_is_finite(length)) steps[s - 1] += length / ACROSS, total += length / ACROSS;
+            if (s && is_finite(length)) steps[s - 1] += length / ACROSS, total += length / ACROSS;
         }
     }
     return total;
@@ -249,7 +250,7 @@ static int choose_lines(struct grid *grid) {
     double steps[2][STEPS], length[2], resolution = grid->builder->options->resolution;
     for (int d = 0; d < 2; d++)
         length[d] = measure_steps(grid, d, steps[d]);
-    double ratio = sp_root(length[0] / length[1]);
+    double ratio = root(length[0] / length[1]);
     ratio = !(ratio > LEAST_RATIO) ? LEAST_RATIO : ratio > 1 / LEAST_RATIO ? 1 / LEAST_RATIO : ratio;
     grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
     grid->size = length[0] + length[1];
@@ -266,7 +267,7 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     struct grid grid = {.builder = builder};
     if (!choose_lines(&grid)) return SP_OUT_OF_MEMORY;
     for (int j = 0; j < 2; j++) {
-        graph->wraps[j] = !sp_is_finite(builder->surface->lower[j]);
+        graph->wraps[j] = !is_finite(builder->surface->lower[j]);
         graph->count[j] = grid.cells[j] + !graph->wraps[j];
         grid.count[j] = 2 * grid.cells[j] + !graph->wraps[j];
     }

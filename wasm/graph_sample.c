@@ -1,6 +1,7 @@
 /* What a graph's lengths are measured by: samples of positions and metrics, evaluated in blocks, and the lengths between them. */
 #include "graph_build.h"
 #include "metric.h"
+#include "scalar.h"
 
 static const double LEAST_COSINE = 0.3, LARGEST_SINE = 0.6;
 
@@ -39,7 +40,7 @@ void sp_block_sample(const struct sp_block *block, int32_t i, double *sample) {
     int32_t width = sp_graph_width(block->surface);
     for (int32_t j = 0; j < width; j++)
         sample[j] = implicit && j < 3 ? block->in[3 * (i >> 1) + j][i & 1] : sp_block_get(block, i, implicit ? j - 2 : j);
-    if (!implicit && width == 4) sample[3] = sp_root(sample[3]);
+    if (!implicit && width == 4) sample[3] = root(sample[3]);
 }
 
 void sp_graph_sample(const struct sp_surface *surface, const double *place, double *sample) {
@@ -52,25 +53,25 @@ void sp_graph_sample(const struct sp_surface *surface, const double *place, doub
 
 /* The length of (du, dv); not a number where the form is not positive. */
 static double form_length(const double form[3], const double by[2]) {
-    if (form[0] * form[2] < form[1] * form[1]) return __builtin_nan("");
-    return sp_root(form[0] * by[0] * by[0] + 2 * form[1] * by[0] * by[1] + form[2] * by[1] * by[1]);
+    if (form[0] * form[2] < form[1] * form[1]) return not_a_number();
+    return root(form[0] * by[0] * by[0] + 2 * form[1] * by[0] * by[1] + form[2] * by[1] * by[1]);
 }
 
 double sp_graph_segment(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]) {
     if (surface->metric == SP_TENSOR) return (form_length(from, by) + 4 * form_length(middle, by) + form_length(to, by)) / 6;
-    double length = sp_distance3(from, middle) + sp_distance3(middle, to);
+    double length = distance(from, middle) + distance(middle, to);
     return surface->metric == SP_DENSITY ? length * (from[3] + 4 * middle[3] + to[3]) / 6 : length;
 }
 
 /* The length of a chord in space as a sample on an implicit surface measures it. */
 static double tensor_length(int32_t components, const double *t, const double c[3]) {
-    double square = sp_dot3(c, c);
-    if (components == 0) return sp_root(square);
+    double square = dot(c, c);
+    if (components == 0) return root(square);
     if (components == 1) square *= t[0];
     if (components == 6)
         square = t[0] * c[0] * c[0] + t[2] * c[1] * c[1] + t[5] * c[2] * c[2] +
                  2 * (t[1] * c[0] * c[1] + t[3] * c[0] * c[2] + t[4] * c[1] * c[2]);
-    return sp_root(square);
+    return root(square);
 }
 
 static double chord_in_space(const struct sp_surface *surface, const double *from, const double *to) {
@@ -82,21 +83,14 @@ static double chord_in_space(const struct sp_surface *surface, const double *fro
 double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]) {
     if (surface->kind == SP_IMPLICIT) return chord_in_space(surface, from, to);
     if (surface->metric == SP_TENSOR) return 0.5 * (form_length(from, by) + form_length(to, by));
-    return sp_distance3(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
+    return distance(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
 }
 
 double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,
                              const double normal_b[3]) {
-    double cosine = sp_dot3(normal_a, normal_b), chord[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, size = sp_root(sp_dot3(chord, chord));
-    double rise_a = sp_dot3(chord, normal_a), rise_b = sp_dot3(chord, normal_b), limit = LARGEST_SINE * size;
+    double cosine = dot(normal_a, normal_b), chord[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, size = norm(chord);
+    double rise_a = dot(chord, normal_a), rise_b = dot(chord, normal_b), limit = LARGEST_SINE * size;
     int one_sheet = cosine > LEAST_COSINE && rise_a <= limit && rise_a >= -limit && rise_b <= limit && rise_b >= -limit;
     if (!one_sheet) return __builtin_inf();
     return (surface->metric == SP_INDUCED ? size : chord_in_space(surface, a, b)) * (1 + (1 - cosine) / 12);
-}
-
-double sp_dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-double sp_distance3(const double a[3], const double b[3]) {
-    double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return sp_root(x * x + y * y + z * z);
 }

@@ -1,6 +1,7 @@
 /* Ways through a graph between two points: distances from both ends, then the best vertex to go by, again and again. MATH.md, "The globally
  * shortest path". */
 #include "graph_search.h"
+#include "scalar.h"
 
 /* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
  * keeps within a fifth of it is taken for the same at first, then within a tenth. */
@@ -119,7 +120,7 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     search.longest = graph->resolved && !all ? LONGEST_RESOLVED : LONGEST;
     size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
-    *answer = (struct sp_graph_answer){.distance = __builtin_nan(""), .point_count = clamped_points(point_count)};
+    *answer = (struct sp_graph_answer){.distance = not_a_number(), .point_count = clamped_points(point_count)};
     answer->places = sp_arena_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
     answer->lengths = sp_arena_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
     search.vertices = sp_arena_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));

@@ -1,6 +1,7 @@
 /* Ways over vertices made into polylines: continuous across seams, past poles on either side, evenly spaced, smoothed. */
 #include "functions.h"
 #include "graph_search.h"
+#include "scalar.h"
 
 #include <string.h>
 
@@ -78,13 +79,13 @@ static void append_polar(struct line *line, int edge, const double to[2], double
     int across = edge / 2, around = 1 - across;
     double from[2] = {line->places[2 * line->count - 2], line->places[2 * line->count - 1]}, place[2];
     double pole = graph->lines[across][edge & 1 ? graph->count[across] - 1 : 0], sign = edge & 1 ? -1 : 1;
-    double near = sign * (from[across] - pole), far = sign * (to[across] - pole), size = turn < 0 ? -turn : turn;
+    double near = sign * (from[across] - pole), far = sign * (to[across] - pole), size = absolute(turn);
     double angle = size < WIDEST ? size : WIDEST;
     sp_pair cosine, sine = sp_sincos(sp_splat(angle), &cosine);
     for (int k = 1; k < POLAR_STEPS; k++) {
         double t = (double)k / POLAR_STEPS, x = near + t * (far * cosine[0] - near), y = t * far * sine[0];
         double fraction = angle > 1e-6 ? sp_atan2(sp_splat(y), sp_splat(x))[0] / angle : t;
-        place[across] = pole + sign * sp_root(x * x + y * y);
+        place[across] = pole + sign * root(x * x + y * y);
         place[around] = from[around] + turn * fraction;
         append(line, place);
     }
@@ -140,7 +141,7 @@ static void emit(struct line *line, double length, struct sp_graph_answer *answe
     double sum = line->along[line->count - 1] + resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);
-    if (!sp_is_finite(sum)) return;
+    if (!is_finite(sum)) return;
     answer->lengths[number] = length, answer->candidate_count++;
 }
 

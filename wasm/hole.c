@@ -2,6 +2,7 @@
  * to the edge, and a piece of that. Nodes at equal steps would not see it; the elements close in on it. MATH.md, "Arcs". */
 #include "contact.h"
 #include "functions.h"
+#include "scalar.h"
 
 /* Elements to begin with: more where the point is passed on the way, not at an end, from a part of it on that is so far from both. */
 enum { DEGREE = 8, COUNT = 16, FINE_DEGREE = 24, FINE_COUNT = 32 };
@@ -12,9 +13,6 @@ static const double STEP = 0.5;
 static const double SURELY_BESIDE = 0.8;
 /* Between the ends, radians: at the tip of a cusp there is none, and the line would lead over it. */
 static const double LEAST_ANGLE = 1e-3, PI = 3.14159265358979323846;
-
-static double absolute(double x) { return x < 0 ? -x : x; }
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
 
 /* The ends, and the point as the middle of a plane. */
 struct near {

@@ -6,6 +6,7 @@
  * is decided in mesh_vertices.c. */
 #include "mesh.h"
 #include "mesh_vertices.h"
+#include "scalar.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -36,8 +37,6 @@ struct site {
     int32_t at[3]; /* doubled coordinates */
     bool inside;
 };
-
-static int32_t clamp(int32_t x, int32_t lower, int32_t upper) { return x < lower ? lower : x > upper ? upper : x; }
 
 /* The lattice of a box: false when it is empty or not finite. */
 static bool divide_box(struct sweep *sweep, const double box[6], int32_t resolution) {

@@ -4,6 +4,7 @@
  * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. Where f changes sign and is not 0, at a
  * jump, a pole or the end of where it is a number, there is no surface: the vertex is NaN. */
 #include "mesh_vertices.h"
+#include "scalar.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -36,8 +37,6 @@ struct block {
 
 static double component(const struct block *block, int32_t i, int number) { return block->out[i / 2 * SP_IMPLICIT_VALUES + number][i & 1]; }
 
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 static void evaluate_block(sp_evaluate value, struct block *block) {
     for (int32_t i = 0; i < block->count + (block->count & 1); i++)
         for (int axis = 0; axis < 3; axis++)
@@ -57,7 +56,7 @@ static void bisect(sp_evaluate value, struct block *block, int times) {
             put_on_edge(block, i, 0.5 * (block->low[i] + block->high[i]));
         evaluate_block(value, block);
         for (int32_t i = 0; i < block->count; i++) {
-            double middle = 0.5 * (block->low[i] + block->high[i]), f = component(block, i, 0), size = f < 0 ? -f : f;
+            double middle = 0.5 * (block->low[i] + block->high[i]), f = component(block, i, 0), size = absolute(f);
             *(f < 0 ? &block->low[i] : &block->high[i]) = middle;
             if (size > block->largest[i] && size < 1e300) block->largest[i] = size;
         }
@@ -109,14 +108,12 @@ static void settle_block(sp_evaluate value, struct block *block) {
     }
 }
 
-static double length(const double a[3]) { return sp_square_root(sp_splat(dot(a, a)))[0]; }
-
 static void store_vertex(const struct block *block, int32_t i, double position[3], double normal[3]) {
     double gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
-    double scale = length(gradient);
+    double scale = norm(gradient);
     bool differentiable = scale > 0 && scale < 1e300;
     const double *direction = differentiable ? gradient : block->edge[i];
-    scale = differentiable ? scale : length(block->edge[i]);
+    scale = differentiable ? scale : norm(block->edge[i]);
     for (int axis = 0; axis < 3; axis++)
         position[axis] = block->at[i][axis], normal[axis] = direction[axis] / scale;
 }
@@ -140,7 +137,7 @@ static void place_block(sp_evaluate value, struct block *block, double *position
         store_vertex(block, i, positions + 3 * i, normals + 3 * i);
         if (-component(block, i, 0) <= least_fall * block->largest[i]) continue;
         for (int axis = 0; axis < 3; axis++)
-            positions[3 * i + axis] = normals[3 * i + axis] = __builtin_nan("");
+            positions[3 * i + axis] = normals[3 * i + axis] = not_a_number();
     }
 }
 

@@ -1,6 +1,7 @@
 /* Determinants along a path, and its length through every second node. Independent of how the path was found. MATH.md, "Checks". */
 #include "metric_check.h"
 #include "check.h"
+#include "scalar.h"
 
 static const double VANISHING = 1e-8;
 enum { SEARCH_ROUNDS = 40 };
@@ -91,15 +92,13 @@ static double middle_length(const struct sp_polyline *line) {
     return sum[0] + sum[1];
 }
 
-static double distance(double a, double b) { return a > b ? a - b : b - a; }
-
 double sp_metric_length_error(const struct sp_polyline *line, double size) {
     double length[2] = {0, 0};
     int32_t last = line->fold.inner + 1;
     for (int32_t half = 0; half < 2; half++)
         for (int32_t i = 0; i < last; i += 1 + half)
             length[half] += chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
-    double bent = distance(length[0], length[1]) / 3, hidden = distance(length[0], middle_length(line)) * (2.0 / 3.0),
+    double bent = absolute(length[0] - length[1]) / 3, hidden = absolute(length[0] - middle_length(line)) * (2.0 / 3.0),
            least = sp_check_rounding(length[0], size), error = bent;
     if (hidden > HIDDEN * length[0] && hidden > bent) error = hidden;
     return error > least ? error : least;

@@ -1,6 +1,7 @@
 /* Energy, gradient and Hessian under a metric tensor; node by node from what the one or two elements around it give. Checked in
  * tests/native against finite differences. MATH.md, "Metrics". */
 #include "metric_elements.h"
+#include "scalar.h"
 
 /* What an element adds to a node, one sp_pair each; the sums of two elements are the node's. */
 enum {
@@ -55,7 +56,7 @@ double sp_metric_squares(const struct sp_elements *elements, const struct sp_pol
         sp_metric_open(elements, line, nodes, e, &element);
         for (int32_t q = 0; q <= p; q++) {
             struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
-            if (e + q > 0 && sp_any(~sp_form_positive(form))) return __builtin_nan("");
+            if (e + q > 0 && sp_any(~sp_form_positive(form))) return not_a_number();
             sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q), weight = reference->weight[q] * once;
             squares += element.factor * weight * squared;
             along += weight * sp_square_root(squared);

@@ -2,15 +2,12 @@
 #include "newton.h"
 #include "metric_check.h"
 #include "sample.h"
+#include "scalar.h"
 
 /* Why these: MATH.md, "Constants". */
 static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4,
                     SOFT = 1e-2, LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
 enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3, PATIENCE = 16 };
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static int is_finite(double x) { return x - x == 0; }
-static double not_a_number(void) { return __builtin_nan(""); }
 
 int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
                    struct sp_arena *arena) {
@@ -202,7 +199,7 @@ static double step_paper(struct sp_newton *newton, struct round *round) {
     sp_system_solve(&newton->system, newton->step);
     for (int32_t k = 0; slope < 0 && k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
         newton->step[k] = -newton->step[k];
-    return search_paper(newton, round->energy.squares, slope < 0 ? -slope : slope);
+    return search_paper(newton, round->energy.squares, absolute(slope));
 }
 
 void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end) {

@@ -1,8 +1,7 @@
 /* Normals of parametric surfaces: see the header. */
 #include "normal.h"
 #include "metric.h"
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+#include "scalar.h"
 
 void sp_normal_at(const struct sp_surface *surface, const double place[2], double normal[3]) {
     sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])}, chart[SP_CHART], metric[SP_METRIC_LARGEST];

@@ -3,6 +3,7 @@
 #include "contact.h"
 #include "ends.h"
 #include "metric.h"
+#include "scalar.h"
 
 enum { ROUNDS = 12, SWEEP = 64 };
 static const double ENOUGH = 1e-13, LOOSE = 1e-5, PI = 3.14159265358979323846;
@@ -35,7 +36,7 @@ double sp_pole_angle(const struct sp_surface *surface, int32_t across, double va
         struct sp_vector along = sp_load(chart + (across ? SP_CHART_2 : SP_CHART_1));
         along = sp_scale(along, 1.0 / sp_square_root(sp_dot(along, along)));
         struct sp_vector change = sp_subtract(along, before);
-        double squared = sp_dot(change, change)[0], chord = sp_square_root(sp_splat(squared))[0];
+        double squared = sp_dot(change, change)[0], chord = root(squared);
         angle += i ? chord * (1 + squared / 24 * (1 + 9 * squared / 80 * (1 + 25 * squared / 168))) : 0;
         before = along;
     }

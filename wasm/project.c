@@ -1,13 +1,11 @@
 /* The closest point of a surface: Newton on half the squared distance, in the chart of the point so far. MATH.md, "Projection". */
 #include "chart.h"
+#include "scalar.h"
 #include "surfpath.h"
 #include <string.h>
 
 enum { ROUNDS = 100, HALVINGS = 40 };
 static const double STATIONARY = 1e-10, ROUNDING = 1e-15;
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static int is_finite(double x) { return x - x == 0; }
 
 /* Distance to the target, its slope and curvature along the surface. */
 struct distance {

@@ -5,6 +5,7 @@
 #include "metric_check.h"
 #include "metric_elements.h"
 #include "sample.h"
+#include "scalar.h"
 #include <string.h>
 
 struct rung {
@@ -56,10 +57,6 @@ static const double FIRST_DECREMENT = 1e-4, DRAFT_DECREMENT = 1e-2, ENOUGH = 0.0
 static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1, CHORD_ERROR = 0.005;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double larger(double a, double b) { return a > b ? a : b; }
-static double smaller(double a, double b) { return a < b ? a : b; }
 
 static int is_graded(const struct sp_elements *elements) { return elements->singular[0] || elements->singular[1]; }
 
@@ -208,8 +205,6 @@ static int lowest_rung(const uint8_t (*ladder)[2], int rungs, int32_t nodes) {
     return r;
 }
 
-static double distance(double a, double b) { return a > b ? a - b : b - a; }
-
 /* What a path at rest that is smooth has none of: E/L^2 - 1, the variance of its speed. A crease inside an element, or beside the nodes,
  * leaves both sides with speeds of their own. Times the length, what it may be too long by. */
 static double unevenness(const struct climbed *climbed) { return larger(climbed->outcome.energy / climbed->length - climbed->length, 0); }
@@ -228,7 +223,7 @@ static double measure_turns(const struct sp_system *system, sp_pair *turns) {
             at[c] = x, velocity[c] = now;
         }
         turns[i] = (sp_pair){0, from = to};
-        if (i > 1 && size > 0) total += turns[i - 1][0] = sp_square_root(sp_splat(2 * by / size))[0];
+        if (i > 1 && size > 0) total += turns[i - 1][0] = root(2 * by / size);
     }
     return total;
 }
@@ -292,7 +287,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         now = climb_guarded(newton, options, &before, first, first_length, rung, &start, arena);
         allowed = tolerance_of(newton, options, now.length) * now.length;
         int astray = strayed(&now, first_length);
-        int agrees = !astray && from_elements && distance(now.length, last) <= allowed && is_settled(now.moved, moved, allowed);
+        int agrees = !astray && from_elements && absolute(now.length - last) <= allowed && is_settled(now.moved, moved, allowed);
         if (agrees && newton->draft) {
             aim(newton, options, 0);
             if (!sp_newton_confirm(newton, &now.outcome)) run(newton, options, &start, &now);
@@ -300,19 +295,19 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
         }
         int wanders = now.outcome.status == SP_TOLERANCE_NOT_MET && !astray;
         if (wanders || now.outcome.status == SP_OUT_OF_MEMORY || now.outcome.status == SP_ITERATION_LIMIT)
-            return finish(newton, now, distance(now.length, last));
+            return finish(newton, now, absolute(now.length - last));
         int32_t count = 2 * (first->line.fold.inner + 1);
         if (astray && now.outcome.status == SP_CONVERGED && chords && count <= rung.degree * rung.count && count <= SP_REFINE_CHORDS) {
             arena->used = floor;
             now = climb_chords(newton, options, count, first, arena);
-            if (now.outcome.status != SP_CONVERGED) return finish(newton, now, distance(now.length, last));
+            if (now.outcome.status != SP_CONVERGED) return finish(newton, now, absolute(now.length - last));
             before = *first = sp_storage_keep(chords, &newton->system);
             last = change = first_length = now.length, moved = 0, r--;
             continue;
         }
         double previous = change;
         follows = !astray && from_elements;
-        change = distance(now.length, last);
+        change = absolute(now.length - last);
         last = now.length;
         double uneven_by = unevenness(&now);
         error = larger(uneven_by, follows ? larger(change, smaller(PART_OF_MOVE * now.moved, PART_OF_CHANGE * previous)) : change);

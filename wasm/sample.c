@@ -1,5 +1,6 @@
 /* Interpolation along a path: elements by their Lagrange polynomials, polylines by cubics through four neighbours. MATH.md, "Elements". */
 #include "sample.h"
+#include "scalar.h"
 #include <string.h>
 
 enum { BLOCK = 32 };
@@ -51,12 +52,10 @@ static void polyline_place(const struct sp_system *system, double t, sp_pair pla
     combine(system, first - 1, 4, weights, place);
 }
 
-static double root(double x) { return sp_square_root(sp_splat(x > 0 ? x : 0))[0]; }
-
 /* Where in the reference element of element e the path's parameter x, 0 … 1 within it, lies: graded elements count in square roots. */
 static double to_reference(const struct sp_elements *elements, int32_t e, double x) {
-    if (e == 0 && elements->singular[0]) return root(x);
-    if (e == elements->count - 1 && elements->singular[1]) return 1 - root(1 - x);
+    if (e == 0 && elements->singular[0]) return root(larger(x, 0));
+    if (e == elements->count - 1 && elements->singular[1]) return 1 - root(larger(1 - x, 0));
     return x;
 }
 

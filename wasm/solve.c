@@ -7,15 +7,12 @@
 #include "polar.h"
 #include "refine.h"
 #include "sample.h"
+#include "scalar.h"
 #include "start.h"
 #include "surfpath.h"
 #include <string.h>
 
-static double not_a_number(void) { return __builtin_nan(""); }
-
 void sp_default_options(struct sp_options *options) { *options = (struct sp_options){1e-9, 0, SP_ELEMENTS, 64, 200, 0}; }
-
-static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
 static struct sp_options clamped(const struct sp_options *options) {
     struct sp_options clean = *options;

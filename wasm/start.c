@@ -1,7 +1,6 @@
 /* First polylines: straight, or resampled from one that is given. MATH.md, "Starts". */
 #include "start.h"
-
-static double norm3(const double x[3]) { return sp_square_root(sp_splat(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))[0]; }
+#include "scalar.h"
 
 /* Where a place lies; u and v themselves on a surface without positions. */
 static void locate_place(const struct sp_surface *surface, const double *point, double at[3]) {
@@ -21,7 +20,7 @@ static void locate_place(const struct sp_surface *surface, const double *point, 
 static double size_of(const struct sp_surface *surface, const double point[3]) {
     double at[3];
     locate_place(surface, point, at);
-    return norm3(at);
+    return norm(at);
 }
 
 double sp_start_scale(const struct sp_surface *surface, const struct sp_request *request) {
@@ -41,7 +40,7 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     if (values[1][0] == 0 && values[2][0] == 0 && values[3][0] == 0) return SP_SINGULAR_METRIC;
     if (!sp_implicit_settle(surface, 1, place, scale)) return SP_OFF_SURFACE;
     double moved[3] = {place[0][0] - point[0], place[1][0] - point[1], place[2][0] - point[2]};
-    if (!(norm3(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;
+    if (!(norm(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;
     for (int j = 0; j < 3; j++)
         point[j] = place[j][0];
     return SP_CONVERGED;
@@ -67,7 +66,7 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
         double here[3];
         locate_place(line->surface, request->start + dimension * i, here);
         double chord[3] = {here[0] - before[0], here[1] - before[1], here[2] - before[2]};
-        total += i ? norm3(chord) : 0;
+        total += i ? norm(chord) : 0;
         along[i] = total;
         for (int j = 0; j < 3; j++)
             before[j] = here[j];
@@ -126,7 +125,7 @@ enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_reque
         double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
         if (!along) return SP_OUT_OF_MEMORY;
         double total = measure(line, request, along);
-        if (!(total - total == 0)) return SP_NOT_FINITE;
+        if (!is_finite(total)) return SP_NOT_FINITE;
         resample(line, request, along, from, to);
     } else {
         straight_line(line, from, to);

@@ -1,15 +1,12 @@
 /* Single steps of a trace: their error, their length, and what lies in them: walls, conjugate points, singular points. MATH.md, "Tracing".
  */
+#include "scalar.h"
 #include "trace.h"
 #include <string.h>
 
 enum { ROUNDS = 60 };
 static const double ROUNDING = 1e-15, EPSILON = 2.220446049250313e-16, SLACK = 1e-14, VANISHED = 1e-4, INFINITE = __builtin_inf();
 static const double MOST_GROWTH = 6, LEAST_GROWTH = 1.0 / 3, SAFETY = 0.9;
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
-static double larger(double a, double b) { return a > b ? a : b; }
-static double size_of(double x) { return x < 0 ? -x : x; }
 
 /* The square of an error of the state over h, free of units: of the position and of b beside the whole length, of the direction, a and b',
  * and of a' over the step. Its parts in space go to `deviation`. */
@@ -99,7 +96,7 @@ static double locate(const struct sp_trace *trace, const struct event *event, do
         else
             high = at;
         if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-        if (size_of(next - at) <= ROUNDING * end) return next;
+        if (absolute(next - at) <= ROUNDING * end) return next;
         at = next;
     }
     return at;
@@ -116,7 +113,7 @@ static void carry(struct sp_trace *trace, const struct sp_stride *stride) {
     const double *end = stride->end;
     double a = end[SP_FIELDS], b = end[SP_FIELDS + 1], da = end[SP_FIELD_SLOPES], db = end[SP_FIELD_SLOPES + 1];
     double field = trace->jacobi[0], slope = trace->jacobi[1], *spread = trace->spread;
-    double shrink = size_of(field) + size_of(slope) * trace->length > 1e100 * trace->length ? 1e-100 : 1;
+    double shrink = absolute(field) + absolute(slope) * trace->length > 1e100 * trace->length ? 1e-100 : 1;
     trace->jacobi[0] = shrink * (a * field + b * slope), trace->jacobi[1] = shrink * (da * field + db * slope);
     double position = stride->error.position + EPSILON * stride->next.rounding.position;
     double direction = stride->error.direction + EPSILON * stride->next.rounding.direction;

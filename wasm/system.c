@@ -1,8 +1,7 @@
 /* Chooses between polyline and elements, and measures steps. MATH.md, "Newton". */
 #include "system.h"
 #include "metric_elements.h"
-
-static double root(double x) { return sp_square_root(sp_splat(x))[0]; }
+#include "scalar.h"
 
 static int is_polyline(const struct sp_system *system) { return system->elements.reference.degree == 1; }
 static int has_metric(const struct sp_system *system) { return system->line.kind->components > 0; }

@@ -1,5 +1,6 @@
 /* Traces a geodesic: from a request to a result. The steps are in stride.c, the equations in flow.c. MATH.md, "Tracing". */
 #include "trace.h"
+#include "scalar.h"
 #include "start.h"
 #include "surfpath.h"
 
@@ -14,12 +15,7 @@ static const double ROUNDING = 1e-15;
 /* Nearer than this part of the length to where it ended the first time, a path may end again. */
 static const double CLOSE = 1e-13;
 
-static double not_a_number(void) { return __builtin_nan(""); }
-static int is_finite(double x) { return x - x == 0; }
-
 void sp_default_trace_options(struct sp_trace_options *options) { *options = (struct sp_trace_options){1e-12, 64, 200000}; }
-
-static int32_t clamp(int32_t x, int32_t least, int32_t most) { return x < least ? least : x > most ? most : x; }
 
 static struct sp_trace_options clamped(const struct sp_trace_options *options) {
     double tolerance = options->tolerance > 1e-14 ? options->tolerance : 1e-14;
@@ -113,7 +109,7 @@ static enum sp_status depart(struct sp_trace *trace, const struct sp_trace_reque
     int32_t dimension = sp_kind_of(trace->surface)->dimension;
     double from[3] = {0}, largest = 0, speed = 0, sum = 0;
     for (int32_t j = 0; j < dimension; j++) {
-        double part = request->direction[j] < 0 ? -request->direction[j] : request->direction[j];
+        double part = absolute(request->direction[j]);
         from[j] = ends.from[j] = ends.to[j] = request->from[j], largest = part > largest ? part : largest;
         sum += part;
     }
