@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Thresholds measured on the surfaces of the paper: MATH.md, "Checks". */
-static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2, VANISHING = 1e-8;
+static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2;
 /* From a branch point, where the speed is nothing beside that of the middle, a path leads like a power of its parameter: the middle of the
  * parameters lies up to half of the chord aside. */
 static const double BRANCH_SAGITTA = 0.5, STILL = 1e-3;
@@ -84,11 +84,7 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
 static enum sp_status check_fold(const struct sp_polyline *line, const struct chord *chord) {
     struct sp_turn turn;
     if (!sp_normal_turn(line->surface, chord->place[0], chord->place[1], BISECTIONS, &turn)) return SP_STALLED;
-    for (int end = 0; end < 2; end++) {
-        double squared = dot(chord->normal[end], chord->normal[end]);
-        if (squared < turn.least) turn.least = squared;
-    }
-    return root(turn.least) <= VANISHING * root(turn.largest) ? SP_SINGULAR_METRIC : SP_STALLED;
+    return sp_normal_vanishes(&turn) ? SP_SINGULAR_METRIC : SP_STALLED;
 }
 
 /* |S_u u + S_v v|^2 in one lane of a chart. */

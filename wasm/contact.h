@@ -32,4 +32,10 @@ int sp_contact_assemble(struct sp_contact *contact);
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
                      struct sp_refined *whole);
 
+/* Solves a path that touches the walls. `given`: the projected Newton's, not in newton's own arrays; `arcs` is filled. Where the arcs do
+ * not fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,
+ * SP_TOLERANCE_NOT_MET if that is not enough. */
+struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
+                                 struct sp_arena *arena, struct sp_arcs *arcs);
+
 #endif

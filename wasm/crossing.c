@@ -6,7 +6,6 @@
 #include "scalar.h"
 #include <stddef.h>
 
-static const double VANISHING = 1e-8;
 enum { BISECTIONS = 60, CORRECTIONS = 20 };
 
 static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
@@ -45,7 +44,7 @@ int sp_crossing_correct(const struct sp_surface *surface, struct sp_crossing *cr
 
 int sp_crossing_find(const struct sp_surface *surface, const double from[2], const double to[2], struct sp_crossing *crossing) {
     struct sp_turn turn;
-    if (!sp_normal_turn(surface, from, to, BISECTIONS, &turn) || !(root(turn.least) <= VANISHING * root(turn.largest))) return 0;
+    if (!sp_normal_turn(surface, from, to, BISECTIONS, &turn) || !sp_normal_vanishes(&turn)) return 0;
     crossing->place[0] = turn.place[0], crossing->place[1] = turn.place[1];
     struct sp_curve at = sp_curve_at(surface, crossing->place, crossing->nu, 1);
     crossing->along = absolute(at.slope[1]) >= absolute(at.slope[0]) ? 0 : 1;

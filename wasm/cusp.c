@@ -1,5 +1,6 @@
 /* Paths across a cuspidal edge, where S_u x S_v vanishes along a curve and changes sign: bridges of arcs that meet in points of it, from
  * rough ones that are ranked to one solved to the tolerance, along walls where it must. MATH.md, "Arcs". */
+#include "cusp.h"
 #include "bridge.h"
 #include "check.h"
 #include "normal.h"
@@ -180,22 +181,9 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
     return whole;
 }
 
-int32_t sp_cusp_turns(const struct sp_polyline *line, int32_t first) {
-    const sp_pair *charts = line->nodes.charts;
-    int32_t turns = 0, last = line->fold.both;
-    struct sp_vector to = sp_chart_normal(charts + SP_CHART * first);
-    for (int32_t k = first; k <= last; k++) {
-        struct sp_vector from = to;
-        to = sp_chart_normal(charts + SP_CHART * (k + 1));
-        sp_pair product = sp_dot(from, to);
-        turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
-    }
-    return turns;
-}
-
 int sp_cusp_divides(const struct sp_newton *newton) {
     const struct sp_polyline *line = &newton->system.line;
-    return sp_cusp_turns(line, 0) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
+    return sp_normal_turns(line, 0) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
 }
 
 /* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */

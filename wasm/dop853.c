@@ -67,16 +67,16 @@ static void stage_state(const double *state, double h, const struct sp_stages *s
         at[i] = state[i] + h * sum[i];
 }
 
-static void evaluate_stages(const struct sp_system *system, const double *state, double h, struct sp_stages *stages, int first, int end) {
+static void evaluate_stages(const struct sp_ode *ode, const double *state, double h, struct sp_stages *stages, int first, int end) {
     double at[SP_STATE];
     for (int stage = first; stage < end; stage++) {
         stage_state(state, h, stages, stage, at);
-        system->slope(system->context, at, stages->slope[stage]);
+        ode->slope(ode->context, at, stages->slope[stage]);
     }
 }
 
-void sp_dop853_step(const struct sp_system *system, const double *state, double h, struct sp_stages *stages, double *next) {
-    evaluate_stages(system, state, h, stages, 1, STEP);
+void sp_dop853_step(const struct sp_ode *ode, const double *state, double h, struct sp_stages *stages, double *next) {
+    evaluate_stages(ode, state, h, stages, 1, STEP);
     stage_state(state, h, stages, STEP, next);
 }
 
@@ -85,11 +85,11 @@ void sp_dop853_errors(const struct sp_stages *stages, double *fifth, double *thi
     combine(stages, THIRD, 8, 4, third);
 }
 
-void sp_dop853_dense(const struct sp_system *system, const double *state, double h, struct sp_stages *stages, const double *next,
+void sp_dop853_dense(const struct sp_ode *ode, const double *state, double h, struct sp_stages *stages, const double *next,
                      struct sp_dense *dense) {
     double(*slope)[SP_STATE] = stages->slope;
-    system->slope(system->context, next, slope[STEP]);
-    evaluate_stages(system, state, h, stages, STEP + 1, SP_STAGES);
+    ode->slope(ode->context, next, slope[STEP]);
+    evaluate_stages(ode, state, h, stages, STEP + 1, SP_STAGES);
     for (int i = 0; i < SP_STATE; i++) {
         double change = next[i] - state[i], first = slope[0][i], bend = h * first - change;
         dense->coefficients[0][i] = state[i], dense->coefficients[1][i] = change, dense->coefficients[2][i] = bend;

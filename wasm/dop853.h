@@ -5,11 +5,11 @@
 #ifndef SURFPATH_DOP853_H
 #define SURFPATH_DOP853_H
 
-/* Numbers of a state, those that a system does not need being 0; slopes of a step: 12 of the step itself, 4 more of its polynomial. */
+/* Numbers of a state, those that an equation does not need being 0; slopes of a step: 12 of the step itself, 4 more of its polynomial. */
 enum { SP_STATE = 10, SP_STAGES = 16 };
 
-/* A system: writes the slope f(y) of a state y. Where f is not defined it is NaN. */
-struct sp_system {
+/* An ordinary differential equation: writes the slope f(y) of a state y. Where f is not defined it is NaN. */
+struct sp_ode {
     void (*slope)(const void *context, const double *state, double *slope);
     const void *context;
 };
@@ -24,14 +24,14 @@ struct sp_dense {
 
 /* Writes the state after a step of length h. The caller has put the slope at `state` into stages->slope[0]; 11 evaluations write the next
  * eleven. */
-void sp_dop853_step(const struct sp_system *system, const double *state, double h, struct sp_stages *stages, double *next);
+void sp_dop853_step(const struct sp_ode *ode, const double *state, double h, struct sp_stages *stages, double *next);
 
 /* Differences, over h, to embedded results of order 5 and 3. The estimate of the error is h |fifth|^2 / sqrt(|fifth|^2 + |third|^2/100):
  * it falls like h^8, in whichever norm the caller chooses. */
 void sp_dop853_errors(const struct sp_stages *stages, double *fifth, double *third);
 
 /* Prepares the polynomial of an accepted step, with 4 evaluations more. The stages are spoilt by it. */
-void sp_dop853_dense(const struct sp_system *system, const double *state, double h, struct sp_stages *stages, const double *next,
+void sp_dop853_dense(const struct sp_ode *ode, const double *state, double h, struct sp_stages *stages, const double *next,
                      struct sp_dense *dense);
 
 /* Writes the state at a fraction of the step, 0 … 1; at both ends it is that of the step to rounding. */

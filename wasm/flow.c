@@ -61,8 +61,8 @@ static void find_slope(const void *context, const double *state, double *slope) 
     slope_at(surface, &point, state, slope);
 }
 
-struct sp_system sp_flow_system(const struct sp_surface *surface) {
-    return (struct sp_system){find_slope, surface};
+struct sp_ode sp_flow_ode(const struct sp_surface *surface) {
+    return (struct sp_ode){find_slope, surface};
 }
 
 static int settle(const struct sp_surface *surface, double scale, double *state) {

@@ -27,7 +27,7 @@ struct sp_traveller {
 };
 
 /* The system of a surface, which must outlive it. */
-struct sp_system sp_flow_system(const struct sp_surface *surface);
+struct sp_ode sp_flow_ode(const struct sp_surface *surface);
 
 /* Puts the place of traveller->state onto the surface and its velocity into the tangent plane, with length 1; starts a and b; fills in the
  * rest. `scale`: a length beside which coordinates are rounded. Writes the length in space of the velocity's tangent part as it was to

@@ -83,8 +83,8 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count);
  * `all` = 0 only those are looked for that may become the shortest path: on a surface that the graph resolves such are at most 6 % longer.
  * Each is resampled by length and smoothed; implicit, its places are near f = 0.
  *
- * `from`, `to`: u v, or x y z on the surface. Returns SP_CONVERGED, SP_DISCONNECTED, SP_OFF_SURFACE (no vertex near an end), SP_NOT_FINITE
- * (an end), SP_OUT_OF_MEMORY. */
+ * `ends`: u v, or x y z on the surface, three numbers each. Returns SP_CONVERGED, SP_DISCONNECTED, SP_OFF_SURFACE (no vertex near an end),
+ * SP_NOT_FINITE (an end), SP_OUT_OF_MEMORY. */
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
                         int32_t all, struct sp_arena *arena, struct sp_graph_answer *answer);
 

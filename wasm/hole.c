@@ -1,7 +1,9 @@
 /* Paths close by an edge of the rectangle that is a point, or almost one, a hole: past it, and around it, which is two free arcs, tangent
  * to the edge, and a piece of that. Nodes at equal steps would not see it; the elements close in on it. MATH.md, "Arcs". */
+#include "hole.h"
 #include "contact.h"
 #include "functions.h"
+#include "pole.h"
 #include "scalar.h"
 
 /* Elements to begin with: more where the point is passed on the way, not at an end, from a part of it on that is so far from both. */
@@ -100,14 +102,16 @@ static int wind(struct sp_newton *newton, const struct near *near, double wall, 
     return 1;
 }
 
-struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond,
+struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_passage *passage,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_fold fold = newton->system.line.fold;
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
-    struct near near = {.across = edge / 2, .beyond = beyond};
-    double wall = edge % 2 ? surface->upper[near.across] : surface->lower[near.across];
-    near.side = edge % 2 ? -1 : 1, near.middle = wall - near.side * beyond;
+    int32_t upper = passage->edge % 2;
+    double beyond = passage->beyond;
+    struct near near = {.across = passage->edge / 2, .beyond = beyond};
+    double wall = upper ? surface->upper[near.across] : surface->lower[near.across];
+    near.side = upper ? -1 : 1, near.middle = wall - near.side * beyond;
     for (int i = 0; i < 2; i++) {
         for (int32_t j = 0; j < 2; j++)
             near.ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);

@@ -1,5 +1,6 @@
 /* Solves one free arc between given ends with the ladder of elements. MATH.md, "Arcs". */
 #include "piece.h"
+#include "normal.h"
 
 enum { START_DEGREE = 16, START_COUNT = 2 };
 static const double CHORD_DECREMENT = 1e-2;
@@ -95,7 +96,7 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     arena->used = bottom; /* what it used is read before anything else is taken */
     if (!ready || piece->solved.outcome.status != SP_CONVERGED || newton->system.elements.reference.degree == 1) return 0;
     /* Beyond the curve on which it ends the same lengths are there for ways that are none. */
-    return !is_graded || sp_cusp_turns(&newton->system.line, 1) == 0;
+    return !is_graded || sp_normal_turns(&newton->system.line, 1) == 0;
 }
 
 void sp_piece_keep(const struct sp_newton *newton, struct sp_piece *piece) {

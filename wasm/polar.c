@@ -114,14 +114,14 @@ static void enter(const struct sp_polar *polar, const double *place, double *ent
 
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_arena *arena,
                   struct sp_request *moved) {
-    int32_t pole = request->pole - 5, across = pole >> 1;
-    double open = __builtin_inf(), beyond = request->from[2],
-           edge = pole & 1 ? surface->upper[across] + beyond : surface->lower[across] - beyond, turn = request->to[2];
+    const struct sp_passage *passage = &request->passage;
+    int32_t across = passage->edge / 2, upper = passage->edge % 2;
+    double open = __builtin_inf(), turn = passage->turn,
+           edge = upper ? surface->upper[across] + passage->beyond : surface->lower[across] - passage->beyond;
     double from = request->from[1 - across], to = request->to[1 - across], middle = 0.5 * (from + to);
-    if (surface->kind != SP_PARAMETRIC) return 0;
-    *polar = (struct sp_polar){*surface, surface, across, edge, pole & 1 ? -1 : 1, middle, TURN / turn, turn, 0};
+    *polar = (struct sp_polar){*surface, surface, across, edge, upper ? -1 : 1, middle, TURN / turn, turn, 0};
     polar->surface.metric += SP_POLAR;
-    *moved = *request, moved->pole = 0;
+    *moved = *request, moved->passage.way = SP_FREE;
     if (request->start) {
         double *start = sp_arena_take(arena, 2 * (size_t)request->start_count, sizeof(double));
         for (int32_t i = 0; start && i < request->start_count; i++)

@@ -18,7 +18,7 @@ struct sp_polar {
     double turn, least;  /* once around, of u; the least r at which the surface is differentiated */
 };
 
-/* Makes the chart around the pole of a request (its `pole` less 4), and the request's like in it, a start in the arena, if there is room
+/* Makes the chart around the point that a request passes, and the request's like in it, a start in the arena, if there is room
  * for it. Returns 0 where the ends are more than half a turn apart, or there is none. */
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_arena *arena,
                   struct sp_request *moved);

@@ -1,5 +1,6 @@
 /* Paths over a pole: two free arcs that end in the point to which an edge of the rectangle collapses. In the chart they end at some point
  * of the edge, any of which is the pole; the one that continues the arc smoothly is found by extrapolating it. MATH.md, "Arcs". */
+#include "pole.h"
 #include "contact.h"
 #include "ends.h"
 #include "metric.h"
@@ -79,15 +80,15 @@ static int fit(struct sp_newton *newton, const struct sp_options *options, struc
     return 1;
 }
 
-struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, int32_t edge, double beyond, double period,
+struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_passage *passage,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_polyline *line = &newton->system.line;
     const struct sp_surface *surface = line->surface;
     struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     struct sp_storage storage;
-    int32_t across = edge / 2, last = line->fold.inner + 1;
+    int32_t across = passage->edge / 2, last = line->fold.inner + 1;
     struct sp_surface open = *surface;
-    double value = edge % 2 ? surface->upper[across] + beyond : surface->lower[across] - beyond, around[2];
+    double value = passage->edge % 2 ? surface->upper[across] + passage->beyond : surface->lower[across] - passage->beyond, around[2];
     for (int i = 0; i < 2; i++)
         around[i] = sp_fold_get(line->fold, line->nodes.places, 2, i ? last : 0, 1 - across);
     double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */
@@ -115,9 +116,9 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     if (arcs->count < 2) return arcs->count = 0, none;
     struct sp_refined whole = sp_arcs_join(arcs, newton, 0, arena);
     whole.outcome.active = 1;
-    double beside = value + BESIDE * ((edge % 2 ? surface->lower : surface->upper)[across] - value);
-    double corner = corner_of(surface, across, value, beside, around, period), first = arcs->arc[0].length, second = arcs->arc[1].length,
-           gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
+    double beside = value + BESIDE * ((passage->edge % 2 ? surface->lower : surface->upper)[across] - value);
+    double corner = corner_of(surface, across, value, beside, around, passage->turn), first = arcs->arc[0].length,
+           second = arcs->arc[1].length, gain = (corner < 2 ? corner : 2) * (first < second ? first : second);
     if (gain > 0) whole.length_error += gain;
     if (!(corner <= STRAIGHT && gain <= options->tolerance * whole.length)) whole.outcome.status = SP_STALLED, whole.outcome.index = -1;
     return whole;

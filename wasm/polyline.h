@@ -5,6 +5,7 @@
 
 #include "arena.h"
 #include "chart.h"
+#include "metric.h"
 
 /* How n unknown nodes lie in pairs: pair 0 holds the two ends; pairs 1 … both hold unknowns in both lanes; pair both + 1 is the middle node
  * twice if n is odd, else pair `both` with its lanes exchanged. */
@@ -38,7 +39,7 @@ static inline double sp_fold_get(struct sp_fold fold, const sp_pair *data, int32
 struct sp_nodes {
     sp_pair *places;  /* kind->dimension a pair */
     sp_pair *charts;  /* SP_CHART a pair */
-    sp_pair *metrics; /* 6 kind->components a pair; NULL without a metric of its own */
+    sp_pair *metrics; /* SP_METRIC_PARTS kind->components a pair; NULL without a metric of its own */
 };
 
 struct sp_polyline {
@@ -61,7 +62,7 @@ static inline void sp_fold_mirror(struct sp_fold fold, sp_pair *data, int32_t st
 static inline void sp_polyline_charts(const struct sp_polyline *line, struct sp_nodes nodes) {
     line->kind->charts(line->surface, sp_fold_unknown(line->fold) + 1, nodes.places, nodes.charts, nodes.metrics);
     sp_fold_mirror(line->fold, nodes.charts, SP_CHART);
-    sp_fold_mirror(line->fold, nodes.metrics, 6 * line->kind->components);
+    sp_fold_mirror(line->fold, nodes.metrics, SP_METRIC_PARTS * line->kind->components);
 }
 
 #endif

@@ -1,10 +1,12 @@
 /* From a request to a result: calls the stages in order. The only file that knows them all. */
-#include "arcs.h"
 #include "check.h"
 #include "contact.h"
-#include "functions.h"
+#include "cusp.h"
+#include "hole.h"
 #include "metric_elements.h"
+#include "normal.h"
 #include "polar.h"
+#include "pole.h"
 #include "refine.h"
 #include "sample.h"
 #include "scalar.h"
@@ -122,23 +124,27 @@ static void measure(struct sp_refined *refined, const struct sp_newton *newton, 
 /* Only the surface in space has cusps: E, F and G that vanish are another matter. */
 static int may_cross(const struct sp_polyline *line) { return line->surface->kind == SP_PARAMETRIC && line->surface->metric == SP_INDUCED; }
 
+static int32_t way_of(const struct sp_surface *surface, const struct sp_passage *passage) {
+    return surface->kind == SP_PARAMETRIC && passage->edge >= 0 && passage->edge < 4 ? passage->way : SP_FREE;
+}
+
 /* Elements; where they touch a wall or meet a singular curve, arcs of them. */
 static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, const struct sp_request *request,
                                         struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
-    int32_t may = may_cross(line), pole = line->surface->kind == SP_PARAMETRIC ? request->pole : 0;
+    int32_t may = may_cross(line), way = way_of(line->surface, &request->passage);
     result->crosses_singularity = 0;
-    if (pole >= 1 && pole <= 4) return sp_pole_run(newton, options, pole - 1, request->from[2], request->to[2], arena, arcs);
-    if (pole >= 9 && pole <= 12) return sp_hole_run(newton, options, pole - 9, request->from[2], arena, arcs);
+    if (way == SP_OVER_POINT) return sp_pole_run(newton, options, &request->passage, arena, arcs);
+    if (way == SP_BESIDE_POINT) return sp_hole_run(newton, options, &request->passage, arena, arcs);
     if (!sp_refine_take(&storage, newton, arena)) return refined;
     size_t used = arena->used;
     struct sp_system start = sp_storage_keep(&storage, &newton->system);
     result->crosses_singularity = may && sp_cusp_divides(newton);
     if (!result->crosses_singularity) {
         /* Chords across two cusps may lead to a path across none, but not in many steps: as many are left for arcs. */
-        int32_t kept = may && sp_cusp_turns(line, 0) > 0 && sp_cusp_crosses(&start) ? newton->steps_left / 2 : 0;
+        int32_t kept = may && sp_normal_turns(line, 0) > 0 && sp_cusp_crosses(&start) ? newton->steps_left / 2 : 0;
         newton->steps_left -= kept;
         refined = sp_refine_run(newton, options, arena);
         newton->steps_left += kept;
@@ -165,7 +171,7 @@ static enum sp_status start_with(struct sp_newton *newton, const struct sp_reque
     sp_polyline_charts(line, line->nodes);
     newton->size = size_of(line);
     if (line->kind->components == 0 && newton->size < newton->scale) newton->size = newton->scale;
-    result->crosses_singularity = may_cross(line) && sp_cusp_turns(line, 0) > 0;
+    result->crosses_singularity = may_cross(line) && sp_normal_turns(line, 0) > 0;
     return SP_CONVERGED;
 }
 
@@ -259,7 +265,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     *result = none;
     struct sp_polar polar;
     struct sp_request around;
-    int is_polar = request->pole > 4 && request->pole <= 8 && request->to[2] > 0,
+    int is_polar = way_of(surface, &request->passage) == SP_POINT_CHART && request->passage.turn > 0,
         is_sound = !is_polar || sp_polar_make(&polar, surface, request, arena, &around);
     enum sp_status status = SP_SINGULAR_METRIC;
     if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);

@@ -53,7 +53,7 @@ static enum sp_status judge(const struct sp_trace *trace, double error, struct s
 int sp_trace_attempt(struct sp_trace *trace, struct sp_stride *stride) {
     for (int i = 0; i < SP_STATE; i++)
         stride->stages.slope[0][i] = trace->here.slope[i];
-    sp_dop853_step(&trace->system, trace->here.state, stride->h, &stride->stages, stride->end);
+    sp_dop853_step(&trace->ode, trace->here.state, stride->h, &stride->stages, stride->end);
     double error = estimate(trace, stride) / (trace->tolerance + 4 * EPSILON * trace->here.rounding.direction);
     enum sp_status status = judge(trace, error, stride);
     double factor = status == SP_CONVERGED || status == SP_TOLERANCE_NOT_MET ? growth(error) : LEAST_GROWTH;
@@ -79,7 +79,7 @@ static void look(const struct sp_trace *trace, double h, double *state) {
     struct sp_stages stages;
     for (int i = 0; i < SP_STATE; i++)
         stages.slope[0][i] = trace->here.slope[i];
-    sp_dop853_step(&trace->system, trace->here.state, h, &stages, state);
+    sp_dop853_step(&trace->ode, trace->here.state, h, &stages, state);
 }
 
 /* Where an event that is positive before and negative after crosses zero in (0, high]: Newton, or halving where that leaves the bracket.
@@ -89,7 +89,7 @@ static double locate(const struct sp_trace *trace, const struct event *event, do
     for (int round = 0; round < ROUNDS; round++) {
         double state[SP_STATE], slope[SP_STATE];
         look(trace, at, state);
-        trace->system.slope(trace->system.context, state, slope);
+        trace->ode.slope(trace->ode.context, state, slope);
         double value = weigh(event, state) + event->offset, next = at - value / weigh(event, slope);
         if (value > 0)
             low = at;

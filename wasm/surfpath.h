@@ -31,7 +31,22 @@ struct sp_options {
     int32_t record;            /* 1: keep the polyline of every iterate */
 };
 
-/* The two ends, and where to start from. */
+/* How a path passes a point to which an edge of the rectangle collapses, a pole, or nearly so, a hole. */
+enum sp_way {
+    SP_FREE = 0,        /* as it comes */
+    SP_OVER_POINT = 1,  /* through it: two arcs */
+    SP_POINT_CHART = 2, /* in a chart around it, from the start or the straight line in it, where the surface closes around it */
+    SP_BESIDE_POINT = 3 /* on elements that close in on it: past it or, if it lies beyond the edge, around that, as around a hole */
+};
+
+struct sp_passage {
+    int32_t way;   /* enum sp_way; SP_ELEMENTS on parametric surfaces only */
+    int32_t edge;  /* 2 * coordinate + side; of any other number the way is free */
+    double beyond; /* how far beyond the edge the point lies, in the coordinate across */
+    double turn;   /* what the coordinate along the edge changes by once around; 0: there are walls, and no chart */
+};
+
+/* The two ends, where to start from, and how. */
 struct sp_request {
     double from[3]; /* parametric: u, v; implicit: x, y, z, near the surface */
     double to[3];
@@ -39,11 +54,7 @@ struct sp_request {
                             ends moved to from and to. NULL: the straight line from end to end, solved from the lexicographically smaller
                             end, so that exchanging the ends reverses the path to the bit */
     int32_t start_count; /* 0 without start, else at least 2 */
-    int32_t pole;        /* SP_ELEMENTS: 1 + 2 * coordinate + side of an edge that collapses to a point, which the path must pass; any other
-                            number: none. 4 more: in a chart around that point, from the start or the straight line in it. to[2]: what the
-                            coordinate along the edge changes by once around; 0: there are walls, and no chart. from[2]: how far beyond
-                            the edge the point lies, in the coordinate across. 8 more: on elements that close in on the point, past it or,
-                            if it lies beyond the edge, around that, as around a hole */
+    struct sp_passage passage;
 };
 
 /* One Newton step. The last entry is where the path came to rest; its step is 0. Where a path is refined, the energies before are
@@ -157,12 +168,17 @@ SP_AT(sp_options, algorithm, 16);
 SP_AT(sp_options, point_count, 20);
 SP_AT(sp_options, max_iterations, 24);
 SP_AT(sp_options, record, 28);
-SP_SIZE(sp_request, 64);
+SP_SIZE(sp_request, 80);
 SP_AT(sp_request, from, 0);
 SP_AT(sp_request, to, 24);
 SP_AT(sp_request, start, 48);
 SP_AT(sp_request, start_count, 52);
-SP_AT(sp_request, pole, 56);
+SP_AT(sp_request, passage, 56);
+SP_SIZE(sp_passage, 24);
+SP_AT(sp_passage, way, 0);
+SP_AT(sp_passage, edge, 4);
+SP_AT(sp_passage, beyond, 8);
+SP_AT(sp_passage, turn, 16);
 SP_SIZE(sp_iterate, 32);
 SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);

@@ -60,7 +60,7 @@ static void sample(const struct sp_trace *trace, struct sp_stride *stride, struc
     struct sp_dense dense;
     double end = trace->travelled + stride->h;
     if (!(next_sample(trace, samples) < end)) return;
-    sp_dop853_dense(&trace->system, trace->here.state, stride->h, &stride->stages, stride->end, &dense);
+    sp_dop853_dense(&trace->ode, trace->here.state, stride->h, &stride->stages, stride->end, &dense);
     for (double at = next_sample(trace, samples); at < end; at = next_sample(trace, samples)) {
         double state[SP_STATE];
         sp_dop853_between(&dense, (at - trace->travelled) / stride->h, state);
@@ -182,7 +182,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     struct sp_traveller start = {.state = {0}};
     sp_pair *positions;
     if (!take(surface, arena, &samples, &positions, result)) return SP_OUT_OF_MEMORY;
-    trace.system = sp_flow_system(surface);
+    trace.ode = sp_flow_ode(surface);
     enum sp_status status = depart(&trace, request, &start, &result->normal);
     if (status != SP_CONVERGED) return status;
     status = travel(&trace, &start, request->length, &samples);

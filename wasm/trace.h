@@ -6,7 +6,7 @@
 
 struct sp_trace {
     const struct sp_surface *surface;
-    struct sp_system system;
+    struct sp_ode ode;
     double tolerance, length, scale;
     double area; /* sp_flow_area of the start */
     int32_t max_steps;

@@ -18,9 +18,7 @@ import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
- * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, pole?: number, beyond?: number) => RawPath} solve from `from`; pole: through the
- *   point to which an edge of the rectangle collapses, 1 + 2 · coordinate + side, that far beyond it; 4 more: in a chart around it, and a third
- *   number of the end is what the coordinate along that edge changes by once around, a start is over u and v; 8 more: past it, or around the edge as around a hole, on elements that close in on it
+ * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('./runtime/heap.js').Passage | null) => RawPath} solve from `from`
  * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none
  * @property {import('./branches.js').Branch[]} branches branch points of the surface, and what solves globally, and near a start, between two other places
  * @property {(ends: number[][], options: SolveOptions) => import('./path.js').Path} leg

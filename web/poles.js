@@ -7,6 +7,7 @@ import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, so
 import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
+import { BESIDE_POINT, OVER_POINT, POINT_CHART } from './runtime/heap.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, SINGULAR_METRIC, STALLED } from './runtime/status.js';
 import { edgeOf } from './rectangle.js';
@@ -75,8 +76,9 @@ export function passPoles(problem, options, near) {
 function solveAt({ from, domain, solve }, { pole, beyond, smooth }, isOver, to, start, options) {
   const range = /** @type {import('./domain.js').Domain} */ (domain);
   const { along } = edgeOf(pole);
-  const end = [...liftNear(range, to, from), range.periodic[along] ? range.upper[along] - range.lower[along] : 0];
-  return solve(end, start, options, pole + (isOver ? 0 : smooth && !(beyond > 0) ? 4 : 8), beyond);
+  const way = isOver ? OVER_POINT : smooth && !(beyond > 0) ? POINT_CHART : BESIDE_POINT;
+  const turn = range.periodic[along] ? range.upper[along] - range.lower[along] : 0;
+  return solve(liftNear(range, to, from), start, options, { way, edge: pole - 1, beyond, turn });
 }
 
 /**

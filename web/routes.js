@@ -129,8 +129,8 @@ function pose(field, [from, to], find) {
       isPlain,
       positions,
       domain,
-      solve: (end, start, asked, pole, beyond = 0) =>
-        watch(heap.solve(record, { kind, from: pole ? [...a, beyond] : a, to: end, start: start ?? null, pole }, asked)),
+      solve: (end, start, asked, passage = null) =>
+        watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, passage }, asked)),
       branches,
       isLeg: !!field.isLeg,
       leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],

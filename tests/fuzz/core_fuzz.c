@@ -139,7 +139,7 @@ static void check_path(const struct sp_surface *surface, const struct sp_request
         const double *last = result->parameters + 2 * count - 2;
         demand_numbers(arena, result->parameters, 2 * count, "parameters");
         /* In a chart around a pole the end is the lift that the path leads to. */
-        double turn = request->pole > 4 ? request->to[2] : 0;
+        double turn = request->passage.way == SP_POINT_CHART ? request->passage.turn : 0;
         for (int j = 0; j < 2 && are_within(surface, request); j++)
             DEMAND(result->parameters[j] == request->from[j] &&
                        (last[j] == request->to[j] || last[j] == request->to[j] + turn || last[j] == request->to[j] - turn),
@@ -165,7 +165,12 @@ static void fuzz_solve(struct input *input) {
         request.start = start = malloc(sizeof(double) * (size_t)(dimension * request.start_count));
         read_numbers(input, start, dimension * request.start_count);
     }
-    if (given & 2) request.pole = read_integer(input, -2, 8);
+    if (given & 2) {
+        double numbers[2];
+        read_numbers(input, numbers, 2);
+        request.passage =
+            (struct sp_passage){read_integer(input, SP_FREE, SP_BESIDE_POINT), read_integer(input, -2, 5), numbers[0], numbers[1]};
+    }
     struct sp_arena arena = read_arena(input, sp_solve_bytes(&surface, &options, request.start_count), &whole);
     struct sp_result result;
     memset(&result, 0xa5, sizeof result);

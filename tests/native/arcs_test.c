@@ -187,7 +187,7 @@ static double taut_length(void) {
 }
 
 static void test_walls(void) {
-    struct sp_request request = {{0, 0, 0}, {2 * PI, 0, 0}, NULL, 0, 0};
+    struct sp_request request = {.from = {0, 0, 0}, .to = {2 * PI, 0, 0}};
     for (double tolerance = 1e-4; tolerance > 1e-13; tolerance *= 1e-4) {
         struct sp_result result = solve(&strip, request, options_of(tolerance));
         check_length("strip", result, taut_length(), tolerance);
@@ -199,7 +199,7 @@ static void test_walls(void) {
 /* Round a corner in which length is nearly nothing there is no arc between the edges: chords, which say how far they are off. The shortest
  * path cuts the corner: it is a little less than both edges, 2 (r^3/3 + r/10^4) from r = 0.01 to 1, by less than the edges inside 0.04. */
 static void test_corner(void) {
-    struct sp_request request = {{1, 0.01, 0}, {0.01, 1, 0}, NULL, 0, 0};
+    struct sp_request request = {.from = {1, 0.01, 0}, .to = {0.01, 1, 0}};
     struct sp_result result = solve(&corner, request, options_of(1e-9));
     double edges = 2 * ((1 - 1e-6) / 3 + 0.99e-4), inside = 2 * ((64e-6 - 1e-6) / 3 + 0.03e-4);
     CHECK(result.status == SP_TOLERANCE_NOT_MET && result.touches_boundary == 1, "status %d", result.status);
@@ -210,18 +210,20 @@ static void test_corner(void) {
 static void test_poles(void) {
     const double turns[] = {PI, -PI, 3 * PI};
     for (int i = 0; i < 3; i++) {
-        struct sp_request north = {{0.3, 1.3, 0}, {0.3 + turns[i], 1.2, 2 * PI}, NULL, 0, 4};
-        struct sp_request south = {{0.3, -1.3, 0}, {0.3 + turns[i], -1.2, 2 * PI}, NULL, 0, 3};
-        struct sp_request upright_north = {{1.3, 0.3, 0}, {1.2, 0.3 + turns[i], 2 * PI}, NULL, 0, 2};
+        struct sp_request north = {.from = {0.3, 1.3}, .to = {0.3 + turns[i], 1.2}, .passage = {SP_OVER_POINT, 3, 0, 2 * PI}};
+        struct sp_request south = {.from = {0.3, -1.3}, .to = {0.3 + turns[i], -1.2}, .passage = {SP_OVER_POINT, 2, 0, 2 * PI}};
+        struct sp_request upright_north = {.from = {1.3, 0.3}, .to = {1.2, 0.3 + turns[i]}, .passage = {SP_OVER_POINT, 1, 0, 2 * PI}};
         check_length("north", solve(&whole_globe_surface, north, options_of(1e-9)), PI - 2.5, 1e-9);
         check_length("south", solve(&whole_globe_surface, south, options_of(1e-9)), PI - 2.5, 1e-9);
         check_length("upright", solve(&upright_globe, upright_north, options_of(1e-9)), PI - 2.5, 1e-9);
     }
-    struct sp_request over = {{0.3, 1.3, 0}, {0.3 + PI, 1.2, 2 * PI}, NULL, 0, 4};
+    struct sp_request over = {.from = {0.3, 1.3}, .to = {0.3 + PI, 1.2}, .passage = {SP_OVER_POINT, 3, 0, 2 * PI}};
     check_starved("pole", &whole_globe_surface, over, PI - 2.5);
     /* Between walls a path over the pole is the shortest from half a turn on; else it has a corner that is shorter cut. */
     for (double apart = 0.5; apart < 3.9; apart += 0.3) {
-        struct sp_result result = solve(&sector, (struct sp_request){{0.05, 1.3, 0}, {0.05 + apart, 1.2, 0}, NULL, 0, 4}, options_of(1e-9));
+        struct sp_result result =
+            solve(&sector, (struct sp_request){.from = {0.05, 1.3}, .to = {0.05 + apart, 1.2}, .passage = {SP_OVER_POINT, 3, 0, 0}},
+                  options_of(1e-9));
         CHECK(result.status == (apart >= PI ? SP_CONVERGED : SP_STALLED), "%g apart: status %d", apart, result.status);
         CHECK(fabs(result.length - (PI - 2.5)) <= 1e-9, "%g apart: length %.17g", apart, result.length);
     }
@@ -245,21 +247,22 @@ static void test_holes(void) {
             double length = past_cut(radius, to_middle, fabs(apart));
             cut.lower[1] = -end, cut.upper[1] = end;
             for (int side = -1; side <= 1; side += 2) {
-                struct sp_request around = {{0.3, side * 1.2, radius}, {0.3 + apart, side * 0.3, 0}, NULL, 0, side > 0 ? 12 : 11};
+                struct sp_request around = {
+                    .from = {0.3, side * 1.2}, .to = {0.3 + apart, side * 0.3}, .passage = {SP_BESIDE_POINT, side > 0 ? 3 : 2, radius, 0}};
                 check_length("around a hole, or past it", solve(&cut, around, options_of(1e-9)), length, 1e-9);
             }
         }
     cut.lower[1] = -PI / 2 + 1e-3, cut.upper[1] = PI / 2 - 1e-3;
-    struct sp_request around = {{0.3, 1.2, 1e-3}, {4, 0.3, 0}, NULL, 0, 12};
+    struct sp_request around = {.from = {0.3, 1.2}, .to = {4, 0.3}, .passage = {SP_BESIDE_POINT, 3, 1e-3, 0}};
     check_starved("hole", &cut, around, past_cut(1e-3, (double[2]){PI / 2 - 1.2, PI / 2 - 0.3}, 3.7));
     /* The same cut, over its middle, and in the chart around that. */
-    struct sp_request over = {{0.3, 1.2, 1e-3}, {0.3 + PI, 1.1, 2 * PI}, NULL, 0, 4},
-                      beside = {{0.3, 1.2, 1e-3}, {2.3, 0.3, 2 * PI}, NULL, 0, 8};
+    struct sp_request over = {.from = {0.3, 1.2}, .to = {0.3 + PI, 1.1}, .passage = {SP_OVER_POINT, 3, 1e-3, 2 * PI}},
+                      beside = {.from = {0.3, 1.2}, .to = {2.3, 0.3}, .passage = {SP_POINT_CHART, 3, 1e-3, 2 * PI}};
     check_length("over a hole", solve(&cut, over, options_of(1e-9)), PI - 2.3, 1e-9);
     check_length("past a hole", solve(&cut, beside, options_of(1e-9)), acos(sin(1.2) * sin(0.3) + cos(1.2) * cos(0.3) * cos(2)), 1e-9);
     /* Half a turn apart, but for what lets the great circle pass the middle by half the hole's radius, between two nodes. */
     double off = 0.5e-3 * (1 / tan(PI / 2 - 1.2) + 1 / tan(PI / 2 - 0.3));
-    struct sp_request through = {{0.3, 1.2, 1e-3}, {0.3 + PI - off, 0.3, 2 * PI}, NULL, 0, 8};
+    struct sp_request through = {.from = {0.3, 1.2}, .to = {0.3 + PI - off, 0.3}, .passage = {SP_POINT_CHART, 3, 1e-3, 2 * PI}};
     CHECK(solve(&cut, through, options_of(1e-9)).status == SP_SINGULAR_METRIC, "through a hole");
 }
 
@@ -268,9 +271,9 @@ static void test_holes(void) {
 static void test_turning(void) {
     for (double u = 0.1; u < 3; u += 0.4)
         for (double v = 0.3; v < 1.5; v += 0.4) {
-            struct sp_request over = {{u, v, 0}, {u + PI, v, 2 * PI}, NULL, 0, 4},
-                              turned = {{u, v, 0}, {u + PI, v + 0.1, 2 * PI}, NULL, 0, 4};
-            struct sp_request around = {{0}, {0}, NULL, 0, 0};
+            struct sp_request over = {.from = {u, v}, .to = {u + PI, v}, .passage = {SP_OVER_POINT, 3, 0, 2 * PI}},
+                              turned = {.from = {u, v}, .to = {u + PI, v + 0.1}, .passage = {SP_OVER_POINT, 3, 0, 2 * PI}};
+            struct sp_request around = {0};
             double place[3] = {AXES[0] * cos(v) * cos(u), AXES[1] * cos(v) * sin(u), AXES[2] * sin(v)};
             double start[9] = {place[0], place[1], place[2], 0, 0, AXES[2], -place[0], -place[1], place[2]};
             around.start = start, around.start_count = 3;
@@ -296,7 +299,7 @@ static void test_cusps(void) {
         double u = 2 * random_unit(&seed) - 1, v = 2 * random_unit(&seed) - 1, to_u = 2 * random_unit(&seed) - 1;
         double to_v = v + (1 - v) * random_unit(&seed), length = hypot(to_u - u, pleated_distance(v, to_v, &cusps));
         double tolerance = i % 3 == 0 ? 1e-4 : i % 3 == 1 ? 1e-9 : 1e-12;
-        struct sp_result result = solve(&pleats, (struct sp_request){{u, v, 0}, {to_u, to_v, 0}, NULL, 0, 0}, options_of(tolerance));
+        struct sp_result result = solve(&pleats, (struct sp_request){.from = {u, v, 0}, .to = {to_u, to_v, 0}}, options_of(tolerance));
         solved[cusps]++;
         CHECK(result.status == SP_CONVERGED, "(%.17g, %.17g) to (%.17g, %.17g), %d cusps: status %d", u, v, to_u, to_v, cusps,
               result.status);
@@ -312,13 +315,13 @@ static void test_cusps(void) {
         double off = pow(10, -2 - 3 * random_unit(&seed)), u = random_unit(&seed), to_u = u + 0.5 * random_unit(&seed);
         double v = (i % 2 ? 0 : -A) - off, to_v = v + off + 0.05 + 0.3 * random_unit(&seed);
         double length = hypot(to_u - u, pleated_distance(v, to_v, &cusps));
-        struct sp_result result = solve(&pleats, (struct sp_request){{u, v, 0}, {to_u, to_v, 0}, NULL, 0, 0}, options_of(1e-9));
+        struct sp_result result = solve(&pleats, (struct sp_request){.from = {u, v, 0}, .to = {to_u, to_v, 0}}, options_of(1e-9));
         CHECK(result.status == SP_CONVERGED && result.crosses_singularity, "(%.17g, %.17g) to (%.17g, %.17g): status %d", u, v, to_u, to_v,
               result.status);
         CHECK(fabs(result.length - length) <= 1e-9 * length, "(%.17g, %.17g) to (%.17g, %.17g): error %g", u, v, to_u, to_v,
               result.length - length);
     }
-    struct sp_request all = {{-0.9, -0.9, 0}, {0.8, 0.95, 0}, NULL, 0, 0};
+    struct sp_request all = {.from = {-0.9, -0.9, 0}, .to = {0.8, 0.95, 0}};
     double length = hypot(1.7, pleated_distance(-0.9, 0.95, &cusps));
     check_length("five cusps", solve(&pleats, all, options_of(1e-9)), length, 1e-9);
     check_starved("five cusps", &pleats, all, length);

@@ -203,9 +203,9 @@ int main(void) {
                 check_elements(surfaces[s], SP_COVARIANT, degrees[d], count, &seed);
                 if (surfaces[s]->kind == SP_PARAMETRIC) check_elements(surfaces[s], SP_COORDINATE, degrees[d], count, &seed);
             }
-    check_ladder(&globe_surface, (struct sp_request){{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0},
+    check_ladder(&globe_surface, (struct sp_request){.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}},
                  acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));
-    check_ladder(&sphere_surface, (struct sp_request){{1, 0, 0}, {0, 0.6, 0.8}, NULL, 0, 0}, acos(0.0));
+    check_ladder(&sphere_surface, (struct sp_request){.from = {1, 0, 0}, .to = {0, 0.6, 0.8}}, acos(0.0));
     free(arena.base);
     return checks_failed();
 }

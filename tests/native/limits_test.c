@@ -68,9 +68,9 @@ static void check_solve(const char *name, const struct sp_surface *surface, stru
 static void check_solves(void) {
     struct sp_options elements = default_options(), polyline = elements, recorded = elements;
     polyline.algorithm = SP_POLYLINE, recorded.record = 1;
-    struct sp_request across = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0}, over_cusp = {{-0.2, -0.5, 0}, {0.3, 0.6, 0}, NULL, 0, 0};
-    struct sp_request on_torus = {{5.5, 0, 0}, {3, 4, 1}, NULL, 0, 0}, at_wall = {{0, 0.8, 0}, {2, 0.7, 0}, NULL, 0, 0};
-    struct sp_request past_pole = {{0.3, 1.3, 0}, {0.3 + HALF_TURN, 1.2, 2 * HALF_TURN}, NULL, 0, 4};
+    struct sp_request across = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}}, over_cusp = {.from = {-0.2, -0.5, 0}, .to = {0.3, 0.6, 0}};
+    struct sp_request on_torus = {.from = {5.5, 0, 0}, .to = {3, 4, 1}}, at_wall = {.from = {0, 0.8, 0}, .to = {2, 0.7, 0}};
+    struct sp_request past_pole = {.from = {0.3, 1.3}, .to = {0.3 + HALF_TURN, 1.2}, .passage = {SP_OVER_POINT, 3, 0, 2 * HALF_TURN}};
     check_solve("globe", &globe_surface, across, elements, 0);
     check_solve("globe, recorded", &globe_surface, across, recorded, 0);
     check_solve("globe, polyline", &globe_surface, across, polyline, 0);
@@ -80,11 +80,11 @@ static void check_solves(void) {
     check_solve("cusp", &cusp_surface, over_cusp, elements, 1);
     check_solve("wall", &cap, at_wall, elements, 0);
     check_solve("pole", &whole_globe_surface, past_pole, elements, 1);
-    past_pole.pole = 8, past_pole.to[2] = 2 * HALF_TURN, past_pole.to[0] -= 1e-4;
+    past_pole.passage.way = SP_POINT_CHART, past_pole.to[0] -= 1e-4;
     check_solve("beside a pole", &whole_globe_surface, past_pole, elements, 0);
     struct sp_surface cut = whole_globe_surface;
     cut.upper[1] -= 1e-3;
-    struct sp_request around = {{0.3, 1.3, 1e-3}, {0.5 + HALF_TURN, 1.2, 0}, NULL, 0, 12};
+    struct sp_request around = {.from = {0.3, 1.3}, .to = {0.5 + HALF_TURN, 1.2}, .passage = {SP_BESIDE_POINT, 3, 1e-3, 0}};
     check_solve("around a hole", &cut, around, elements, 1);
 }
 
@@ -187,7 +187,7 @@ static void check_meshes(void) {
 /* Options out of range are clamped: the answer is that of the nearest that is in range. */
 static void check_options(void) {
     struct sp_arena arena = allocate(1 << 26);
-    struct sp_request request = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0};
+    struct sp_request request = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}};
     struct sp_result result;
     struct sp_options options = default_options();
     options.algorithm = SP_POLYLINE, options.point_count = -7;
@@ -254,8 +254,9 @@ static void check_not_finite(void) {
     const double bad[] = {NAN, INFINITY, -INFINITY, 1e308, -1e308};
     for (int i = 0; i < 5; i++) {
         double start[6] = {0.1, -0.7, bad[i], 0.2, 1.4, 0.9};
-        struct sp_request ends = {{0.1, bad[i], 0}, {1.4, 0.9, 0}, NULL, 0, 0}, by_start = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0};
-        struct sp_request space = {{5.5, bad[i], 0}, {3, 4, 1}, NULL, 0, 0};
+        struct sp_request ends = {.from = {0.1, bad[i], 0}, .to = {1.4, 0.9, 0}},
+                          by_start = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}, .start = start, .start_count = 3};
+        struct sp_request space = {.from = {5.5, bad[i], 0}, .to = {3, 4, 1}};
         CHECK(sp_solve_path(&whole_globe_surface, &by_start, &options, &arena, &result) < 0 && !result.points, "start %g: %d", bad[i],
               result.status);
         CHECK(sp_solve_path(&torus_surface, &space, &options, &arena, &result) < 0 && !result.points, "end %g: %d", bad[i], result.status);

@@ -271,7 +271,7 @@ static void check_status(double (*of)(double), int32_t inner, enum sp_status wan
 /* The arena of exactly the promised size is enough, for chords and for the whole ladder; half of it is refused, or
  * enough for a ladder that is not climbed to the end. */
 static void check_arena(const struct sp_surface *surface, int32_t algorithm, int32_t record) {
-    struct sp_request request = {{-0.5, 0.3, 0.2}, {0.6, 0.7, 0.9}, NULL, 0, 0};
+    struct sp_request request = {.from = {-0.5, 0.3, 0.2}, .to = {0.6, 0.7, 0.9}};
     if (surface->kind == SP_IMPLICIT) request.from[0] = 2.7, request.to[0] = 2.9;
     struct sp_options options;
     struct sp_result result;

@@ -43,7 +43,7 @@ static void check_escape(void) {
         double angle = 1.4 * 3.141592653589793 * i / 40;
         start[3 * i] = cos(angle), start[3 * i + 1] = sin(angle), start[3 * i + 2] = 0;
     }
-    struct sp_request request = {{1, 0, 0}, {start[120], start[121], 0}, start, 41, 0};
+    struct sp_request request = {.from = {1, 0, 0}, .to = {start[120], start[121], 0}, .start = start, .start_count = 41};
     struct sp_result result = solve(&sphere_surface, request, options_of(40, 0));
     CHECK(result.status == SP_CONVERGED && result.index == 0, "status %d, index %d", result.status, result.index);
     CHECK(fabs(result.length - 0.6 * 3.141592653589793) < 1e-3, "length %g", result.length);
@@ -113,7 +113,7 @@ static void check_hostile(void) {
             for (int32_t points = 1; points < 8; points++) {
                 hostile_value = values[i], hostile_values = kind ? SP_IMPLICIT_VALUES : SP_PARAMETRIC_VALUES;
                 struct sp_surface surface = {hostile_jet, hostile_value_only, kind, 0, {-1, -1}, {1, 1}, kind ? 3 : 0};
-                struct sp_request request = {{0.1, 0.2, 0.3}, {0.5, -0.5, 0.1}, NULL, 0, 0};
+                struct sp_request request = {.from = {0.1, 0.2, 0.3}, .to = {0.5, -0.5, 0.1}};
                 struct sp_result result = solve(&surface, request, options_of(points, 0));
                 CHECK(result.status < 0 && !result.points, "value %g, kind %d: status %d", values[i], kind, result.status);
             }
@@ -144,7 +144,7 @@ static void check_apex(uint64_t *seed) {
     for (int32_t points = 1; points < 200; points = 2 * points + 1)
         for (int kind = 0; kind < 2; kind++) {
             double angle = 7 * random_unit(seed), height = random_unit(seed) - 0.5, radius = fabs(height);
-            struct sp_request request = {{radius * cos(angle), radius * sin(angle), height}, {0, 0, 0}, NULL, 0, 0};
+            struct sp_request request = {.from = {radius * cos(angle), radius * sin(angle), height}, .to = {0, 0, 0}};
             struct sp_options options = options_of(points, 0);
             if (kind) options.algorithm = SP_ELEMENTS;
             struct sp_result result = solve(&cone, request, options);
@@ -197,7 +197,7 @@ static void check_branch(uint64_t *seed) {
     arena = (struct sp_arena){aligned_alloc(16, 1 << 23), 1 << 23, 0};
     for (int i = 0; i < 40; i++) {
         double u = 2 * random_unit(seed) - 1, v = 2 * random_unit(seed) - 1, length = pow(u * u + v * v, 1.5);
-        struct sp_request request = {{u, v, 0}, {0, 0, 0}, NULL, 0, 0};
+        struct sp_request request = {.from = {u, v, 0}, .to = {0, 0, 0}};
         struct sp_options options = options_of(64, 0);
         options.algorithm = SP_ELEMENTS;
         struct sp_result result = solve(&cover, request, options);
@@ -232,7 +232,7 @@ static void check_projection(uint64_t *seed) {
 static void check_scale(void) {
     const struct sp_surface sphere = {sphere_jet, sphere_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 0};
     const struct sp_surface abstract = {saddle_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-9, -9}, {9, 9}, 0};
-    struct sp_request request = {{3, 4, 0}, {2, 3, 6}, NULL, 0, 0}, on_saddle = {{0, 0, 0}, {0.6, 0.8, 0}, NULL, 0, 0};
+    struct sp_request request = {.from = {3, 4, 0}, .to = {2, 3, 6}}, on_saddle = {.from = {0, 0, 0}, .to = {0.6, 0.8, 0}};
     struct {
         const struct sp_surface *surface;
         struct sp_request request;
@@ -250,7 +250,7 @@ int main(void) {
     check_scale();
     arena = (struct sp_arena){aligned_alloc(16, 1 << 22), 1 << 22, 0};
     uint64_t seed = 77;
-    struct sp_request on_globe = {{0.1, -0.7, 0}, {1.4, 0.9, 0}, NULL, 0, 0}, on_sphere = {{1, 0, 0}, {0, 1, 0}, NULL, 0, 0};
+    struct sp_request on_globe = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}}, on_sphere = {.from = {1, 0, 0}, .to = {0, 1, 0}};
     check_great_circle(&globe_surface, on_globe, acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));
     check_great_circle(&sphere_surface, on_sphere, acos(0.0));
     check_escape();
@@ -260,7 +260,7 @@ int main(void) {
     double start[6] = {0.1, -0.7, 1, 0, 1.4, 0.9};
     check_arena(&globe_surface, on_globe, 0);
     check_arena(&sphere_surface, on_sphere, 1);
-    check_arena(&globe_surface, (struct sp_request){{0.1, -0.7, 0}, {1.4, 0.9, 0}, start, 3, 0}, 1);
+    check_arena(&globe_surface, (struct sp_request){.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}, .start = start, .start_count = 3}, 1);
     check_hostile();
     check_apex(&seed);
     check_branch(&seed);

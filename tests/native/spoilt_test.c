@@ -53,7 +53,7 @@ static void check_path(const char *what, int32_t status, double length, const do
 }
 
 static void check_solve(const struct sp_surface *surface, const double from[3], const double to[3], int32_t algorithm) {
-    struct sp_request request = {{from[0], from[1], from[2]}, {to[0], to[1], to[2]}, NULL, 0, 0};
+    struct sp_request request = {.from = {from[0], from[1], from[2]}, .to = {to[0], to[1], to[2]}};
     struct sp_options options;
     struct sp_result result;
     sp_default_options(&options);

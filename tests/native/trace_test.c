@@ -131,15 +131,15 @@ static void rotation(const void *context, const double *state, double *slope) {
 }
 
 static void errors_of_step(double h, double *end, double *inside) {
-    struct sp_system system = {rotation, NULL};
+    struct sp_ode ode = {rotation, NULL};
     struct sp_stages stages;
     struct sp_dense dense;
     double state[SP_STATE], next[SP_STATE], between[SP_STATE];
     for (int i = 0; i < SP_STATE; i += 2)
         state[i] = sin(0.3), state[i + 1] = cos(0.3);
     rotation(NULL, state, stages.slope[0]);
-    sp_dop853_step(&system, state, h, &stages, next);
-    sp_dop853_dense(&system, state, h, &stages, next, &dense);
+    sp_dop853_step(&ode, state, h, &stages, next);
+    sp_dop853_dense(&ode, state, h, &stages, next, &dense);
     *end = fabs(next[0] - sin(0.3 + h)), *inside = 0;
     for (double part = 0; part <= 1; part += 1.0 / 64) {
         sp_dop853_between(&dense, part, between);
@@ -167,14 +167,14 @@ static void powers(const void *context, const double *state, double *slope) {
 
 /* Exact for t^i up to its order, but for rounding of coefficients up to 43: no digit of the tables is wrong by more. */
 static void check_powers(void) {
-    struct sp_system system = {powers, NULL};
+    struct sp_ode ode = {powers, NULL};
     struct sp_stages stages;
     struct sp_dense dense;
     double state[SP_STATE] = {1}, next[SP_STATE], between[SP_STATE], fifth[SP_STATE], third[SP_STATE];
     powers(NULL, state, stages.slope[0]);
-    sp_dop853_step(&system, state, 1, &stages, next);
+    sp_dop853_step(&ode, state, 1, &stages, next);
     sp_dop853_errors(&stages, fifth, third);
-    sp_dop853_dense(&system, state, 1, &stages, next, &dense);
+    sp_dop853_dense(&ode, state, 1, &stages, next, &dense);
     for (int i = 1; i <= 8; i++) {
         CHECK(fabs(next[i] - 1) < 3e-14, "t^%d: off by %g", i, next[i] - 1);
         CHECK(i > 5 || fabs(fifth[i]) < 3e-14, "t^%d: fifth order estimate %g", i, fifth[i]);

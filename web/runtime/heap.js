@@ -11,9 +11,15 @@ const MOST_GRAPH_BYTES = 2 ** 29;
 export const MOST_STRUCT_BYTES = 128;
 const MOST_TRACE_STEPS = 200_000;
 
+/** As sp_way in wasm/surfpath.h. */
+export const OVER_POINT = 1;
+export const POINT_CHART = 2;
+export const BESIDE_POINT = 3;
+
 /** @typedef {{ kind: number, metric: number, jet: number, value: number, lower: number[], upper: number[], extent: number }} SurfaceRecord */
 /** @typedef {import('./result.js').RawPath} RawPath */
 /** @typedef {{ tolerance: number, gradientTolerance: number, algorithm: number, points: number, maxIterations: number, record: boolean }} SolveOptions */
+/** @typedef {{ way: number, edge: number, beyond: number, turn: number }} Passage struct sp_passage: OVER_POINT, … and which edge, 2 · coordinate + side; how far beyond it the point lies; what the coordinate along it changes by once around, 0 between walls */
 /**
  * @typedef {object} Graph a graph of a surface, in linear memory until {@link Heap.releaseGraph}
  * @property {number} status
@@ -81,8 +87,7 @@ export class Heap extends Memory {
   /**
    * Runs sp_solve_path.
    * @param {number} surface address of its record
-   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, pole?: number }} request pole: then `from` has a third number, how far
-   *   beyond that edge the surface collapses
+   * @param {{ kind: number, from: number[], to: number[], start: ArrayLike<number> | null, passage?: Passage | null }} request
    * @param {SolveOptions} options
    * @returns {RawPath}
    */
@@ -97,7 +102,13 @@ export class Heap extends Memory {
     if (start) this.writeDoubles(this.arenaBase, start);
     this.writePoint(this.#request, request.from);
     this.writePoint(this.#request + layout.sp_request_to, request.to);
-    this.writeWords(this.#request + layout.sp_request_start, start ? this.arenaBase : 0, startCount, request.pole ?? 0);
+    const passage = request.passage;
+    this.writeWords(this.#request + layout.sp_request_start, start ? this.arenaBase : 0, startCount, passage ? passage.way : 0);
+    if (passage) {
+      const at = this.#request + layout.sp_request_passage;
+      this.words(at + layout.sp_passage_edge, 1)[0] = passage.edge;
+      this.writeDoubles(at + layout.sp_passage_beyond, [passage.beyond, passage.turn]);
+    }
     this.exports.sp_solve_path(surface, this.#request, this.#options, this.openArena(startBytes), this.#result);
     return readResult(this, this.#result, options.points + 2);
   }

@@ -18,12 +18,18 @@ export const sp_options_point_count = 20;
 export const sp_options_max_iterations = 24;
 export const sp_options_record = 28;
 
-export const sp_request_bytes = 64;
+export const sp_request_bytes = 80;
 export const sp_request_from = 0;
 export const sp_request_to = 24;
 export const sp_request_start = 48;
 export const sp_request_start_count = 52;
-export const sp_request_pole = 56;
+export const sp_request_passage = 56;
+
+export const sp_passage_bytes = 24;
+export const sp_passage_way = 0;
+export const sp_passage_edge = 4;
+export const sp_passage_beyond = 8;
+export const sp_passage_turn = 16;
 
 export const sp_iterate_bytes = 32;
 export const sp_iterate_energy = 0;
