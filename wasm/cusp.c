@@ -9,7 +9,7 @@
 static const double ROUNDING = 2e-15, ROUGH = 1e-4, ENOUGH = 0.02, MARGIN = 1.1, LOOSER = 1e4, TOUCHING = 1e-3, DOUBT = 2e-3, DOUBTFUL = 4;
 enum { CHECKS = 6, SEEDS = 5, SCAN = 64, MOST_BEYOND = 5, SETS = 4 };
 
-/* Node i of the given path at parameter t. */
+/* Where the given path is at parameter t. */
 static void given_place(const struct sp_system *given, double t, double place[2]) {
     double at[3];
     sp_sample_place(given, t, at);

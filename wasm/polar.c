@@ -13,7 +13,7 @@ static const double LEAST = 1e-8, LEAST_OF_TENSOR = 1e-5, INSIDE = 1e-12;
 
 static const struct sp_polar *polar_of(const struct sp_surface *surface) { return (const struct sp_polar *)surface; }
 
-/* u v at the distance r from the pole, in the direction of p, q. */
+/* u v at the distance r from the pole, in the direction `angle`, from the middle. */
 static void place_at(const struct sp_polar *polar, sp_pair r, sp_pair angle, sp_pair place[2]) {
     sp_pair outwards = polar->edge + polar->side * r, around = polar->middle + angle / polar->rate;
     place[0] = polar->across ? around : outwards, place[1] = polar->across ? outwards : around;

@@ -7,6 +7,7 @@ import { checkOptions } from '../arguments.js';
 import { readPoints } from './check.js';
 import { LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
+import { HALO, PATH } from './colours.js';
 
 /** @typedef {import('three').ColorRepresentation} Colour */
 /** @typedef {import('../path.js').Path} Path */
@@ -23,8 +24,6 @@ import { LineBuffers } from './line-buffers.js';
  */
 
 const NAMES = ['colour', 'width', 'halo', 'haloWidth', 'hidden', 'hiddenColour', 'dash'];
-const PATH = '#e8501f';
-const HALO = '#ffffff';
 const GAP = 2 / 3;
 /** The hidden part is thinner than the line, and half transparent. */
 const [THINNER, DIMMER] = [0.65, 0.55];

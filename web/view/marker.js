@@ -2,6 +2,7 @@
 
 import { Color, GreaterDepth, Group, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
 import { LIFT, liftOf } from './lift.js';
+import { HALO, PATH } from './colours.js';
 
 const VERTEX = /* glsl */ `
 uniform vec2 resolution;
@@ -41,14 +42,13 @@ const PASSES = [
   { depth: { depthFunc: GreaterDepth }, opacity: 0.5, hasRing: false },
 ];
 const ORDER = 10;
-const [COLOUR, RING] = ['#e8501f', '#ffffff'];
 const viewport = new Vector4();
 
 /** Add it beside the surface's mesh, its `position` that of the point. */
 export class Marker extends Group {
   #shape = new PlaneGeometry(2, 2);
   #resolution = new Vector2(1, 1);
-  #colours = { fill: new Color(COLOUR), ring: new Color(RING) };
+  #colours = { fill: new Color(PATH), ring: new Color(HALO) };
   #materials;
   /** Called each time it is drawn. @type {(camera: import('three').Camera, viewport: Vector4, renderer: import('three').WebGLRenderer) => void} */ onDraw =
     () => {};

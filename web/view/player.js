@@ -3,6 +3,7 @@
 import { Color } from 'three';
 import { checkOptions, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
+import { PATH, START } from './colours.js';
 
 /** @typedef {import('../path.js').Path} Path */
 
@@ -16,7 +17,6 @@ import { readPoints } from './check.js';
  */
 
 const NAMES = ['duration', 'cool', 'warm', 'reducedMotion', 'onFrame'];
-const [COOL, WARM] = ['#2f6fd6', '#e8501f'];
 
 /** Slow at both ends. @param {number} t in [0, 1] */
 const ease = (t) => (t < 0.5 ? 4 * t * t * t : 1 - (2 - 2 * t) ** 3 / 2);
@@ -62,7 +62,7 @@ export class PathPlayer {
    */
   constructor(line, path, options = {}) {
     checkOptions('PathPlayer', options, NAMES);
-    const { duration = 1200, cool = COOL, warm = WARM, reducedMotion, onFrame = () => {} } = options;
+    const { duration = 1200, cool = START, warm = PATH, reducedMotion, onFrame = () => {} } = options;
     if (!(duration >= 0 && duration < Infinity))
       refuseNumber('PathPlayer: options.duration', 'a finite number that is not negative', duration);
     this.#line = line;

@@ -4,6 +4,7 @@ import { DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vect
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
 import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
+import { HALO, PATH, START, SURFACE } from '../colours.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */
@@ -39,7 +40,7 @@ export class Stage {
   #isTurned = false;
   #request = 0;
   #redraw = () => this.invalidate();
-  /** @type {Theme} */ #theme = { surface: '#d3d9de', line: '#e8501f', start: '#2f6fd6', halo: '#ffffff' };
+  /** @type {Theme} */ #theme = { surface: SURFACE, line: PATH, start: START, halo: HALO };
 
   /** Throws where there is no WebGL. @param {HTMLCanvasElement} canvas */
   constructor(canvas) {

@@ -1,10 +1,12 @@
 /** The look of <surface-path>, as one constructed sheet for all: a strict Content-Security-Policy allows it. Custom properties are what a page may set. */
 
+import { PATH, START, SURFACE } from '../colours.js';
+
 const CSS = /* css */ `
 :host {
-  --surface: var(--surfpath-surface, #d3d9de);
-  --line: var(--surfpath-line, #e8501f);
-  --start: var(--surfpath-start, #2f6fd6);
+  --surface: var(--surfpath-surface, ${SURFACE});
+  --line: var(--surfpath-line, ${PATH});
+  --start: var(--surfpath-start, ${START});
   --halo: var(--surfpath-halo, #fbfbf9);
   --ink: var(--surfpath-ink, #23282d);
   --paper: var(--surfpath-paper, linear-gradient(#fbfbf9, #e9ecec));
