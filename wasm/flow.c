@@ -78,10 +78,20 @@ static double length_of(const struct sp_point *point, const double *vector) {
     return root(sp_metric_product(point->components, point->metric, v, v)[0]);
 }
 
+/* What it is at most, whichever way it points: beside the surface a metric need not be one. */
+static double most_of(const struct sp_point *point, const double *vector) {
+    sp_pair metric[SP_METRIC_COMPONENTS], v[3];
+    for (int32_t c = 0; c < point->components; c++)
+        metric[c] = sp_absolute(point->metric[c]);
+    for (int j = 0; j < 3; j++)
+        v[j] = sp_splat(absolute(vector[j]));
+    return root(sp_metric_product(point->components, metric, v, v)[0]);
+}
+
 struct sp_deviation sp_flow_measure(const struct sp_surface *surface, const struct sp_traveller *traveller, const double *change) {
     const struct sp_point *point = &traveller->point;
     const struct sp_form form = point->geometry.form;
-    if (surface->kind == SP_IMPLICIT) return (struct sp_deviation){length_of(point, change), length_of(point, change + SP_VELOCITY)};
+    if (surface->kind == SP_IMPLICIT) return (struct sp_deviation){most_of(point, change), most_of(point, change + SP_VELOCITY)};
     const double *velocity = traveller->state + SP_VELOCITY, *slope = change + SP_VELOCITY;
     sp_pair by[2] = {sp_splat(change[0]), sp_splat(change[1])}, w[2] = {sp_splat(velocity[0]), sp_splat(velocity[1])}, turn[2];
     turning(&point->geometry, w, by, turn);
@@ -102,7 +112,7 @@ double sp_flow_area(const struct sp_surface *surface, const struct sp_traveller 
 static struct sp_deviation find_rounding(const struct sp_surface *surface, const struct sp_traveller *traveller) {
     double place[3];
     store(sp_load(traveller->point.chart), place);
-    struct sp_deviation sum = {length_of(&traveller->point, place), 1};
+    struct sp_deviation sum = {most_of(&traveller->point, place), 1};
     for (int j = 0; j < 2 && surface->kind != SP_IMPLICIT; j++) {
         double change[SP_STATE] = {0};
         change[SP_PLACE + j] = traveller->state[SP_PLACE + j];

@@ -71,6 +71,7 @@ struct sp_result {
     double length_error;        /* estimate of |length - length of the geodesic|, never below 4e-15 length */
     double energy;              /* Eq. 19 */
     double gradient_norm;       /* |grad E| over all free unknowns */
+    double rounding;            /* what rounding of the coordinates alone may do to the length */
     double *points;             /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path or positions */
     double *parameters;         /* 2 (K + 2): u v; NULL for an implicit surface */
     struct sp_iterate *history; /* history_count entries */
@@ -184,21 +185,22 @@ SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);
 SP_AT(sp_iterate, decrement, 16);
 SP_AT(sp_iterate, step, 24);
-SP_SIZE(sp_result, 72);
+SP_SIZE(sp_result, 80);
 SP_AT(sp_result, length, 0);
 SP_AT(sp_result, length_error, 8);
 SP_AT(sp_result, energy, 16);
 SP_AT(sp_result, gradient_norm, 24);
-SP_AT(sp_result, points, 32);
-SP_AT(sp_result, parameters, 36);
-SP_AT(sp_result, history, 40);
-SP_AT(sp_result, record, 44);
-SP_AT(sp_result, status, 48);
-SP_AT(sp_result, iterations, 52);
-SP_AT(sp_result, index, 56);
-SP_AT(sp_result, touches_boundary, 60);
-SP_AT(sp_result, history_count, 64);
-SP_AT(sp_result, crosses_singularity, 68);
+SP_AT(sp_result, rounding, 32);
+SP_AT(sp_result, points, 40);
+SP_AT(sp_result, parameters, 44);
+SP_AT(sp_result, history, 48);
+SP_AT(sp_result, record, 52);
+SP_AT(sp_result, status, 56);
+SP_AT(sp_result, iterations, 60);
+SP_AT(sp_result, index, 64);
+SP_AT(sp_result, touches_boundary, 68);
+SP_AT(sp_result, history_count, 72);
+SP_AT(sp_result, crosses_singularity, 76);
 SP_SIZE(sp_trace_request, 56);
 SP_AT(sp_trace_request, from, 0);
 SP_AT(sp_trace_request, direction, 24);

@@ -8,7 +8,7 @@ import { isAtPole } from './domain.js';
 import { joinPieces, reverse } from './join.js';
 import { liftEnds, moveNear } from './lifts.js';
 import { isGeodesic, makePath, mostOf } from './path.js';
-import { findGlobal, findNear, isAfter, solveNear } from './routes.js';
+import { findGlobal, findNear, isAfter, poseNear, solveNear } from './routes.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED } from './runtime/status.js';
 import { findThrough } from './through.js';
@@ -36,8 +36,8 @@ function findPoint({ domain, positions }, ends, options) {
 
 /** Ends this near, in parts of their coordinates or of the rectangle, may be too near for points between them. */
 const NEAR = 1e-9;
-/** A length that is so many times what rounding leaves of it has room for them. */
-const ROOM = 1e5;
+/** A length that is so many times what rounding does to it has room for them; and an error that is so many times that is one of chords, across what curves. */
+const [ROOM, CHORDS] = [1e5, 4];
 
 /**
  * The path between two ends that are the same place, or so near that points between them would be mere rounding: half of its points are the one, half the other; null
@@ -49,8 +49,11 @@ function findRest(field, ends, options) {
   const [from, to] = domain ? liftEnds(domain, ends[0], ends[1], null) : ends;
   const size = from.map((x, j) => (domain ? Math.max(Math.abs(x), domain.upper[j] - domain.lower[j]) : Math.max(...from.map(Math.abs))));
   if (from.some((x, j) => !(Math.abs(x - to[j]) <= NEAR * size[j]))) return null;
-  const path = solveNear(field, ends, { ...options, algorithm: POLYLINE, points: 1 }, null);
-  if (!(path.length <= ROOM * path.lengthError)) return null;
+  const near = poseNear(field, ends, null);
+  const raw = near.solve({ ...options, algorithm: POLYLINE, points: 1 });
+  const { length, lengthError, rounding = 0 } = raw;
+  if (!(length <= ROOM * rounding && Math.min(length, lengthError) <= CHORDS * rounding)) return null;
+  const path = near.finish(raw);
   const isSame = from.every((x, j) => x === to[j]);
   const last = options.points + 1;
   const widen = (/** @type {Float64Array} */ three) =>
@@ -61,6 +64,7 @@ function findRest(field, ends, options) {
     });
   return {
     ...path,
+    lengthError: 2 * path.lengthError, // of two chords it may be a little too small
     ...(isSame && { length: 0, lengthError: 0, energy: 0, gradientNorm: 0 }),
     status: 'converged',
     converged: true,

@@ -44,17 +44,32 @@ const [PATIENCE, SLIPPING] = [40, 0.1];
 const LONGEST = 1.25;
 
 /**
+ * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.
+ * @param {Field} field @param {number[][]} ends @param {Float64Array | null} start null: straight
+ */
+export function poseNear({ kind, domain, run }, ends, start) {
+  const faced = facePoles(domain, ends[0], ends[1]);
+  const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
+  const request = { kind, from: lifted[0], to: lifted[1], start };
+  return {
+    solve: (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked)),
+    finish(/** @type {import('./runtime/result.js').RawPath} */ raw) {
+      const path = makePath(raw);
+      if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
+      return path;
+    },
+  };
+}
+
+/**
  * The locally shortest path near a start. One that comes to nothing near a pole may want to pass that on the other side, whereto no step in the rectangle
  * leads: then the shortest of those that pass it; and on a surface with branch points, the shortest through these.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight
  * @returns {Path}
  */
 export function solveNear(field, ends, options, start) {
-  const { kind, domain, run } = field;
-  const faced = facePoles(domain, ends[0], ends[1]);
-  const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
-  const request = { kind, from: lifted[0], to: lifted[1], start };
-  const solve = (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked));
+  const { domain } = field;
+  const { solve, finish } = poseNear(field, ends, start);
   const branches = branchesOf(field).length > 0;
   const mayPass = domain && (branches || domain.tips.length > 0) && options.algorithm === ELEMENTS;
   const isCut = mayPass && options.maxIterations > PATIENCE;
@@ -74,9 +89,7 @@ export function solveNear(field, ends, options, start) {
     passing = pass();
   }
   if (passing) return passing;
-  const path = makePath(near);
-  if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
-  return path;
+  return finish(near);
 }
 
 /**

@@ -127,6 +127,40 @@ describe('ends', () => {
     assert.ok(saddle.shortestPath([0.1 + 0.2, 0], [0.3, 0]).converged);
   });
 
+  test('ends near beside the coordinates, between which the surface curves: the whole way, to as many digits as the coordinates carry', () => {
+    const radius = 1e-6;
+    const solved = /** @type {[any, number[], number[], number][]} */ ([
+      [{ kind: 'graph', z: 'sin(x)', x: [-1e10, 1e10], y: [-1, 1] }, [0, 0], [5, 0], 6.02176183182551],
+      [{ kind: 'metric', E: '2+sin(3u)', F: 0, G: 1, u: [-1e9, 1e9], v: [-1, 1] }, [0, 0], [2, 0], 2.7838992780331204],
+      [
+        { kind: 'implicit', f: `(x-1000)^2+y^2+z^2-${radius ** 2}` },
+        [1000, radius, 0],
+        [1000, radius * Math.cos(1.5), radius * Math.sin(1.5)],
+        1.5 * radius,
+      ],
+      [
+        { kind: 'implicit', f: '(x-500000)^2+(y-5400000)^2+(z-300)^2-1e-6' },
+        [500000.001, 5400000, 300],
+        [500000, 5400000, 300.001],
+        (1e-3 * Math.PI) / 2,
+      ],
+    ]).map(([definition, from, to, length]) => {
+      const surface = surfpath.surface(definition);
+      const path = surface.shortestPath(from, to);
+      surface.dispose();
+      return { path, length };
+    });
+    for (const { path, length } of solved) {
+      assert.ok(
+        path.converged && Math.abs(path.length - length) <= path.lengthError + 1e-14,
+        `${path.length} +- ${path.lengthError}, not ${length}`,
+      );
+      const [places, width] = path.parameters ? [path.parameters, 2] : [path.points, 3];
+      assert.equal(new Set(Array.from({ length: 66 }, (_, i) => places.slice(width * i, width * (i + 1)).join())).size, 66);
+      assert.ok(path.lengthError <= 1e-5 * length, `${path.lengthError}`);
+    }
+  });
+
   test('an end beside an implicit surface is moved onto it, one far from it is off-surface', () => {
     const near = sphere.shortestPath([1.1, 0, 0], [0, 0.95, 0]);
     assert.equal(near.status, 'converged');

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { loadCases } from '../helpers/cases.js';
+import { createRandom } from '../helpers/random.js';
 
 const surfpath = await load();
 const make = (/** @type {any} */ definition) => surfpath.surface(definition);
@@ -171,4 +172,36 @@ test('a metric that is none, at the start and ahead, is singular', () => {
   for (const own of [{ density: 'x' }, { density: '-1' }, { metric: { E: 'u', F: 0, G: 1 } }])
     assert.equal(make({ ...plane, ...own }).trace([-0.5, 0.1], [1, 0.1], 1).status, 'singular-metric', JSON.stringify(own));
   assert.equal(make({ ...plane, metric: { E: 'u', F: 0, G: 1 } }).trace([0.5, 0.1], [-1, 0], 2).status, 'singular-metric');
+});
+
+test('a hyperboloid in the space of special relativity, whose metric is one on the surface only: the hyperbolic plane, seed 4', () => {
+  const random = createRandom(4);
+  const metric = { xx: 1, xy: 0, xz: 0, yy: 1, yz: 0, zz: -1 };
+  const plane = make({
+    kind: 'implicit',
+    f: 'x^2 + y^2 - z^2 + 1',
+    bounds: [
+      [-9, 9],
+      [-9, 9],
+      [0.5, 13],
+    ],
+    metric,
+  });
+  for (let i = 0; i < 20; i++) {
+    const [x, y, angle, length] = [
+      random.between(-2, 2),
+      random.between(-2, 2),
+      random.between(-Math.PI, Math.PI),
+      random.between(0.1, 1.2),
+    ];
+    const [z, p, q] = [Math.sqrt(1 + x * x + y * y), Math.cos(angle), Math.sin(angle)];
+    const direction = [p, q, (x * p + y * q) / z];
+    const speed = Math.sqrt(1 - direction[2] ** 2);
+    const path = plane.trace([x, y, z], direction, length);
+    const end = [x, y, z].map((at, j) => at * Math.cosh(length) + (direction[j] / speed) * Math.sinh(length));
+    assert.ok(path.converged && apart(path.points.slice(-3), end) <= 1e-9, `${path.status} ${path.points.slice(-3)}, not ${end}`);
+    const back = plane.shortestPath([x, y, z], end);
+    assert.ok(back.converged && Math.abs(back.length - length) <= 1e-8, `${back.status} ${back.length}, not ${length}`);
+  }
+  plane.dispose();
 });

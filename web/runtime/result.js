@@ -12,6 +12,7 @@ import {
   sp_result_parameters,
   sp_result_points,
   sp_result_record,
+  sp_result_rounding,
   sp_result_status,
   sp_result_touches_boundary,
   sp_trace_result_points,
@@ -26,6 +27,7 @@ import {
  * @property {number} lengthError
  * @property {number} energy
  * @property {number} gradientNorm
+ * @property {number} [rounding] what rounding of the coordinates alone may do to the length
  * @property {number} iterations
  * @property {number} index
  * @property {boolean} touchesBoundary
@@ -67,6 +69,7 @@ export function readResult(memory, at, count) {
     lengthError: doubles[(at + sp_result_length_error) >> 3],
     energy: doubles[(at + sp_result_energy) >> 3],
     gradientNorm: doubles[(at + sp_result_gradient_norm) >> 3],
+    rounding: doubles[(at + sp_result_rounding) >> 3],
     iterations: word(sp_result_iterations),
     index: word(sp_result_index),
     touchesBoundary: word(sp_result_touches_boundary) !== 0,
