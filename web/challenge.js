@@ -1,6 +1,7 @@
 /** Whether a path can be the shortest, where ways of the graph were not followed: these are measured on the surface itself. */
 
 import { holds, leaps, MARGIN } from './candidates.js';
+import { isJudged } from './rough.js';
 import { STALLED } from './runtime/status.js';
 import { gap } from './vector.js';
 
@@ -20,7 +21,8 @@ const [MOST_MEASURED, MOST_PARTS] = [8, 512];
  */
 export function challenge(problem, options, best, tried) {
   const { isPlain, positions, solve } = problem;
-  let path = best;
+  let path = besideStraight(problem, options, best, tried);
+  if (!holds({ path })) return path;
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
@@ -35,6 +37,20 @@ export function challenge(problem, options, best, tried) {
     if (holds({ path: shorter }) && shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
   }
   return isShorter(least) ? { ...path, status: STALLED } : path;
+}
+
+/**
+ * The path, or that of the straight line, where few chords strayed from this and it is shorter, or what was found is none and not surely shorter.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ */
+function besideStraight(problem, options, best, tried) {
+  const isPath = holds({ path: best });
+  const isTried = (/** @type {Tried} */ one) => isPath && holds(one) && isJudged(problem, one.path);
+  const line = problem.domain && !problem.branches.length && tried.find((one) => !one.start && !isTried(one));
+  const straight = line && problem.solve(line.to, null, options);
+  if (!straight || !holds({ path: straight }) || leaps(problem, straight)) return best;
+  const most = isPath ? best.length * (1 - MARGIN) : (best.length + best.lengthError) * (1 + MARGIN);
+  return straight.length >= most ? best : straight;
 }
 
 /** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */

@@ -90,7 +90,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))
     return [asAsked(corner, options)];
-  return most === 1 && holds({ path: found[0] }) ? [challenge(problem, options, found[0], tried)] : found;
+  return most === 1 ? [challenge(problem, options, found[0], tried)] : found;
 }
 
 /**

@@ -27,6 +27,8 @@ const MOST_OF_A_TURN = 0.75;
 const SHARP = 0.05;
 /** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
 const BESIDE_STEPS = 60;
+/** Over a pole it takes 105 at most, if there is a path: under a density paths wind into some cusps for ever. */
+const OVER_STEPS = 120;
 
 /**
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
@@ -46,7 +48,8 @@ export function overPoles(problem, options, tried, rough) {
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound, at }) => bound <= (1 + MARGIN) * lengthOfShortest(rough) || comesNear(rough[0].path, at))
     .map((tip) => {
-      const again = (/** @type {SolveOptions} */ asked) => solveAt(problem, tip, true, tip.to, null, asked);
+      const again = (/** @type {SolveOptions} */ asked) =>
+        solveAt(problem, tip, true, tip.to, null, { ...asked, maxIterations: Math.min(asked.maxIterations, OVER_STEPS) });
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
       return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })

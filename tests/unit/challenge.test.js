@@ -60,6 +60,19 @@ describe('a way that was not followed', () => {
     assert.equal(challenge(problem, OPTIONS, best, [tried(corner, SHEET_JUMP)]), best);
   });
 
+  test('the straight line that few chords strayed from: its path, if that is shorter', () => {
+    const straight = { ...tried(corner, STALLED, 7), start: null };
+    for (const [length, shortest] of [
+      [6, 6],
+      [9, 8],
+    ]) {
+      const { problem, asked } = plane(path(CONVERGED, length));
+      const flat = { ...problem, domain: { poles: [], tips: [], periodic: [false, false] }, branches: [] };
+      assert.equal(challenge(anything(flat), OPTIONS, best, [straight]).length, shortest);
+      assert.equal(asked.length, 1);
+    }
+  });
+
   test('straight starts, and paths that hold, are none', () => {
     const { problem, asked } = plane(path(STALLED, 6));
     const straight = { ...tried(corner, SHEET_JUMP), start: null };

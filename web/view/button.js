@@ -12,6 +12,7 @@
 /** CSS pixels: what a mouse and what a finger can hit. */
 const [FINE, COARSE] = [24, 44];
 const FAST = 5;
+const NAME = 'surfpath-handle';
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -31,7 +32,7 @@ export class HandleButton {
     this.#canvas = canvas;
     this.#gestures = gestures;
     this.element.type = 'button';
-    this.element.className = 'surfpath-handle';
+    this.element.className = NAME;
     this.element.setAttribute('aria-label', label);
     this.element.setAttribute('aria-description', 'Drag it, or use the arrow keys');
     Object.assign(this.element.style, {
@@ -40,7 +41,10 @@ export class HandleButton {
       ...{ background: 'none', cursor: 'grab', touchAction: 'none', visibility: 'hidden' },
     });
     this.#resize(matchMedia('(pointer: coarse)').matches ? COARSE : FINE);
-    canvas.after(this.element);
+    // After those that are there: the tabulator goes from the first to the last.
+    let last = canvas;
+    while (last.nextElementSibling?.classList.contains(NAME)) last = /** @type {HTMLElement} */ (last.nextElementSibling);
+    last.after(this.element);
     this.#listen();
   }
 
@@ -84,6 +88,11 @@ export class HandleButton {
     this.element.style.cursor = 'grab';
     this.#gestures.release();
     this.#highlight();
+  }
+
+  /** Ends a drag, as if it were let go. */
+  letGo() {
+    if (this.#pointer !== null) this.element.releasePointerCapture(this.#pointer);
   }
 
   /** @param {PointerEvent} event @param {boolean} on */

@@ -27,6 +27,22 @@ import { describePath, describeProblem } from './element/words.js';
 /** What must be done again, from the least to the most. */
 const [LOOK, PATH, SURFACE] = [1, 2, 3];
 
+/** @param {Element} element @param {string} name @param {string | null | undefined} value */
+function reflect(element, name, value) {
+  if (value === null || value === undefined) element.removeAttribute(name);
+  else element.setAttribute(name, value);
+}
+
+/** What was set before the element was defined does not reach its setters: set it again. @param {any} element */
+function adopt(element) {
+  for (const name of ['definition', 'from', 'to', 'path', 'animate']) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value = element[name];
+    delete element[name];
+    element[name] = value;
+  }
+}
+
 const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
 
 /**
@@ -70,9 +86,14 @@ export class SurfacePathElement extends Base {
     root.append(this.#canvas, this.#words);
   }
 
-  /** The path that was computed last; null before, and after an error. */
+  /** The path that was computed last; null before, and after an error. @returns {Path | null} */
   get path() {
     return this.#path;
+  }
+
+  /** @param {string | null} formulas the attribute of a sweep, which has the same name: frameworks set attributes as properties where there are such */
+  set path(formulas) {
+    reflect(this, 'path', formulas);
   }
 
   /** The definition of the surface: what was set, else what the attributes say. Throws as that may. @returns {AnyDefinition} */
@@ -112,15 +133,38 @@ export class SurfacePathElement extends Base {
     const text = point && (typeof point === 'string' ? point : Array.from(point).join(','));
     /* A framework may set what is there each time it draws. */
     if (text === this.getAttribute(name) && String(this.#ends[end]) === String(this.#asked[end])) return;
-    if (text) this.setAttribute(name, text);
-    else this.removeAttribute(name);
+    reflect(this, name, text || null);
     delete this.#asked[end];
     this.#renew(PATH);
   }
 
+  /**
+   * @overload @param {'path'} type @param {(this: SurfacePathElement, event: CustomEvent<Path>) => void} listener @param {boolean | AddEventListenerOptions} [options]
+   * @returns {void}
+   */
+  /**
+   * @overload @param {'error'} type @param {(this: SurfacePathElement, event: CustomEvent<Error>) => void} listener @param {boolean | AddEventListenerOptions} [options]
+   * @returns {void}
+   */
+  /**
+   * @template {keyof HTMLElementEventMap} K
+   * @overload @param {K} type @param {(this: SurfacePathElement, event: HTMLElementEventMap[K]) => void} listener @param {boolean | AddEventListenerOptions} [options]
+   * @returns {void}
+   */
+  /**
+   * @overload @param {string} type @param {EventListenerOrEventListenerObject | null} listener @param {boolean | AddEventListenerOptions} [options]
+   * @returns {void}
+   */
+  /** As everywhere; here the types know what events of the element bring. @param {string} type @param {any} listener @param {boolean | AddEventListenerOptions} [options] */
+  addEventListener(type, listener, options) {
+    super.addEventListener(type, listener, options);
+  }
+
   connectedCallback() {
     this.#connection = new AbortController();
+    adopt(this);
     watch(this, this.#connection.signal, {
+      print: () => this.#print(),
       see: (isVisible) => this.#see(isVisible),
       resize: () => this.#stage?.resize(this.clientWidth, this.clientHeight),
       repaint: () => this.#stage?.setTheme(readTheme(this)),
@@ -219,6 +263,15 @@ export class SurfacePathElement extends Base {
     if (this.#path) this.dispatchEvent(new CustomEvent('path', { detail: this.#path }));
   }
 
+  /** What was never on screen is not drawn yet. */
+  #print() {
+    const was = this.#isVisible;
+    this.#isVisible = true;
+    this.#show();
+    this.#isVisible = was;
+    this.#stage?.print();
+  }
+
   /** @param {boolean} isVisible on screen */
   #see(isVisible) {
     this.#isVisible = isVisible;
@@ -294,5 +347,15 @@ export class SurfacePathElement extends Base {
     this.dispatchEvent(new CustomEvent('error', { detail }));
   }
 }
+
+/* The attribute `animate` has the name of a method of all elements. React sets attributes as properties where there are such: set, it is the attribute. */
+Object.defineProperty(SurfacePathElement.prototype, 'animate', {
+  configurable: true,
+  get: () => Base.prototype.animate,
+  /** @this {SurfacePathElement} @param {unknown} on */
+  set(on) {
+    this.toggleAttribute('animate', on !== null && on !== undefined && on !== false);
+  },
+});
 
 if (globalThis.customElements && !customElements.get('surface-path')) customElements.define('surface-path', SurfacePathElement);

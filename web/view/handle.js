@@ -111,12 +111,13 @@ export class DragHandle extends Group {
   }
 
   /**
-   * Puts it on another surface, or on the same one after `surface.set`.
+   * Puts it on another surface, where a drag ends, or on the same one after `surface.set`.
    * @param {Surface} surface @param {ArrayLike<number>} [point] default: where it is
    * @param {import('three').Mesh} [mesh] default: an own one
    */
   setSurface(surface, point = this.#point, mesh = undefined) {
     checkDrawable('DragHandle', surface);
+    if (surface !== this.#surface) this.#button.letGo();
     this.#put(surface, point);
     this.#picker?.dispose();
     this.#picker = null;

@@ -40,12 +40,14 @@ export class Stage {
   #isTurned = false;
   #request = 0;
   #redraw = () => this.invalidate();
+  #listening = new AbortController();
   /** @type {Theme} */ #theme = { surface: SURFACE, line: PATH, start: START, halo: HALO };
 
   /** Throws where there is no WebGL. @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     acquireRenderer(this.#redraw);
     this.#canvas = canvas;
+    this.#listen();
     this.#camera.up.set(0, 0, 1);
     const sky = new HemisphereLight('#ffffff', '#b9b2a6', 1.45);
     sky.position.set(0, 0, 1);
@@ -55,6 +57,22 @@ export class Stage {
     fill.position.set(1, -0.2, 0.5);
     this.#camera.add(key, key.target, fill, fill.target);
     this.#scene.add(this.#camera, sky, this.#line);
+  }
+
+  /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held by a view on his way past it. */
+  #listen() {
+    const { signal } = this.#listening;
+    let isPressed = false;
+    const press = (/** @type {boolean} */ on) => () => {
+      isPressed = on;
+      if (this.#controls) this.#controls.enableZoom = true;
+    };
+    const weigh = (/** @type {WheelEvent} */ event) => {
+      if (this.#controls) this.#controls.enableZoom = isPressed || event.ctrlKey || event.metaKey;
+    };
+    this.#canvas.addEventListener('pointerdown', press(true), { signal, capture: true });
+    this.#canvas.addEventListener('pointerleave', press(false), { signal });
+    this.#canvas.addEventListener('wheel', weigh, { signal, capture: true });
   }
 
   /** Whether there is a surface to look at. */
@@ -160,6 +178,8 @@ export class Stage {
     if (on === (this.#controls !== null)) return;
     this.#controls?.dispose();
     this.#controls = on ? new OrbitControls(this.#camera, this.#canvas) : null;
+    // The page scrolls on under a finger that moves up or down.
+    if (on) this.#canvas.style.touchAction = 'pan-y';
     this.#controls?.addEventListener('change', () => this.invalidate());
     this.#controls?.addEventListener('start', () => {
       this.#isTurned = true;
@@ -202,6 +222,14 @@ export class Stage {
     else this.#player.finish();
   }
 
+  /** Draws at once, on screen or not. */
+  print() {
+    const was = this.#isVisible;
+    this.#isVisible = true;
+    this.#draw();
+    this.#isVisible = was;
+  }
+
   /** Draws in the next frame, if it is on screen then. */
   invalidate() {
     if (this.#isVisible && !this.#request) this.#request = requestAnimationFrame(() => this.#draw());
@@ -232,6 +260,7 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.#request);
     this.#isVisible = false;
+    this.#listening.abort();
     this.#player.dispose();
     this.#dropEnds();
     this.#controls?.dispose();
