@@ -66,7 +66,13 @@ before(async () => {
   await mkdir(SCREENSHOTS, { recursive: true });
   const spacer = '<div id="spacer"></div>';
   const far = '<surface-path id="far" surface="sphere" colour="curvature"></surface-path>';
-  site = await serveSite({ page: pageOf(TORUS + HILL + spacer + far), empty: pageOf('') });
+  const late = pageOf(
+    '<surface-path id="late"></surface-path><surface-path id="sweep" s="-pi,0" t="0,3" profile="cos(s);sin(s)" from="-3,0.2" to="-0.2,2.8"></surface-path>',
+  );
+  site = await serveSite({
+    ...{ page: pageOf(TORUS + HILL + spacer + far), empty: pageOf('') },
+    late: late.replace(/<script type="module".*<\/script>/, ''),
+  });
   browser = await openBrowser([], COARSE);
   await browser.context.addInitScript(watch);
   ({ page, complaints } = await openPage(browser.context, `${site.address}/page`));
@@ -408,6 +414,81 @@ test('moved in the page it goes on', async () => {
   await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count, before);
   await nextFrame(page);
   assert.equal((await lastEvent())[1], 'path');
+});
+
+test('properties set before the element is defined, and those that have the names of attributes, as React sets them', async () => {
+  const late = await browser.context.newPage();
+  await late.goto(`${site.address}/late`);
+  const answer = await late.evaluate(async () => {
+    const [plain, sweep] = /** @type {any[]} */ ([...document.querySelectorAll('surface-path')]);
+    Object.assign(plain, { definition: { kind: 'graph', z: 'x*y', x: [-1, 1], y: [-1, 1] }, from: [-1, 0], to: [1, 0.5], animate: true });
+    sweep.path = '5cos(t);5sin(t);t';
+    const both = [plain, sweep].map((element) => new Promise((resolve) => element.addEventListener('path', resolve, { once: true })));
+    // @ts-expect-error a file of the page's
+    await import('/dist/element.js');
+    const [length] = (await Promise.all(both)).map(({ detail }) => detail.length);
+    plain.animate = false;
+    return [
+      ...[length === plain.path.length, plain.hasAttribute('animate'), typeof plain.animate, Object.keys(plain).length],
+      ...[sweep.getAttribute('path'), sweep.path.converged],
+    ];
+  });
+  await late.close();
+  assert.deepEqual(answer, [true, false, 'function', 0, '5cos(t);5sin(t);t', true]);
+});
+
+test('the tabulator goes from the start to the end', async () => {
+  const labels = await page.$eval('#torus', (element) =>
+    Array.from(element.shadowRoot?.querySelectorAll('button') ?? [], (button) => button.getAttribute('aria-label')),
+  );
+  assert.deepEqual(labels, ['Start of the path', 'End of the path']);
+});
+
+test('a wheel on its way past scrolls the page; pressed before, it turns the view larger; a finger scrolls, too', async () => {
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.$eval('#torus', (element) => element.scrollIntoView());
+  const box = await page.locator('#torus').boundingBox();
+  assert.ok(box);
+  const wheel = async () => {
+    const from = await page.evaluate(() => scrollY);
+    await page.mouse.wheel(0, 60);
+    await page.waitForTimeout(300);
+    return (await page.evaluate(() => scrollY)) - from;
+  };
+  await page.mouse.move(box.x + 20, box.y + 40);
+  assert.ok((await wheel()) > 0);
+  await page.evaluate(() => scrollBy(0, -60));
+  await page.mouse.click(box.x + 20, box.y + 40);
+  assert.equal(await wheel(), 0);
+  await page.mouse.move(0, 0);
+  assert.equal(
+    await page.$eval(
+      '#torus',
+      (element) => getComputedStyle(/** @type {Element} */ (element.shadowRoot?.querySelector('canvas'))).touchAction,
+    ),
+    'pan-y',
+  );
+});
+
+test('what was never on screen is printed', async () => {
+  const printed = await browser.context.newPage();
+  await printed.goto(`${site.address}/page`);
+  await printed.$eval('#spacer', (element) => {
+    element.setAttribute('style', 'height: 3000px');
+    scrollTo(0, 0);
+  });
+  await printed.waitForFunction(() => /** @type {any} */ (window).seen.events.length >= 3);
+  await nextFrame(printed);
+  const isDrawn = () =>
+    printed.$eval('#far', (element) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (element.shadowRoot?.querySelector('canvas'));
+      const context = canvas.getContext('2d');
+      return context?.getImageData(0, 0, canvas.width, canvas.height).data.some((x) => x > 0);
+    });
+  const before = await isDrawn();
+  await printed.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  assert.deepEqual([before, await isDrawn()], [false, true]);
+  await printed.close();
 });
 
 test('the console stayed silent', () => {
