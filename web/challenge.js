@@ -45,12 +45,11 @@ export function challenge(problem, options, best, tried) {
  */
 function besideStraight(problem, options, best, tried) {
   const isPath = holds({ path: best });
-  const isTried = (/** @type {Tried} */ one) => isPath && holds(one) && isJudged(problem, one.path);
-  const line = problem.domain && !problem.branches.length && tried.find((one) => !one.start && !isTried(one));
-  const straight = line && problem.solve(line.to, null, options);
-  if (!straight || !holds({ path: straight }) || leaps(problem, straight)) return best;
-  const most = isPath ? best.length * (1 - MARGIN) : (best.length + best.lengthError) * (1 + MARGIN);
-  return straight.length >= most ? best : straight;
+  const line =
+    problem.domain && !problem.branches.length && tried.find((one) => !one.start && !(isPath && holds(one) && isJudged(problem, one.path)));
+  const straight = line ? problem.solve(line.to, null, options) : best;
+  const most = isPath ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
 }
 
 /** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */

@@ -86,18 +86,20 @@ function describeEdges(glued, written, surface) {
   return { ...glued, written: { lower: written.lower, upper: written.upper }, poles, tips, around, pinches: null };
 }
 
+/** After more the numbers' last digits are a millionth of a turn. */
+const MOST_TURNS = 1e9;
+
 /**
- * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction.
+ * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction, as far as numbers tell one place of a turn from the next.
  * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages
  */
 export function enterDomain({ lower, upper, periodic }, point, name) {
   return point.map((x, j) => {
     const [low, high] = [lower[j], upper[j]];
-    const slack = 1e-12 * (high - low);
-    if (periodic[j]) return x;
+    const slack = (periodic[j] ? MOST_TURNS : 1e-12) * (high - low);
     if (x < low - slack || x > high + slack)
       throw new RangeError(`${name}[${j}] = ${x} lies outside the range of ${'uv'[j]}, [${low}, ${high}]`);
-    return Math.min(Math.max(x, low), high);
+    return periodic[j] ? x : Math.min(Math.max(x, low), high);
   });
 }
 

@@ -30,6 +30,9 @@ const BESIDE_STEPS = 60;
 /** Over a pole it takes 105 at most, if there is a path: under a density paths wind into some cusps for ever. */
 const OVER_STEPS = 120;
 
+/** No more steps than so many. @param {SolveOptions} options @param {number} steps @returns {SolveOptions} */
+const within = (options, steps) => ({ ...options, maxIterations: Math.min(options.maxIterations, steps) });
+
 /**
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the
  * shortest. Over a hole none leads: it tells how short a way around it may be; where the surface is smooth, nothing needs to be told. Those that
@@ -48,8 +51,7 @@ export function overPoles(problem, options, tried, rough) {
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
     .filter(({ bound, at }) => bound <= (1 + MARGIN) * lengthOfShortest(rough) || comesNear(rough[0].path, at))
     .map((tip) => {
-      const again = (/** @type {SolveOptions} */ asked) =>
-        solveAt(problem, tip, true, tip.to, null, { ...asked, maxIterations: Math.min(asked.maxIterations, OVER_STEPS) });
+      const again = (/** @type {SolveOptions} */ asked) => solveAt(problem, tip, true, tip.to, null, within(asked, OVER_STEPS));
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));
       return { ...tip, again, path: tip.beyond > 0 ? { ...path, status: STALLED } : path };
     })
@@ -90,7 +92,7 @@ function solveAt({ from, domain, solve }, { pole, beyond, smooth }, isOver, to, 
  */
 export function besidePoles(problem, options, ways, others) {
   let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
-  const asked = compared({ ...options, maxIterations: Math.min(options.maxIterations, BESIDE_STEPS) });
+  const asked = compared(within(options, BESIDE_STEPS));
   /** @type {Found[]} */
   const found = [];
   for (const tip of ways) {

@@ -60,7 +60,7 @@ export const stallsAtBranch = ({ branches }, { coarse }) => coarse.status === ST
  */
 export function solveRoughly(problem, { to, start }, tried) {
   const coarse = problem.solve(to, start, { ...ROUGHLY, points: ROUGH[0] });
-  const more = (start || tried.length === 0) && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
+  const more = (start || !tried.length) && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
   const one = { to, start, path: coarse, coarse };
   return more ? solveFiner(problem, one) : one;
 }

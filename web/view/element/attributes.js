@@ -147,12 +147,12 @@ export function readOptions(attribute) {
     const text = attribute(name);
     if (text !== null) [options[name]] = readNumbers(name, text);
   }
-  for (const name of ['algorithm', 'start']) {
-    const text = attribute(name);
-    if (text !== null) options[name] = text;
-  }
-  const via = attribute('via');
-  if (via !== null) options.via = via.split(';').map((point) => readNumbers('via', point));
+  const algorithm = attribute('algorithm');
+  if (algorithm !== null) options.algorithm = algorithm;
+  const [via, start] = ['via', 'start'].map(attribute);
+  const points = (/** @type {string} */ name, /** @type {string} */ text) => text.split(';').map((point) => readNumbers(name, point));
+  if (via !== null) options.via = points('via', via);
+  if (start !== null) options.start = start.includes(';') ? points('start', start).flat() : start;
   return options;
 }
 
