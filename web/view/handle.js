@@ -1,7 +1,7 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import { checkOptions } from '../arguments.js';
+import { checkOptions, refuse } from '../arguments.js';
 import { HandleButton } from './button.js';
 import { checkDrawable } from './check.js';
 import { Marker } from './marker.js';
@@ -100,10 +100,11 @@ export class DragHandle extends Group {
   /** @param {Surface} surface @param {ArrayLike<number>} point */
   #put(surface, point) {
     const given = Array.from(point);
+    if (given.length !== (surface.domain ? 2 : 3))
+      refuse('DragHandle: point', surface.domain ? 'two numbers, u v' : 'three numbers, x y z', point);
     const place = surface.domain ? given : surface.project(given);
     const position = surface.domain ? surface.evaluate(place) : place;
-    if (place.length !== (surface.domain ? 2 : 3) || ![0, 1, 2].every((k) => Number.isFinite(position[k])))
-      throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
+    if (![0, 1, 2].every((k) => Number.isFinite(position[k]))) throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
     this.#surface = surface;
     this.#point = place;
     this.position.set(position[0], position[1], position[2]);

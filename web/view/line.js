@@ -3,7 +3,7 @@
 import { GreaterDepth, Group, Vector3 } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { checkOptions } from '../arguments.js';
+import { checkOptions, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
 import { LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
@@ -84,6 +84,8 @@ export class GeodesicLine extends Group {
     this.add(this.#body);
     checkOptions('GeodesicLine', options, NAMES);
     const { colour = PATH, width = 4, halo = HALO, haloWidth = 1.5, hidden = true, hiddenColour = colour, dash = 7 } = options;
+    for (const [name, pixels] of Object.entries({ width, haloWidth, dash }))
+      if (!(Number.isFinite(pixels) && pixels >= 0)) refuseNumber(`GeodesicLine: options.${name}`, 'a number of pixels, 0 or more', pixels);
     this.#isHiddenOwn = options.hiddenColour !== undefined;
     const border = halo === null ? 0 : haloWidth;
     this.#lift.value = liftOf(width / 2 + border);
