@@ -35,6 +35,9 @@ export const POLYLINE = 1;
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 export const MARGIN = 1e-3;
 
+/** No more steps than so many. @param {SolveOptions} options @param {number} steps @returns {SolveOptions} */
+export const within = (options, steps) => ({ ...options, maxIterations: Math.min(options.maxIterations, steps) });
+
 /** What is compared has so many points, however many are asked for: which path it is must not depend on that. */
 export const COMPARED_POINTS = 64;
 

@@ -1,7 +1,7 @@
 /** Whether a path can be the shortest, where ways of the graph were not followed: these are measured on the surface itself. */
 
-import { holds, leaps, MARGIN } from './candidates.js';
-import { isJudged } from './rough.js';
+import { holds, leaps, MARGIN, within } from './candidates.js';
+import { estimate } from './distinct.js';
 import { STALLED } from './runtime/status.js';
 import { gap } from './vector.js';
 
@@ -12,6 +12,8 @@ import { gap } from './vector.js';
 
 /** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
 const [MOST_MEASURED, MOST_PARTS] = [8, 512];
+/** What the straight line leads to it leads to in as many steps. */
+const STEPS = 100;
 
 /**
  * The path, or one that is shorter, of a way that could not be followed roughly. Where such a way is shorter than all that were found there is a shorter path,
@@ -44,11 +46,9 @@ export function challenge(problem, options, best, tried) {
  * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
  */
 function besideStraight(problem, options, best, tried) {
-  const isPath = holds({ path: best });
-  const line =
-    problem.domain && !problem.branches.length && tried.find((one) => !one.start && !(isPath && holds(one) && isJudged(problem, one.path)));
-  const straight = line ? problem.solve(line.to, null, options) : best;
-  const most = isPath ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  const most = holds({ path: best }) ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && estimate(path) < most);
+  const straight = line ? problem.solve(line.to, null, within(options, STEPS)) : best;
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
 }
 

@@ -3,7 +3,7 @@
  * Knows which ones are worth a solve; the solver knows how.
  */
 
-import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, solveFrom } from './candidates.js';
+import { asAsked, compared, ELEMENTS, holds, leaps, lengthOfShortest, MARGIN, solveFrom, within } from './candidates.js';
 import { comesNear } from './distinct.js';
 import { isAtPole } from './domain.js';
 import { copies, liftNear } from './lifts.js';
@@ -29,9 +29,6 @@ const SHARP = 0.05;
 const BESIDE_STEPS = 60;
 /** Over a pole it takes 105 at most, if there is a path: under a density paths wind into some cusps for ever. */
 const OVER_STEPS = 120;
-
-/** No more steps than so many. @param {SolveOptions} options @param {number} steps @returns {SolveOptions} */
-const within = (options, steps) => ({ ...options, maxIterations: Math.min(options.maxIterations, steps) });
 
 /**
  * Ways over a pole, which no chart shows as stationary, shortest first. One with a corner, `stalled`, is no geodesic; but what is longer is not the

@@ -61,7 +61,7 @@ describe('a way that was not followed', () => {
   });
 
   test('the straight line that few chords strayed from: its path, if that is shorter', () => {
-    const straight = { ...tried(corner, STALLED, 7), start: null };
+    const straight = { ...tried(corner, STALLED, 7), start: null, path: { ...path(STALLED, 7), lengthError: 0 } };
     for (const [length, shortest] of [
       [6, 6],
       [9, 8],
