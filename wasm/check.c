@@ -106,7 +106,7 @@ static double halving_error(const struct sp_polyline *line, double length) {
     for (int32_t i = 0; i <= last; i += i + 2 > last && i < last ? 1 : 2) {
         for (int32_t j = 0; j < 3; j++)
             here[j] = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, j);
-        sum += i ? distance(here, before) : 0;
+        sum += i ? distance_between(here, before) : 0;
         for (int j = 0; j < 3; j++)
             before[j] = here[j];
     }

@@ -51,7 +51,7 @@ static double cosine_of(const struct chord *chord) {
 /* Whether the normals differ however near the two ends come to each other on the surface: a crease between them. On two sheets they stay
  * apart. */
 static int spans_crease(const struct sp_polyline *line, struct chord chord, double scale) {
-    double near = NEAR_CREASE * distance(chord.at[0], chord.at[1]) + 1e-14 * scale;
+    double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale;
     for (int i = 0; i < BISECTIONS; i++) {
         struct chord halves[2] = {chord, chord};
         if (!halve(line, &chord, scale, halves[0].at[1], halves[0].normal[1])) return 0;
@@ -60,7 +60,7 @@ static int spans_crease(const struct sp_polyline *line, struct chord chord, doub
         chord = halves[cosine_of(halves + 1) < cosine_of(halves)];
         if (!(cosine_of(&chord) < SMOOTH_COSINE)) return 0;
     }
-    return distance(chord.at[0], chord.at[1]) <= near;
+    return distance_between(chord.at[0], chord.at[1]) <= near;
 }
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
@@ -71,13 +71,13 @@ static void mend_normals(const struct sp_polyline *line, double length, struct c
 }
 
 static enum sp_status check_implicit(const struct sp_polyline *line, struct chord *chord, double scale) {
-    double length = distance(chord->at[0], chord->at[1]), half[3], settled[3], normal[3];
+    double length = distance_between(chord->at[0], chord->at[1]), half[3], settled[3], normal[3];
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, length, chord);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_crease(line, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!halve(line, chord, scale, settled, normal)) return SP_SHEET_JUMP;
-    return distance(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
+    return distance_between(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }
 
 /* The normal turns over between two nodes: is it zero where it does, or at one of them? */
@@ -121,7 +121,7 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]), middle[j] = chart[j][0];
     /* Beside a branch point elements are so short that nobody asks where exactly their nodes lie. */
-    double length = distance(chord->at[0], chord->at[1]), rounding = 1e-12 * scale;
+    double length = distance_between(chord->at[0], chord->at[1]), rounding = 1e-12 * scale;
     double mid = root(chart_speed_squared(chart, 0, u, v)), first = root(speed_squared(line, i, u, v)),
            last = root(speed_squared(line, i + 1, u, v)), end = i > 0 ? i < line->fold.inner ? mid : last : first,
            sagitta = end < STILL * mid ? BRANCH_SAGITTA : LARGEST_SAGITTA;
@@ -129,8 +129,8 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     if (i == 0) first = mid;
     if (i == line->fold.inner) last = mid;
     double along = (first + 4 * mid + last) / 6;
-    if (!is_finite(distance(half, middle))) return SP_NOT_FINITE;
-    if (distance(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
+    if (!is_finite(distance_between(half, middle))) return SP_NOT_FINITE;
+    if (distance_between(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
     return SP_CONVERGED;
 }
 

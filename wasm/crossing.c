@@ -20,9 +20,9 @@ struct sp_curve sp_curve_at(const struct sp_surface *surface, const double place
                      uv = sp_load(chart + SP_CHART_12), vv = sp_load(chart + SP_CHART_22), n = sp_cross(u, v);
     struct sp_vector slopes[2] = {sp_add(sp_cross(uu, v), sp_cross(u, uv)), sp_add(sp_cross(uv, v), sp_cross(u, vv))};
     if (choose) {
-        struct sp_vector larger = sp_dot(slopes[0], slopes[0])[0] > sp_dot(slopes[1], slopes[1])[0] ? slopes[0] : slopes[1];
+        struct sp_vector longer = sp_dot(slopes[0], slopes[0])[0] > sp_dot(slopes[1], slopes[1])[0] ? slopes[0] : slopes[1];
         sp_pair unit[3];
-        sp_store(sp_scale(larger, 1.0 / sp_square_root(sp_dot(larger, larger))), unit);
+        sp_store(sp_scale(longer, 1.0 / sp_square_root(sp_dot(longer, longer))), unit);
         for (int j = 0; j < 3; j++)
             nu[j] = unit[j][0];
     }

@@ -131,7 +131,7 @@ enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp
 
 static double near_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {
     double normal[2][3], sample[2][SP_GRAPH_WIDTH];
-    if (!(distance(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
+    if (!(distance_between(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
     implicit_normal(surface, from, normal[0]);
     implicit_normal(surface, to, normal[1]);
     sp_graph_sample(surface, from, sample[0]);

@@ -58,7 +58,7 @@ static int leads_nowhere(const struct sp_front *front, int32_t vertex) {
     if (front->through[0]) return front->through[0][vertex] + front->through[1][vertex] > front->most;
     if (!front->target) return 0;
     const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
-    return front->distance[vertex] + distance(sample, front->target) > front->most;
+    return front->distance[vertex] + distance_between(sample, front->target) > front->most;
 }
 
 /* Whether an offer would count, and be visited. Most would not: asked before the call. */

@@ -178,7 +178,7 @@ static int is_within_reach(const struct cells *cells, const int32_t at[3]) {
     double ends[2][3], middle[3];
     for (int j = 0; j < 3; j++)
         ends[0][j] = options->box[2 * j], ends[1][j] = options->box[2 * j + 1], middle[j] = ends[0][j] + at[j] * options->cell;
-    return options->reach <= 0 || distance(ends[0], middle) + distance(ends[1], middle) <= options->reach;
+    return options->reach <= 0 || distance_between(ends[0], middle) + distance_between(ends[1], middle) <= options->reach;
 }
 
 /* Lists the neighbours into which the surface passes through a face; of the first cell, which it may pass by its corners, all six. */
@@ -228,7 +228,7 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
     }
     double length = norm(gradient), value = sp_block_get(block, k, 0);
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
-                  distance(position, center) <= FARTHEST * graph->spacing;
+                  distance_between(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
         double moved = position[c] - center[c];
         if (!settled || 2 * moved > cells->width[c] || -2 * moved > cells->width[c]) cells->list[vertex].faces = 0;
@@ -314,7 +314,7 @@ static int join_around(const struct cells *cells, int32_t vertex) {
                 if (cells->builder->options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
                     length = LOOSE * sp_graph_chord(surface, here, there, NULL);
                 /* Between the ends a metric was not looked at. */
-                double chord = surface->metric == SP_INDUCED ? distance(here, there) : 0;
+                double chord = surface->metric == SP_INDUCED ? distance_between(here, there) : 0;
                 if (!sp_builder_edge(cells->builder, to, length, chord)) return 0;
             }
     return 1;

@@ -122,7 +122,7 @@ static int is_singular(const struct grid *grid) {
 static double farthest(const struct grid *grid, int direction, int32_t line, const double *point, int finite) {
     double farthest = 0;
     for (int32_t k = 0; k < grid->count[1 - direction]; k++) {
-        double away = distance(direction ? sample_at(grid, k, line) : sample_at(grid, line, k), point);
+        double away = distance_between(direction ? sample_at(grid, k, line) : sample_at(grid, line, k), point);
         if (!is_finite(away)) away = finite ? 0 : __builtin_inf();
         farthest = away > farthest ? away : farthest;
     }

@@ -59,7 +59,7 @@ static double form_length(const double form[3], const double by[2]) {
 
 double sp_graph_segment(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]) {
     if (surface->metric == SP_TENSOR) return (form_length(from, by) + 4 * form_length(middle, by) + form_length(to, by)) / 6;
-    double length = distance(from, middle) + distance(middle, to);
+    double length = distance_between(from, middle) + distance_between(middle, to);
     return surface->metric == SP_DENSITY ? length * (from[3] + 4 * middle[3] + to[3]) / 6 : length;
 }
 
@@ -83,7 +83,7 @@ static double chord_in_space(const struct sp_surface *surface, const double *fro
 double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]) {
     if (surface->kind == SP_IMPLICIT) return chord_in_space(surface, from, to);
     if (surface->metric == SP_TENSOR) return 0.5 * (form_length(from, by) + form_length(to, by));
-    return distance(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
+    return distance_between(from, to) * (surface->metric == SP_DENSITY ? 0.5 * (from[3] + to[3]) : 1);
 }
 
 double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, const double normal_a[3], const double *b,

@@ -25,7 +25,7 @@ static inline double dot(const double a[3], const double b[3]) { return a[0] * b
 
 static inline double norm(const double a[3]) { return root(dot(a, a)); }
 
-static inline double distance(const double a[3], const double b[3]) {
+static inline double distance_between(const double a[3], const double b[3]) {
     double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     return norm(d);
 }
