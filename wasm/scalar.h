@@ -1,5 +1,4 @@
-/* One number at a time, as pair.h has two: what nearly every .c file needs a few of. No header includes this one, so the names are short.
- */
+/* One number at a time, as pair.h has two. Included by .c files only, so the names are short. */
 #ifndef SURFPATH_SCALAR_H
 #define SURFPATH_SCALAR_H
 

@@ -1,4 +1,4 @@
-/** Whether a path can be the shortest, where ways of the graph were not followed: these are measured on the surface itself. */
+/** Whether a path can be the shortest, where ways of the graph, or the straight line, were not followed: these are measured on the surface itself, or solved. */
 
 import { holds, leaps, MARGIN, within } from './candidates.js';
 import { estimate } from './distinct.js';

@@ -265,3 +265,20 @@ test('a twisted tube of half axes 2 and 0.2: what rough chords lead to in too ma
   const path = tube.shortestPath([3.168683043142399, 1.0598910441622147], [0.6129039571922414, -2.8155434338375924]);
   assert.ok(path.converged && Math.abs(path.length / 6.04374011770085 - 1) < RIGHT, `${path.status} ${path.length}`);
 });
+
+test('waves with slopes of 8: no path is longer than what the straight line leads to, seed 6', () => {
+  const random = createRandom(6);
+  const pairs = [{ z: '0.999*sin(10.72x+2.81)*cos(12.71y)', from: [0.612, -0.72], to: [0.26, -0.13] }];
+  while (pairs.length < 4) {
+    const [k, l] = [random.between(4, 13), random.between(4, 13)];
+    const place = () => [random.between(-1, 1), random.between(-1, 1)];
+    pairs.push({ z: `${8 / Math.max(k, l)}*sin(${k}x + ${random.between(0, 6)})*cos(${l}y)`, from: place(), to: place() });
+  }
+  for (const { z, from, to } of pairs) {
+    const waves = surfpath.graph({ z, x: [-1, 1], y: [-1, 1] });
+    const [path, straight] = [waves.shortestPath(from, to), waves.shortestPath(from, to, { start: 'straight' })];
+    const isLonger = straight.converged && path.length > straight.length + path.lengthError + straight.lengthError;
+    assert.ok(!isLonger, `${z} from ${from} to ${to}: ${path.status} ${path.length}, straight ${straight.length}`);
+    waves.dispose();
+  }
+});

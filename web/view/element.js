@@ -266,10 +266,9 @@ export class SurfacePathElement extends Base {
   /** What was never on screen is not drawn yet. */
   #print() {
     const was = this.#isVisible;
-    this.#isVisible = true;
-    this.#show();
-    this.#isVisible = was;
-    this.#stage?.print();
+    this.#see(true);
+    this.#stage?.draw();
+    this.#see(was);
   }
 
   /** @param {boolean} isVisible on screen */

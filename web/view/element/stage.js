@@ -59,19 +59,23 @@ export class Stage {
     this.#scene.add(this.#camera, sky, this.#line);
   }
 
-  /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held by a view on his way past it. */
+  /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held on the way past it. */
   #listen() {
     const { signal } = this.#listening;
     let isPressed = false;
-    const press = (/** @type {boolean} */ on) => () => {
-      isPressed = on;
+    const press = () => {
+      isPressed = true;
+      // Two fingers pinch.
       if (this.#controls) this.#controls.enableZoom = true;
+    };
+    const leave = () => {
+      isPressed = false;
     };
     const weigh = (/** @type {WheelEvent} */ event) => {
       if (this.#controls) this.#controls.enableZoom = isPressed || event.ctrlKey || event.metaKey;
     };
-    this.#canvas.addEventListener('pointerdown', press(true), { signal, capture: true });
-    this.#canvas.addEventListener('pointerleave', press(false), { signal });
+    this.#canvas.addEventListener('pointerdown', press, { signal, capture: true });
+    this.#canvas.addEventListener('pointerleave', leave, { signal });
     this.#canvas.addEventListener('wheel', weigh, { signal, capture: true });
   }
 
@@ -212,7 +216,7 @@ export class Stage {
     this.#camera.setViewOffset(width, height, 0, COVERED / 2, width, height);
     if (!this.#isTurned) this.#isFitted = false;
     // A canvas that was resized is empty until it is drawn: draw before the browser paints.
-    if (this.#isVisible) this.#draw();
+    if (this.#isVisible) this.draw();
   }
 
   /** @param {boolean} visible on screen */
@@ -222,20 +226,13 @@ export class Stage {
     else this.#player.finish();
   }
 
-  /** Draws at once, on screen or not. */
-  print() {
-    const was = this.#isVisible;
-    this.#isVisible = true;
-    this.#draw();
-    this.#isVisible = was;
-  }
-
   /** Draws in the next frame, if it is on screen then. */
   invalidate() {
-    if (this.#isVisible && !this.#request) this.#request = requestAnimationFrame(() => this.#draw());
+    if (this.#isVisible && !this.#request) this.#request = requestAnimationFrame(() => this.draw());
   }
 
-  #draw() {
+  /** Draws at once. */
+  draw() {
     cancelAnimationFrame(this.#request);
     this.#request = 0;
     if (!this.#isVisible || this.#size.width === 0 || !this.hasSurface) return;
