@@ -46,8 +46,9 @@ export function challenge(problem, options, best, tried) {
  * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
  */
 function besideStraight(problem, options, best, tried) {
-  const most = holds({ path: best }) ? best.length * (1 - MARGIN) : best.length + best.lengthError;
-  const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && estimate(path) < most);
+  const found = holds({ path: best });
+  const most = found ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && (!found || estimate(path) < most));
   const straight = line ? problem.solve(line.to, null, within(options, STEPS)) : best;
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
 }

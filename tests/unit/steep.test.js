@@ -269,7 +269,7 @@ test('a twisted tube of half axes 2 and 0.2: what rough chords lead to in too ma
 test('waves with slopes of 8: no path is longer than what the straight line leads to, seed 6', () => {
   const random = createRandom(6);
   const pairs = [{ z: '0.999*sin(10.72x+2.81)*cos(12.71y)', from: [0.612, -0.72], to: [0.26, -0.13] }];
-  while (pairs.length < 4) {
+  while (pairs.length < 16) {
     const [k, l] = [random.between(4, 13), random.between(4, 13)];
     const place = () => [random.between(-1, 1), random.between(-1, 1)];
     pairs.push({ z: `${8 / Math.max(k, l)}*sin(${k}x + ${random.between(0, 6)})*cos(${l}y)`, from: place(), to: place() });
