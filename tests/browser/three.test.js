@@ -372,6 +372,23 @@ for (const [title, name] of TESTED)
         assert.ok(fromTorus(after.position) < 1e-12);
       });
 
+      test('is let go where it is put on another surface: what was pressed moves it no more, the controls are on', async () => {
+        await begin([5, 0.9]);
+        const { screen } = await where();
+        await page.mouse.move(screen.x, screen.y);
+        await page.mouse.down();
+        await page.mouse.move(screen.x + 12, screen.y + 6);
+        await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          view.handle.setSurface(view.surfpath.surface({ ...view.gallery.parametricTorus }), [5, 0.8], view.mesh);
+        });
+        const put = await where();
+        await page.mouse.move(screen.x + 40, screen.y + 20, { steps: 4 });
+        await page.mouse.up();
+        const after = await where();
+        assert.deepEqual([after.point, after.calls.end, put.enabled], [[5, 0.8], 1, true]);
+      });
+
       test('refuses a place that is none, and a line what is no number', async () => {
         const messages = await page.evaluate(() => {
           const { draw, gallery, surfpath, camera, renderer } = /** @type {any} */ (window).view;
@@ -379,6 +396,7 @@ for (const [title, name] of TESTED)
           const told = [
             () => new draw.DragHandle(helicoid, [Number.NaN, 0], { camera, domElement: renderer.domElement }),
             () => new draw.GeodesicLine([0, 0, 0, NaN, 1, 1]),
+            () => new draw.GeodesicLine(null, { haloWidth: -1 }),
           ];
           return told.map((make) => {
             try {
@@ -391,6 +409,7 @@ for (const [title, name] of TESTED)
         });
         assert.match(messages[0], /^(Type|Range)Error: /);
         assert.match(messages[1], /^RangeError: GeodesicLine: path must hold finite numbers/);
+        assert.match(messages[2], /^RangeError: GeodesicLine: options.haloWidth must be a number of pixels, 0 or more, not -1/);
         assert.equal(await page.locator('.surfpath-handle').count(), 1, 'a handle that is refused leaves no button');
       });
 

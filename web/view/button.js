@@ -81,7 +81,7 @@ export class HandleButton {
     if (pointerId === this.#pointer) this.#gestures.move(clientX + this.#offset[0], clientY + this.#offset[1]);
   }
 
-  /** @param {PointerEvent} event */
+  /** @param {{ pointerId: number }} event */
   #release({ pointerId }) {
     if (pointerId !== this.#pointer) return;
     this.#pointer = null;
@@ -90,9 +90,12 @@ export class HandleButton {
     this.#highlight();
   }
 
-  /** Ends a drag, as if it were let go. */
+  /** Ends a drag, as if it were let go: at once, where the browser tells that the pointer is lost with its next move. */
   letGo() {
-    if (this.#pointer !== null) this.element.releasePointerCapture(this.#pointer);
+    const pointerId = this.#pointer;
+    if (pointerId === null) return;
+    this.#release({ pointerId });
+    this.element.releasePointerCapture(pointerId);
   }
 
   /** @param {PointerEvent} event @param {boolean} on */

@@ -26,6 +26,7 @@ if (element instanceof SurfacePathElement) {
   const length: number | undefined = element.path?.length;
   element.from = [0.5, 0.6];
   element.definition = { kind: 'graph', z: 'x y', x: [-1, 1], y: [-1, 1] };
+  element.addEventListener('path', ({ detail }) => console.log(detail.length));
   console.log(length, element.from, element.definition.kind);
   // @ts-expect-error: the path is read, not set
   element.path = path;

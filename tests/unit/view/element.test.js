@@ -78,6 +78,7 @@ describe('attributes', () => {
         [3, 4],
       ],
     });
+    assert.deepEqual(readOptions(attributes({ start: '0,0; 0.5,1; 1,1' })), { start: [0, 0, 0.5, 1, 1, 1] });
   });
 
   test('are a look', () => {
