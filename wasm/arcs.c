@@ -5,16 +5,27 @@
 #include "scalar.h"
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
-enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6 };
+enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */ };
+/* Step across an edge, in parts of the range, for what its length changes by. */
+static const double ACROSS = 1e-5;
+
+/* The metric beside an edge, `by` from it: that along it, across it, and between both. */
+struct beside {
+    double along, across, mixed;
+};
+
+static struct beside beside_edge(const struct sp_surface *surface, const struct sp_arc *arc, double by, double t) {
+    const struct sp_kind *kind = sp_kind_of(surface);
+    sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
+    place[arc->across] = sp_splat(arc->value + by), place[1 - arc->across] = sp_splat(t);
+    kind->charts(surface, 1, place, chart, metric);
+    struct sp_form form = sp_metric_form(kind->components, chart, metric);
+    return (struct beside){(arc->across ? form.e : form.g)[0], (arc->across ? form.g : form.e)[0], form.f[0]};
+}
 
 /* What a unit of the coordinate along an edge is long at a place of it. */
 static double edge_speed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
-    const struct sp_kind *kind = sp_kind_of(surface);
-    sp_pair place[2], chart[SP_CHART], metric[SP_METRIC_LARGEST];
-    place[arc->across] = sp_splat(arc->value), place[1 - arc->across] = sp_splat(t);
-    kind->charts(surface, 1, place, chart, metric);
-    struct sp_form form = sp_metric_form(kind->components, chart, metric);
-    return root((arc->across ? form.e : form.g)[0]);
+    return root(beside_edge(surface, arc, 0, t).along);
 }
 
 /* Length of an edge arc from its start to `to`: Gauss–Lobatto panels, doubled until they agree. */
@@ -44,6 +55,35 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
         length += arc->length;
     }
     return length;
+}
+
+/* With c across and t along the edge, L = int sqrt(E c'^2 + 2 F c' + G) dt changes by int (G_c / (2 sqrt G) - (F / sqrt G)_t) dc dt, which
+ * is the edge's curvature in the surface times sqrt(EG - F^2). */
+double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]) {
+    double range = surface->upper[arc->across] - surface->lower[arc->across];
+    double step = (arc->value == surface->lower[arc->across] ? ACROSS : -ACROSS) * range;
+    double by = (arc->ends[1] - arc->ends[0]) / STRETCHES, most = 0, turn = 0, length = 0, from = 0;
+    struct beside last = beside_edge(surface, arc, 0, arc->ends[0]);
+    for (int32_t k = 0; k < STRETCHES; k++) {
+        double t = arc->ends[0] + by * (k + 0.5), inwards[3];
+        struct beside next = beside_edge(surface, arc, 0, t + 0.5 * by), here = beside_edge(surface, arc, 0, t);
+        for (int32_t i = 1; i <= 2; i++)
+            inwards[i] = root(beside_edge(surface, arc, i * step, t).along);
+        inwards[0] = root(here.along);
+        double change = (4 * inwards[1] - 3 * inwards[0] - inwards[2]) / (2 * step);
+        change -= (next.mixed / root(next.along) - last.mixed / root(last.along)) / by;
+        double curvature = (step > 0 ? change : -change) / root(here.along * here.across - here.mixed * here.mixed);
+        last = next;
+        if (!(curvature < 0)) {
+            turn = length = 0;
+            continue;
+        }
+        if (length == 0) from = t - 0.5 * by;
+        length += inwards[0] * absolute(by), turn += curvature * inwards[0] * absolute(by);
+        double gain = turn * turn * length / 24;
+        if (gain > most) most = gain, stretch[0] = from, stretch[1] = t + 0.5 * by;
+    }
+    return most;
 }
 
 double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {

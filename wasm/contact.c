@@ -7,11 +7,14 @@
 #include <string.h>
 
 static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
-enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */ };
+enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */, SPLITS = 4 };
 /* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
 static const double BEYOND = 1e-12;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
 static const double ELSEWHERE = 0.04;
+
+/* The way that leaves a wall whose curvature is a parabola is sqrt(3) times as wide as where that is negative. */
+static const double WIDER = 0.37;
 
 static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
     return sp_fold_get(line->fold, line->nodes.places, 2, node, j);
@@ -130,7 +133,8 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = coordinate(line, last, j);
-        if (r > 0 && r < count && run->first - run[-1].last <= 1) return -1; /* two edges that meet in a corner */
+        if (r > 0 && r < count && run->first - run[-1].last <= 1 && (run->across != run[-1].across || run->side != run[-1].side))
+            return -1; /* two edges that meet in a corner */
         if (r < count) {
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
@@ -246,6 +250,29 @@ static void drop_shortest(struct sp_run *runs, int32_t count) {
     memmove(runs + shortest, runs + shortest + 1, (size_t)(count - shortest - 1) * sizeof *runs);
 }
 
+/* Cuts the runs in two whose edge the path wants to leave midway, as nothing presses it there: few chords bridge what is shorter.
+ * Returns how many runs they are then; the same number: each is pressed; -1: there are too many. */
+static int32_t split(const struct sp_surface *surface, const struct sp_arcs *arcs, double least, struct sp_run *runs, int32_t count) {
+    for (int32_t i = 0, r = 0; i < arcs->count; i++) {
+        const struct sp_arc *arc = arcs->arc + i;
+        double stretch[2];
+        if (!arc->on_edge) continue;
+        struct sp_run *run = runs + r++;
+        if (!(sp_arcs_edge_gain(surface, arc, stretch) > least)) continue;
+        if (count == SP_MAX_ARCS) return -1;
+        memmove(run + 1, run, (size_t)(count - r + 1) * sizeof *run);
+        double from = run->from, span = run->to - from, wider = WIDER * (stretch[1] - stretch[0]);
+        for (int end = 0; end < 2; end++) {
+            double rest = 0.5 * (arc->ends[end] - stretch[end]), at = stretch[end];
+            at += absolute(rest) < absolute(wider) ? rest : end ? wider : -wider;
+            *(end ? &run[1].from : &run->to) = from + span * (at - arc->ends[0]) / (arc->ends[1] - arc->ends[0]);
+            run[end].along[1 - end] = run[end].beside[1 - end] = at;
+        }
+        count++, r++;
+    }
+    return count;
+}
+
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
                      struct sp_refined *whole) {
     int fits = contact->made >= 0;
@@ -277,12 +304,19 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         if (touching == 0) touching = sp_runs_between(walled, BEYOND, runs);
     }
     size_t bottom = arena->used;
-    int32_t spared = newton->steps_left / KEPT;
+    int32_t spared = newton->steps_left / KEPT, splits = 0;
     newton->steps_left -= spared;
     for (;; arena->used = bottom) {
         contact.made = cut(walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = sp_contact_solve(newton, options, &contact, arena, &refined);
+        int32_t apart = fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, touching) : touching;
+        if (apart != touching) {
+            fits = 0;
+            if (apart < 0 || ++splits > SPLITS) break;
+            touching = apart;
+            continue;
+        }
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
         int may_try = contact.made >= 0 && 2 * (newton->steps_left + spared) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;

@@ -12,7 +12,7 @@ import { gap } from './vector.js';
 
 /** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
 const [MOST_MEASURED, MOST_PARTS] = [8, 512];
-/** What the straight line leads to it leads to in as many steps. */
+/** What the straight line leads to it leads to in as many steps, mostly: more are for where there is nothing else. */
 const STEPS = 100;
 
 /**
@@ -49,7 +49,7 @@ function besideStraight(problem, options, best, tried) {
   const found = holds({ path: best });
   const most = found ? best.length * (1 - MARGIN) : best.length + best.lengthError;
   const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && (!found || estimate(path) < most));
-  const straight = line ? problem.solve(line.to, null, within(options, STEPS)) : best;
+  const straight = line ? problem.solve(line.to, null, found ? within(options, STEPS) : options) : best;
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
 }
 

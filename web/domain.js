@@ -98,7 +98,9 @@ export function enterDomain({ lower, upper, periodic }, point, name) {
     const [low, high] = [lower[j], upper[j]];
     const slack = (periodic[j] ? MOST_TURNS : 1e-12) * (high - low);
     if (x < low - slack || x > high + slack)
-      throw new RangeError(`${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${'uv'[j]}, [${low}, ${high}]`);
+      throw new RangeError(
+        `${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${'uv'[j]}, [${low}, ${high}]`,
+      );
     return periodic[j] ? x : Math.min(Math.max(x, low), high);
   });
 }

@@ -75,19 +75,22 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
  */
 export const unfollowedOf = (problem, unknown, shortest) =>
   unknown.filter(
-    ({ start, path }) => start && (path.crossesSingularity ? !isPointed(problem) : isTooCoarse(path) && !(path.length > shortest)),
+    ({ start, path }) =>
+      start && (path.crossesSingularity ? !isPointed(problem) : (isTooCoarse(path) || isOnSurface(path)) && !(path.length > shortest)),
   );
 
 /**
- * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, or around a rim that is sharper than their chords.
+ * Ways of the graph that rough polylines cannot follow: across a cuspidal edge, around a rim that is sharper than their chords, or along a road on which length is a tenth of what
+ * it is beside it, where they take too many steps.
  * @param {Problem} problem @param {SolveOptions} options @param {Tried[]} unfollowed @param {boolean} isFound some path holds already
  */
 export function followAsTheyAre({ solve }, options, unfollowed, isFound) {
   const most = isFound ? LEAST_UNFOLLOWED : MOST_UNFOLLOWED;
   /** @type {Found[]} */
   const found = [];
-  if (options.algorithm !== ELEMENTS) return found;
-  for (const { to, start, path } of unfollowed.slice(0, most))
+  /* Chords jump where the rough ones did; what was not at rest yet they lead to as well. */
+  const able = options.algorithm === ELEMENTS ? unfollowed : unfollowed.filter(({ path }) => isOnSurface(path));
+  for (const { to, start, path } of able.slice(0, most))
     if (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds)))
       found.push({ to, path: solve(to, start, options) });
   return found;

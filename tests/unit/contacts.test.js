@@ -58,3 +58,32 @@ test('the points of a path that touches for a moment are no longer than it', () 
   }
   ring.dispose();
 });
+
+test('walls that a density, or a wave of the wall, pulls a path away from midway: what starts on the path is as short, seed 4', () => {
+  const random = createRandom(4);
+  const given = [
+    { wave: '0', density: '1+0.3sin(5x)', from: [0.16541239097714422, -0.16794001892209054], to: [3.8254129399359225, 0.0702462039887905] },
+    {
+      wave: '0',
+      density: '1+0.2sin(8x)cos(7y)',
+      from: [5.546284288633615, -0.1416681000031531],
+      to: [1.6879562633112073, -0.11118549257516862],
+    },
+  ];
+  const ribbons = Array.from({ length: 24 }, (_, i) => ({
+    wave: `${random.between(0, 0.05)}sin(${random.between(2, 7)}u)`,
+    density: i % 3 ? `1+${random.between(0.05, 0.3)}sin(${random.between(3, 9)}x)cos(${random.between(3, 9)}y)` : '1',
+    from: [random.between(0, 2), random.between(-0.2, 0.2)],
+    to: [random.between(3.5, 6), random.between(-0.2, 0.2)],
+  }));
+  for (const { wave, density, from, to } of [...given, ...ribbons]) {
+    const radius = `(2+v+${wave})`;
+    const ribbon = surfpath.parametric({ x: `${radius}cos(u)`, y: `${radius}sin(u)`, z: 0, u: [0, 6], v: [-0.2, 0.2], density });
+    const path = ribbon.shortestPath(from, to);
+    const again = ribbon.shortestPath(from, to, { start: path, points: 10000 });
+    const what = `${radius}, ${density}, ${from} to ${to}: ${path.status} ${path.length}, from there ${again.length}`;
+    assert.ok(path.converged && again.converged && again.touchesBoundary, what);
+    assert.ok(path.length - again.length <= path.lengthError + again.lengthError + ROUNDING * path.length, what);
+    ribbon.dispose();
+  }
+});

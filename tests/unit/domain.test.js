@@ -79,6 +79,9 @@ test('a place so many turns away that its digits tell none is refused', async ()
   const surfpath = await load();
   const ring = surfpath.parametric({ x: 'cos(u)', y: 'sin(u)', z: 'v', u: [0, '2pi'], v: [0, 1] });
   assert.equal(ring.shortestPath([1e6, 0], [1e6 + 1, 0]).status, 'converged');
-  assert.throws(() => ring.shortestPath([1e18, 0], [1, 0]), /^RangeError: shortestPath: from\[0\] = 1000000000000000000 lies over 1e9 turns outside/);
+  assert.throws(
+    () => ring.shortestPath([1e18, 0], [1, 0]),
+    /^RangeError: shortestPath: from\[0\] = 1000000000000000000 lies over 1e9 turns outside/,
+  );
   surfpath.dispose();
 });

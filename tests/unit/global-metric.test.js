@@ -188,3 +188,22 @@ for (const [name, definition, from, to, length] of rapid)
     const chords = surface.shortestPath(from, to, { algorithm: 'polyline', points: 4000, start: path });
     assert.ok(Math.abs(chords.length / length - 1) < 1e-5, `${chords.status} ${chords.length}`);
   });
+
+test('along a road, on which length is a tenth: no path is longer than what the road leads to, polylines are of a status', () => {
+  const definition = { kind: 'graph', z: '0.7exp(-2(x^2+y^2))', x: [-2, 2], y: [-2, 2], density: '1-0.9exp(-30(y-sin(2x))^2)' };
+  const hilly = make(definition);
+  const pairs = [
+    [-1.4565153837203981, 0.15805674076080312, 1.5972938516736028, 1.0773675942420957],
+    [2, -0.75, -1.4166666666666665, -1.9166666666666667],
+    [-1.834457584656775, 0.5413762405514717, 1.6430695224553347, 1.903141907416284],
+    [-0.8438795544207096, -0.8722326653078198, 0.9260587217286229, -0.287421059794724],
+  ];
+  for (const [x, y, ...to] of pairs) {
+    const road = Array.from({ length: 81 }, (_, i) => x + ((to[0] - x) * i) / 80).flatMap((at) => [at, Math.sin(2 * at)]);
+    const along = hilly.shortestPath([x, y], to, { start: [x, y, ...road, ...to] });
+    const path = hilly.shortestPath([x, y], to);
+    assert.ok(along.converged && path.converged && path.length <= along.length + 1e-11, `${path.status} ${path.length}, ${along.length}`);
+    const chords = hilly.shortestPath([x, y], to, { algorithm: 'polyline', points: 400 });
+    assert.ok(!(chords.converged && chords.length > 1.01 * along.length), `${chords.status} ${chords.length}`);
+  }
+});
