@@ -27,8 +27,9 @@ struct sp_arcs {
  * the joints' coordinates. It is the last entry of the history. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena);
 
-/* By how much, about, a path is shorter that leaves a piece of an edge where nothing presses it there: on the stretch, from and to, where that
- * is most; 0 where it is pressed all along. A curve that turns by an angle over a length is longer than its chord by angle^2 length / 24. */
+/* By how much, about, a path is shorter that leaves a piece of an edge where nothing presses it there: on the stretch, from and to, where
+ * that is most; 0 where it is pressed all along. A curve that turns by an angle over a length is longer than its chord by angle^2 length
+ * / 24. */
 double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]);
 
 /* Length of a piece of an edge; NaN if the arena is full. */

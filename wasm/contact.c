@@ -310,7 +310,8 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         contact.made = cut(walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = sp_contact_solve(newton, options, &contact, arena, &refined);
-        int32_t apart = fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, touching) : touching;
+        int32_t apart =
+            fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, touching) : touching;
         if (apart != touching) {
             fits = 0;
             if (apart < 0 || ++splits > SPLITS) break;

@@ -2,7 +2,7 @@
 
 import { findBranches } from './branches.js';
 import { passBranches } from './branched.js';
-import { ELEMENTS, holds } from './candidates.js';
+import { ELEMENTS, holds, POLYLINE } from './candidates.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
 import { reverse, turned } from './join.js';
@@ -11,6 +11,7 @@ import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
@@ -40,6 +41,9 @@ import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
 const [PATIENCE, SLIPPING] = [40, 0.1];
+/** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
+const AT_ONCE = { tolerance: 1, gradientTolerance: 0, algorithm: POLYLINE, points: 1, maxIterations: 0, record: false };
+const BESIDE = 1e-6;
 /** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
 const LONGEST = 1.25;
 
@@ -135,31 +139,42 @@ function pose(field, [from, to], find) {
     exhausted ||= answer?.status === OUT_OF_MEMORY;
     return answer;
   };
-  const found = run((heap, record) =>
-    find({
-      from: a,
-      to: b,
+  const found = run((heap, record) => {
+    const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoSurface(heap, record, { kind, from: end, to: end, start: null }));
+    return find({
+      from: first,
+      to: last,
       isPlain,
       positions,
       domain,
       solve: (end, start, asked, passage = null) =>
-        watch(heap.solve(record, { kind, from: a, to: end, start: start ?? null, passage }, asked)),
+        watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),
       branches,
       isLeg: !!field.isLeg,
       leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
       near: (places, asked, start) => solveNear(legs, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
-      flood: (level, length) => watch(graphs.flood(heap, record, a, b, level, length)),
+      flood: (level, length) => watch(graphs.flood(heap, record, first, last, level, length)),
       search: (graph, points, isAll) =>
-        joinSearches(copies(domain, b).map((end) => watch(heap.searchGraph(record, graph, a, end, points, isAll)))),
-    }),
-  );
+        joinSearches(copies(domain, last).map((end) => watch(heap.searchGraph(record, graph, first, end, points, isAll)))),
+    });
+  });
   const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
   return raw.map((one) => {
     const path = makePath(swap ? reverse(one) : one);
     if (domain && path.parameters) moveOnto(domain, path.parameters, swap ? b : a);
     return path;
   });
+}
+
+/**
+ * Where a path begins whose end is given beside an implicit surface: there a graph is looked into, too. What is near enough stays as it is, to the bit.
+ * @param {Heap} heap @param {number} record @param {Parameters<Heap['solve']>[1]} request from an end to itself
+ */
+function ontoSurface(heap, record, request) {
+  const { from } = request;
+  const { points } = heap.solve(record, request, AT_ONCE);
+  return gap(points, from) > BESIDE * Math.max(...from.map(Math.abs)) ? Array.from(points.subarray(0, 3)) : from;
 }
 
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */

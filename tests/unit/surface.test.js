@@ -161,6 +161,20 @@ describe('ends', () => {
     }
   });
 
+  test('ends beside an implicit surface are joined by its graph, where the straight line leads nowhere', () => {
+    const bounds = [0, 1, 2].map(() => [-1.2, 1.2]);
+    const quartic = surfpath.implicit({ f: '(x^2+y^2+z^2)^2 - 1', bounds });
+    const [from, to] = [
+      [-0.7, 0, 0.3],
+      [0.5, 0.4, -0.2],
+    ];
+    const [path] = quartic.geodesics(from, to, { max: 1 });
+    const cosine = (from[0] * to[0] + from[2] * to[2]) / (Math.hypot(...from) * Math.hypot(...to));
+    assert.equal(quartic.shortestPath(from, to).status, 'converged');
+    assert.ok(Math.abs(path.length - Math.acos(cosine)) < 1e-9, `${path.length}`);
+    quartic.dispose();
+  });
+
   test('an end beside an implicit surface is moved onto it, one far from it is off-surface', () => {
     const near = sphere.shortestPath([1.1, 0, 0], [0, 0.95, 0]);
     assert.equal(near.status, 'converged');
