@@ -64,14 +64,14 @@ const SMOOTH = {
 const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
 /**
- * What to do about a path that comes to no rest: where a formula bends or jumps, no algorithm can help.
+ * What to do about a path that comes to no rest, or is not exact: where a formula bends or jumps, no algorithm can help.
  * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one
  */
 function adviseStuck({ texts, density, tensor }, advice) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
   if (!name) return advice;
   const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
-  return `Across an edge or a jump, as ${name} makes one, no path comes to rest: write something smooth, such as ${instead}.`;
+  return `Across an edge or a jump, as ${name} makes one, no path comes to rest, or none exactly: write something smooth, such as ${instead}.`;
 }
 
 /** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
@@ -92,7 +92,7 @@ export function describeStatus(status, sketch, isFollowed = false) {
   const { start, task } = sketch;
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
-  if (status === 'stalled') return [words, adviseStuck(sketch, advice)];
+  if (status === 'stalled' || status === 'tolerance-not-met') return [words, adviseStuck(sketch, advice)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];

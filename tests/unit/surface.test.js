@@ -162,8 +162,8 @@ describe('ends', () => {
   });
 
   test('ends beside an implicit surface are joined by its graph, where the straight line leads nowhere', () => {
-    const bounds = [0, 1, 2].map(() => [-1.2, 1.2]);
-    const quartic = surfpath.implicit({ f: '(x^2+y^2+z^2)^2 - 1', bounds });
+    const sides = /** @type {const} */ ([-1.2, 1.2]);
+    const quartic = surfpath.implicit({ f: '(x^2+y^2+z^2)^2 - 1', bounds: [sides, sides, sides] });
     const [from, to] = [
       [-0.7, 0, 0.3],
       [0.5, 0.4, -0.2],

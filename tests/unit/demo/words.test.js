@@ -30,11 +30,13 @@ test('a measure of length that is none is told as what it is', () => {
 });
 
 test('where a formula bends or jumps, that is why a path is stuck', () => {
-  const advice = (/** @type {string} */ z) => {
+  const advice = (/** @type {string} */ z, status = 'stalled') => {
     const sketch = sketchOf('own-graph');
-    return describeStatus('stalled', { ...sketch, texts: { ...sketch.texts, z } })[1];
+    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } })[1];
   };
   assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
+  assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes one/);
+  assert.match(advice('x*y', 'tolerance-not-met'), /larger tolerance/);
   assert.match(advice('max(x,y)'), /as max makes one.*\+sqrt\(\(x-y\)\^2\+0\.01\)\)\/2/);
   assert.match(advice('2*floor (x)'), /as floor makes one.*tanh/);
   assert.match(advice('1e9*x*y'), /less steep/);
