@@ -8,17 +8,25 @@ import { gap } from './vector.js';
 
 /** Without a place the nearest vertex of a mesh of this resolution is one. */
 const SEARCH = 48;
+/** A point that is so far from a surface, in parts of its bounds' diagonal, may be nearer to another part of it than to that below it. */
+const FAR = 0.01;
 
 /**
  * @param {Manifold} manifold @param {string} caller @param {number[]} target x y z
- * @param {number[] | null} near where to start; null: at the nearest vertex or, on an implicit surface, at the target and, where that leads nowhere, there
+ * @param {number[] | null} near where to start; null: at the nearest vertex; on an implicit surface at the target and, where that leads far or nowhere, there, too
  * @returns {number[]} u v, or x y z
  */
 export function projectOnto(manifold, caller, target, near) {
-  const place = near ?? (manifold.domain ? nearestVertex(manifold, caller, target) : target);
-  const found = manifold.run((heap, _, { record }) => heap.project(record, target, place));
+  const { domain, box, extent } = manifold;
+  const from = (/** @type {number[]} */ place) => manifold.run((heap, _, { record }) => heap.project(record, target, place));
+  const away = (/** @type {typeof found} */ { status, place }) => (status < CONVERGED ? Infinity : gap(place, target));
+  const vertex = () => from(nearestVertex(manifold, caller, target));
+  let found = near || !domain ? from(near ?? target) : vertex();
+  if (!near && box && away(found) > FAR * extent) {
+    const other = vertex();
+    if (away(other) < away(found)) found = other;
+  }
   if (found.status >= CONVERGED) return found.place;
-  if (place === target && !near && manifold.box) return projectOnto(manifold, caller, target, nearestVertex(manifold, caller, target));
   throw new RangeError(`${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`);
 }
 

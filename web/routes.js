@@ -2,13 +2,14 @@
 
 import { findBranches } from './branches.js';
 import { passBranches } from './branched.js';
-import { ELEMENTS, holds, POLYLINE } from './candidates.js';
+import { ELEMENTS, holds } from './candidates.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
 import { reverse, turned } from './join.js';
 import { copies, liftEnds, moveOnto, slide } from './lifts.js';
 import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
+import { ROUGHLY } from './rough.js';
 import { emptyPath } from './runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { gap } from './vector.js';
@@ -42,7 +43,7 @@ import { gap } from './vector.js';
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
 const [PATIENCE, SLIPPING] = [40, 0.1];
 /** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
-const AT_ONCE = { tolerance: 1, gradientTolerance: 0, algorithm: POLYLINE, points: 1, maxIterations: 0, record: false };
+const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
 const BESIDE = 1e-6;
 /** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
 const LONGEST = 1.25;
@@ -174,7 +175,7 @@ function pose(field, [from, to], find) {
 function ontoSurface(heap, record, request) {
   const { from } = request;
   const { points } = heap.solve(record, request, AT_ONCE);
-  return gap(points, from) > BESIDE * Math.max(...from.map(Math.abs)) ? Array.from(points.subarray(0, 3)) : from;
+  return gap(points, from) > BESIDE * gap(from, [0, 0, 0]) ? Array.from(points.subarray(0, 3)) : from;
 }
 
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */

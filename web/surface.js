@@ -190,8 +190,8 @@ export class Surface {
   /**
    * The point of the surface closest to a point of space.
    * @param {ArrayLike<number>} point x y z
-   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself and, where that leads nowhere,
-   *   the nearest vertex of a mesh inside the bounds)
+   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself and, where that leads nowhere
+   *   or far, the nearest vertex of a mesh inside the bounds)
    * @returns {number[]} u v, or x y z
    */
   project(point, near) {
