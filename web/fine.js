@@ -14,7 +14,7 @@ import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 
 /** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 8;
-/** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. */
+/** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
 const SURELY = 1.02;
 /** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
 export const BESIDE = 0.1;
@@ -76,7 +76,10 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
 export const unfollowedOf = (problem, unknown, shortest) =>
   unknown.filter(
     ({ start, path }) =>
-      start && (path.crossesSingularity ? !isPointed(problem) : (isTooCoarse(path) || isOnSurface(path)) && !(path.length > shortest)),
+      start &&
+      (path.crossesSingularity
+        ? !isPointed(problem)
+        : (isTooCoarse(path) && !(path.length > shortest)) || (isOnSurface(path) && SURELY * estimate(path) < shortest)),
   );
 
 /**
