@@ -11,6 +11,9 @@ enum { PARAMETRIC_EDGES = 32, IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
  * many may be. */
 static const double BENT = 0.02, MOST_BENT = 0.01;
 
+/* A flood that ends with the cells it began with saw no surface. */
+enum { FIRST_CELLS = 7 };
+
 double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options) {
     double resolution = clamp(options->resolution, 8, SP_GRAPH_MAX_RESOLUTION), vertex = 4 * sizeof(double) + 3 * sizeof(float) + 4;
     double edge = sizeof(struct sp_graph_edge);
@@ -36,7 +39,7 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
         if (!(side > 0 || clean.cell > 0) || !is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
-    graph->resolved = status == SP_CONVERGED && builder.bent <= MOST_BENT * graph->edge_count;
+    graph->resolved = status == SP_CONVERGED && graph->vertex_count > FIRST_CELLS && builder.bent <= MOST_BENT * graph->edge_count;
     return status;
 }
 

@@ -24,8 +24,8 @@ import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
  * @property {(ends: number[][], options: SolveOptions) => import('./path.js').Path} leg
  * @property {(ends: number[][], options: SolveOptions, start: Float64Array) => import('./path.js').Path} near
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
- * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: of a path in space, 0: none is known
- * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, candidates: Float64Array[] }} search isAll: all locally shortest ways
+ * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: in space, of a path, or that ways are looked for up to; 0: any
+ * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, distance: number, candidates: Float64Array[] }} search distance: of the shortest way; isAll: all locally shortest ways
  */
 
 /** As sp_algorithm in wasm/surfpath.h. */
@@ -34,6 +34,9 @@ export const POLYLINE = 1;
 
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 export const MARGIN = 1e-3;
+
+/** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
+export const LONGEST = 1.25;
 
 /** No more steps than so many. @param {SolveOptions} options @param {number} steps @returns {SolveOptions} */
 export const within = (options, steps) => ({ ...options, maxIterations: Math.min(options.maxIterations, steps) });

@@ -12,7 +12,7 @@ import { overBranches } from './branched.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { emptyPath } from './runtime/result.js';
-import { CONVERGED, STALLED } from './runtime/status.js';
+import { CONVERGED, SHEET_JUMP, STALLED } from './runtime/status.js';
 import { findStarts } from './starts.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
@@ -33,8 +33,14 @@ export function findPaths(problem, options, most) {
   if (only) return [only];
   /* Without a rectangle there is one straight start. */
   const tried = problem.domain ? [] : [solveRoughly(problem, { to: problem.to, start: null }, [])];
-  const { starts, status } = findStarts(problem, most > 1, tried[0]);
-  return solveBest(problem, options, most, status, tryAll(problem, starts, tried));
+  /** @type {RawPath[]} */
+  let found = [];
+  for (const { starts, status } of findStarts(problem, most > 1, tried[0])) {
+    found = solveBest(problem, options, most, status, tryAll(problem, starts, tried));
+    /* A finer graph may lead where chords follow. */
+    if (problem.domain || found[0].status !== SHEET_JUMP) break;
+  }
+  return found;
 }
 
 /**

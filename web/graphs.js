@@ -1,6 +1,7 @@
 /** The graphs of one surface: built when they are first needed, finer ones where a coarser one separates two ends, freed together. */
 
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./runtime/heap.js').Heap} Heap */
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
@@ -13,8 +14,8 @@ const RESOLUTION = [
   [64, 128, 256],
   [40, 56, 96],
 ];
-/** Without a box: cells between the ends. */
-const FLOOD_RESOLUTION = [14, 22, 34];
+/** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
+const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
@@ -50,10 +51,10 @@ export class Graphs {
   /**
    * The graph of an implicit surface around a point, whatever its bounds, with cells a part of the distance to another wide. Valid until the next one.
    * @param {Heap} heap @param {number} record @param {number[]} from @param {number[]} to @param {number} level
-   * @param {number} length in space of a path between them: no cell is needed that no shorter one can reach; 0: there is none
+   * @param {number} length in space: no cell is needed that no shorter path can reach; 0: all are
    */
   flood(heap, record, from, to, level, length) {
-    const cell = Math.sqrt(from.reduce((sum, x, j) => sum + (x - to[j]) ** 2, 0)) / FLOOD_RESOLUTION[level];
+    const cell = gap(from, to) / FLOOD_RESOLUTION[level];
     if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
     this.#flood = null;

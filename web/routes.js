@@ -2,7 +2,7 @@
 
 import { findBranches } from './branches.js';
 import { passBranches } from './branched.js';
-import { ELEMENTS, holds } from './candidates.js';
+import { ELEMENTS, holds, LONGEST } from './candidates.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
 import { reverse, turned } from './join.js';
@@ -45,8 +45,6 @@ const [PATIENCE, SLIPPING] = [40, 0.1];
 /** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
 const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
 const BESIDE = 1e-6;
-/** Ways longer than the shortest by more are not candidates: LONGEST of wasm/graph_search.c. */
-const LONGEST = 1.25;
 
 /**
  * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.

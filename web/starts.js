@@ -1,54 +1,82 @@
 /** Where paths between two ends are started from: straight lines to lifts of the second end, and ways through a graph of the surface. */
 
-import { holds } from './candidates.js';
+import { holds, LONGEST } from './candidates.js';
 import { neighbours } from './lifts.js';
 import { CONVERGED, DISCONNECTED, OFF_SURFACE, SINGULAR_METRIC } from './runtime/status.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./candidates.js').Graph} Graph */
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./candidates.js').Start} Start */
 /** @typedef {import('./candidates.js').Tried} Tried */
+/** @typedef {{ graph: Graph } & ReturnType<Problem['search']>} Looked what a graph says of the ends */
 
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
 const CANDIDATE_POINTS = 65;
+/** Where no path is known, a flood looks first where ways lead that are so many times as long as the ends are apart. */
+const NEAR = 2;
+/** From this level on only what the one before does not resolve is refined. */
+const FINE = 2;
 
 /**
- * Starts: the straight lines to the nearest lifts of the end, then the ways through the first graph that joins the ends. The last status says why
- * there are none of these.
+ * Starts: the straight lines to the nearest lifts of the end, and the ways through the first graph that joins the ends; then, for who goes on as these came to nothing, those through
+ * finer ones. The last status says why there are none of these.
  * @param {Problem} problem @param {boolean} isAll @param {Tried | undefined} straight the straight start, where there is no rectangle: it is none of the answer's
+ * @returns {Generator<{ starts: Start[], status: number }, void>}
  */
-export function findStarts(problem, isAll, straight) {
-  const { from, to, domain } = problem;
+export function* findStarts(problem, isAll, straight) {
+  const { from, to, domain, isPlain } = problem;
   /** @type {Start[]} */
   const starts = domain ? neighbours(domain, to, from).map((end) => ({ to: end, start: null })) : [];
-  if (straight && isBadEnd(problem, straight.path.status)) return { starts, status: OFF_SURFACE };
-  const search = (/** @type {Graph} */ graph) => {
-    if (graph.status !== CONVERGED) return graph.status;
-    const { status, candidates } = problem.search(graph, CANDIDATE_POINTS, isAll);
-    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-problem.from.length)), start });
-    return status;
+  if (straight && isBadEnd(problem, straight.path.status)) return yield { starts, status: OFF_SURFACE };
+  const along = (/** @type {Looked} */ { candidates, status }) => {
+    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-from.length)), start });
+    return { starts: starts.splice(0), status };
   };
+  const known = straight && holds(straight) ? straight.path.length : 0;
   let status = OFF_SURFACE;
-  /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
-  let level = problem.domain || (problem.isPlain && problem.graph(0)?.resolved) ? 0 : 1;
-  const most = straight && problem.isPlain && !isAll && holds(straight) ? straight.path.length : 0;
-  const flood = (/** @type {number} */ at) => problem.flood(at, most);
-  for (const find of [problem.graph, flood]) {
-    for (let graph = find(level); graph; graph = find(++level)) {
-      if (level === 0 && !problem.domain && !graph.resolved) continue;
-      status = search(graph);
-      if (status !== DISCONNECTED && status !== OFF_SURFACE) break;
-      if (find === problem.graph) continue;
-      if (graph.vertices === FLOOD_CELLS) return { starts, status: OFF_SURFACE };
-      status = DISCONNECTED;
-    }
-    /* What only hangs together outside the bounds: the straight start's path proves that it does, not that none is shorter. */
-    if (status !== OFF_SURFACE && !(status === DISCONNECTED && straight && holds(straight))) break;
-    level = 0;
+  let isFound = false;
+  for (const looked of look(problem, problem.graph, domain || (isPlain && problem.graph(0)?.resolved) ? 0 : 1, isAll)) {
+    status = looked.status;
+    if (isOpen(status)) continue;
+    isFound = true;
+    yield along(looked);
   }
-  return { starts, status };
+  /* What only hangs together outside the bounds: the straight start's path proves that it does, not that none is shorter. */
+  const isOutside = status === OFF_SURFACE || (status === DISCONNECTED && known > 0);
+  const near = isPlain && (!known || isAll) ? NEAR * gap(from, to) : 0;
+  for (const reach of isOutside && !isFound ? (near ? [near, 0] : [known]) : []) {
+    for (const looked of look(problem, (level) => problem.flood(level, reach), 0, isAll)) {
+      status = looked.status;
+      if (isOpen(status)) {
+        status = looked.graph.vertices === FLOOD_CELLS ? OFF_SURFACE : DISCONNECTED;
+        if (status === OFF_SURFACE) break;
+        continue;
+      }
+      /* Ways that are as short may lead farther. */
+      if (near > 0 && reach === near && LONGEST * looked.distance > reach) break;
+      isFound = true;
+      yield along(looked);
+    }
+    if (isFound || status === OFF_SURFACE) break;
+  }
+  if (!isFound) yield { starts, status };
 }
+
+/** What graphs say of the ends, from a level on. @param {Problem} problem @param {(level: number) => Graph | null} find @param {number} level @param {boolean} isAll @returns {Generator<Looked, void>} */
+function* look({ domain, search }, find, level, isAll) {
+  for (let graph = find(level); graph; graph = find(++level)) {
+    /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
+    if (level === 0 && !domain && !graph.resolved) continue;
+    const { status } = graph;
+    yield { graph, ...(status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] }) };
+    if (level >= FINE && graph.resolved) return;
+  }
+}
+
+/** Whether a finer graph may join the ends. @param {number} status */
+const isOpen = (status) => status === DISCONNECTED || status === OFF_SURFACE;
 
 /** Whether an end is to blame for the status of a straight start on an implicit surface: that no search will change. @param {Problem} problem @param {number} status */
 const isBadEnd = ({ isPlain }, status) => status === OFF_SURFACE || (isPlain && status === SINGULAR_METRIC);

@@ -88,3 +88,20 @@ test('pieces of what is inside the bounds that hang together outside: the shorte
   assert.ok(narrow.geodesics(...ends).length > 1);
   for (const surface of [narrow, wide]) surface.dispose();
 });
+
+test('a cylinder without bounds, its ends far apart beside its width: one piece, right to the closed form', () => {
+  const cylinder = surfpath.implicit({ f: 'x^2 + y^2 - 1' });
+  for (const height of [3, 15, 30, 100, 400]) {
+    // The straight line nearly meets the axis, from which nothing leads to the surface: all comes from the search.
+    const angle = Math.PI - 1e-3;
+    const [from, to] = [
+      [1, 0, 0],
+      [Math.cos(angle), Math.sin(angle), height],
+    ];
+    assert.equal(cylinder.shortestPath(from, to, { start: 'straight' }).status, 'sheet-jump');
+    const { status, length } = cylinder.shortestPath(from, to);
+    assert.equal(status, 'converged', `height ${height}`);
+    assert.ok(Math.abs(length / Math.hypot(angle, height) - 1) < 1e-9, `height ${height}: ${length}`);
+  }
+  cylinder.dispose();
+});
