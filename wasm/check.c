@@ -116,7 +116,7 @@ static double halving_error(const struct sp_polyline *line, double length) {
 double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-15 * length + 2.2e-16 * scale : 0; }
 
 double sp_check_length_error(const struct sp_polyline *line, double scale, int touches, const struct sp_chord_sums *sums) {
-    if (line->kind->components) return sp_metric_length_error(line, scale);
+    if (line->kind->components) return sp_metric_length_error(line, scale, 1);
     double error = sums->error, least = sp_check_rounding(sums->length, scale), halved = touches ? halving_error(line, sums->length) : 0;
     if (halved > error) error = halved;
     return error > least ? error : least;

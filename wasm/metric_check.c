@@ -59,7 +59,7 @@ enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
     return SP_CONVERGED;
 }
 
-/* |B - A| by the trapezoidal rule, as the energy of degree 1 measures it. */
+/* |B - A| by the trapezoidal rule. */
 static double chord_length(const struct sp_polyline *line, int32_t from, int32_t to) {
     struct sp_fold fold = line->fold;
     int32_t components = line->kind->components, node[2] = {from, to};
@@ -92,14 +92,17 @@ static double middle_length(const struct sp_polyline *line) {
     return sum[0] + sum[1];
 }
 
-double sp_metric_length_error(const struct sp_polyline *line, double size) {
-    double length[2] = {0, 0};
+double sp_metric_length_error(const struct sp_polyline *line, double size, int at_rest) {
+    double length[2] = {0, 0}, squares = 0;
     int32_t last = line->fold.inner + 1;
     for (int32_t half = 0; half < 2; half++)
-        for (int32_t i = 0; i < last; i += 1 + half)
-            length[half] += chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
+        for (int32_t i = 0; i < last; i += 1 + half) {
+            double chord = chord_length(line, i, i + half + 1 < last ? i + half + 1 : last);
+            length[half] += chord, squares += half ? 0 : chord * chord;
+        }
     double bent = absolute(length[0] - length[1]) / 3, hidden = absolute(length[0] - middle_length(line)) * (2.0 / 3.0),
-           least = sp_check_rounding(length[0], size), error = bent;
-    if (hidden > HIDDEN * length[0] && hidden > bent) error = hidden;
-    return error > least ? error : least;
+           error = larger(bent, sp_check_rounding(length[0], size));
+    /* Nodes at rest that see the metric are passed at even speed. */
+    if (at_rest && length[0] > 0) error = larger(error, last * squares / length[0] - length[0]);
+    return hidden > HIDDEN * length[0] ? larger(error, hidden) : error;
 }

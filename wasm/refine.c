@@ -49,6 +49,9 @@ enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED)
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
 static const double REACH = 0.03;
 enum { FINE = 7 /* (24, 32) */ };
+/* A start whose length in a metric is wrong by more than this part of it has more chords, up to so many. */
+static const double UNSEEN = 0.05;
+enum { SEEING_CHORDS = 512 };
 /* At a branch point squares of speeds are this part of those beside it. */
 static const double STILL = 1e-6;
 
@@ -268,6 +271,9 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     double spread[SP_SPREAD + 1], *present = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));
     int follows = 0, uneven = newton->system.elements.spread != NULL;
     if (uneven) memcpy(spread, newton->system.elements.spread, sizeof spread);
+    /* A metric that changes much is what so many chords were for. */
+    if (first->line.kind->components && first->elements.reference.degree == 1 && first->line.fold.inner >= SPREAD_NODES)
+        uneven = spread_elements(first, newton->step, spread);
     struct start start;
     struct sp_storage storage;
     if (!present || !sp_refine_take(&storage, newton, arena)) return now.outcome.status = SP_OUT_OF_MEMORY, finish(newton, now, 0);
@@ -347,28 +353,47 @@ static double check_chords(const struct sp_newton *newton, const struct climbed 
     return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
 }
 
+/* The path on twice as many chords. */
+static enum sp_status double_chords(struct sp_newton *newton, const struct sp_storage *storage) {
+    struct sp_system before = sp_storage_keep(storage, &newton->system);
+    return carry_over(newton, &before, 2 * (newton->system.line.fold.inner + 1));
+}
+
+/* A start whose nodes do not see the metric along it, on more chords: Newton would hide nodes on both sides of what they do not see. */
+static enum sp_status see_metric(struct sp_newton *newton, const struct sp_storage *storage) {
+    struct sp_polyline *line = &newton->system.line;
+    enum sp_status status = SP_CONVERGED;
+    while (status == SP_CONVERGED && line->kind->components && line->fold.inner < SEEING_CHORDS &&
+           sp_metric_length_error(line, newton->size, 0) > UNSEEN * sp_system_length(&newton->system, line->nodes))
+        status = double_chords(newton, storage);
+    return status;
+}
+
 /* The path of chords, as it was checked, and what its length is wrong by. Where a surface has many waves, or a metric turns quickly, 32
  * chords are wrong by more than the guard allows (7 % on a field of 25:1 that turns by three radians): then twice as many, until they are
  * not. */
 static struct climbed find_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                  double *error) {
     struct sp_polyline *line = &newton->system.line;
-    struct climbed now = {0};
-    for (;;) {
+    newton->system.elements.count = line->fold.inner + 1;
+    struct climbed now = {.outcome = {.status = see_metric(newton, storage)}};
+    while (now.outcome.status == SP_CONVERGED) {
         int32_t count = 2 * (line->fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
-        if (now.outcome.status < 0) return now;
+        if (now.outcome.status < 0) break;
         sp_ends_turn(&newton->system);
         now.length = sp_system_length(&newton->system, line->nodes);
         enum sp_status checked;
+        double before = *error;
         *error = check_chords(newton, &now, &checked);
         if (checked < 0) now.outcome.status = checked;
         int enough = count > (now.outcome.active ? WALLED_CHORDS : SP_REFINE_CHORDS) || *error <= CHORD_ERROR * now.length;
-        if (now.outcome.status != SP_CONVERGED || enough) return now;
-        struct sp_system before = sp_storage_keep(storage, &newton->system);
-        now.outcome.status = carry_over(newton, &before, count);
-        if (now.outcome.status != SP_CONVERGED) return now;
+        /* Nodes that hide from a metric do so the better the more they are. */
+        int hides = line->kind->components && before > 0 && *error > before;
+        if (now.outcome.status != SP_CONVERGED || enough || hides) break;
+        now.outcome.status = double_chords(newton, storage);
     }
+    return now;
 }
 
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,

@@ -1,5 +1,6 @@
 /* First polylines: straight, or resampled from one that is given. MATH.md, "Starts". */
 #include "start.h"
+#include "graph_build.h"
 #include "scalar.h"
 
 /* Where a place lies; u and v themselves on a surface without positions. */
@@ -58,18 +59,16 @@ static void straight_line(const struct sp_polyline *line, const double from[3], 
         line->nodes.places[j][1] = to[j];
 }
 
-/* Positions of the given points, and the length of the polyline up to each. Returns the whole length. */
+/* The length of the given polyline up to each point, as length is measured; returns that of all. Nodes that begin evenly spaced in space
+ * have far to go along the path where a metric changes much. */
 static double measure(const struct sp_polyline *line, const struct sp_request *request, double *along) {
-    double before[3] = {0}, total = 0;
     int dimension = line->kind->dimension;
+    double samples[2][SP_GRAPH_WIDTH], total = 0;
     for (int32_t i = 0; i < request->start_count; i++) {
-        double here[3];
-        locate_place(line->surface, request->start + dimension * i, here);
-        double chord[3] = {here[0] - before[0], here[1] - before[1], here[2] - before[2]};
-        total += i ? norm(chord) : 0;
-        along[i] = total;
-        for (int j = 0; j < 3; j++)
-            before[j] = here[j];
+        const double *place = request->start + dimension * i, *before = i ? place - dimension : place;
+        double by[2] = {place[0] - before[0], place[1] - before[1]};
+        sp_graph_sample(line->surface, place, samples[i & 1]);
+        along[i] = total += i ? sp_graph_chord(line->surface, samples[~i & 1], samples[i & 1], by) : 0;
     }
     return total;
 }

@@ -14,6 +14,8 @@ import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 
 /** Of the rough paths that may be the shortest so many are solved finely. */
 const MOST_FINE = 8;
+/** Where more of them than so many end equally long, and none as it was asked, others will as well. */
+const MOST_ALIKE = 2;
 /** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
 const SURELY = 1.02;
 /** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
@@ -65,6 +67,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     const refined = isFew ? { to: found.to, path: again(compared(options)), again } : { to: found.to, path: again(options) };
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
+    if (failed.filter(({ length }) => Math.abs(length - refined.path.length) <= MARGIN * length).length > MOST_ALIKE) break;
   }
   return [usable, failed];
 }
@@ -93,8 +96,10 @@ export function followAsTheyAre({ solve }, options, unfollowed, isFound) {
   const found = [];
   /* Chords jump where the rough ones did; what was not at rest yet they lead to as well. */
   const able = options.algorithm === ELEMENTS ? unfollowed : unfollowed.filter(({ path }) => isOnSurface(path));
+  const isLonger = (/** @type {RawPath} */ path) =>
+    !path.crossesSingularity && found.some((one) => holds(one) && path.length > one.path.length);
   for (const { to, start, path } of able.slice(0, most))
-    if (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds)))
+    if (!isLonger(path) && (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds))))
       found.push({ to, path: solve(to, start, options) });
   return found;
 }

@@ -15,7 +15,7 @@ import { dot, gap } from './vector.js';
 
 /** Steps of Newton after which no more is tried; who allows fewer altogether wants to know where they end. */
 const STEPS = 100;
-/** Statuses of paths that may be none because of how they were measured. */
+/** Statuses of paths that may be none because of how they were measured; under a density or a metric the last two are its own, as a rule. */
 const ASTRAY = ['stalled', 'singular-metric', 'iteration-limit', 'tolerance-not-met'];
 /** Lines are measured from node to node in so many parts, each by Gauss's rule: at these places. */
 const PARTS = 32;
@@ -55,8 +55,8 @@ function measure({ jets }, line) {
  * The surface by its E, F and G, and the options for it, where a path does not hold; null: there is nothing to gain. Ways through branch points are known in space alone.
  * @param {Field} field @param {Path} path @param {SolveOptions} options
  */
-function instead({ own, graphs }, path, options) {
-  const isOpen = ASTRAY.includes(path.status) && options.algorithm === ELEMENTS && options.maxIterations >= STEPS;
+function instead({ own, graphs, isPlain }, path, options) {
+  const isOpen = ASTRAY.slice(0, isPlain ? 4 : 2).includes(path.status) && options.algorithm === ELEMENTS && options.maxIterations >= STEPS;
   const field = own && isOpen && !graphs.branches?.length ? own() : null;
   return field && { field, options: { ...options, maxIterations: STEPS } };
 }

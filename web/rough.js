@@ -65,10 +65,15 @@ export function solveRoughly(problem, { to, start }, tried) {
   return more ? solveFiner(problem, one) : one;
 }
 
-/** Solves with more and more points, until it does not stall. @param {Problem} problem @param {Tried} one @returns {Tried} */
+/** Solves with more and more points, until it does not stall: from the start, or from what only did not see a metric between its nodes. @param {Problem} problem @param {Tried} one @returns {Tried} */
 function solveFiner(problem, one) {
   let { path } = one;
-  for (const points of ROUGH.slice(1)) if (isTooCoarse(path)) path = problem.solve(one.to, one.start, { ...ROUGHLY, points });
+  for (const points of ROUGH.slice(1)) {
+    if (!isTooCoarse(path)) break;
+    const finer = { ...ROUGHLY, points };
+    const mayLead = path.status !== STALLED && path.lengthError < path.length;
+    path = mayLead ? solveFrom(problem, { ...one, path }, finer) : problem.solve(one.to, one.start, finer);
+  }
   return { ...one, path };
 }
 

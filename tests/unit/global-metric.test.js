@@ -207,3 +207,35 @@ test('along a road, on which length is a tenth: no path is longer than what the 
     assert.ok(!(chords.converged && chords.length > 1.01 * along.length), `${chords.status} ${chords.length}`);
   }
 });
+
+describe('along a road, on which length is a twentieth, or less', () => {
+  /* On the way over, rho dx/ds is a constant c (Clairaut), and the length c times how far that is in x, plus the integral of sqrt(rho² - c²) over y; on the road c is rho, to
+   * less than 1e-20. */
+  const across = (/** @type {number} */ least, /** @type {number} */ side) => {
+    const steps = 100_000;
+    let sum = 0;
+    // Simpson's rule on one side of the road.
+    for (let i = 0; i <= steps; i++) {
+      const y = (side * i) / steps;
+      const rise = -(1 - least) * Math.expm1(-40 * y * y);
+      sum += (i === 0 || i === steps ? 1 : i % 2 ? 4 : 2) * Math.sqrt(rise * (rise + 2 * least));
+    }
+    return (sum * Math.abs(side)) / steps / 3;
+  };
+
+  for (const least of [0.05, 0.03])
+    test(`${least} of what it is beside it: as long as by Clairaut's constant`, () => {
+      const surface = make({ kind: 'graph', z: 0, x: [-3, 3], y: [-3, 3], density: `1 - ${1 - least}*exp(-40*y^2)` });
+      for (const [half, below, above] of [
+        [2.5, -1, 1.2],
+        [2, -0.4, 2.1],
+        [1, -1.6, 0.2],
+      ]) {
+        const length = 2 * half * least + across(least, below) + across(least, above);
+        const path = surface.shortestPath([-half, below], [half, above]);
+        assert.equal(path.status, 'converged', `${half}: ${path.length}, not ${length}`);
+        assert.ok(Math.abs(path.length / length - 1) < 1e-9, `${half}: ${path.length}, not ${length}`);
+      }
+      surface.dispose();
+    });
+});
