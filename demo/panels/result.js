@@ -2,12 +2,15 @@
 
 import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
-import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
+import { describeStatus, describeWork, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
 
 export function startResult() {
   onRender(renderResult);
   onRender(renderMoment);
 }
+
+/** What is computed takes so long that what is seen must not pass for the answer. */
+let isWaiting = false;
 
 /** @param {string} id @param {string} text */
 function write(id, text) {
@@ -41,11 +44,22 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
     write('iterations', exists ? String(stepsShown() || path.iterations) : '–');
     write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
+  // Of several tasks in a row each begins as a quick one.
+  isWaiting = busy && (isWaiting || live?.isSlow === true);
+  find('result').toggleAttribute('data-waiting', isWaiting);
+  if (isWaiting) return renderWaiting(building, sketch);
   if (busy && (!surface || !path)) return;
   const [words, advice] = path ? describeStatus(path.status, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
   write('advice', linkProblem ?? (path && problem ? 'The last good surface is shown.' : advice));
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
+}
+
+/** @param {boolean} building the surface is not there yet @param {import('../state/sketch.js').Sketch} sketch */
+function renderWaiting(building, sketch) {
+  write('status', describeWork(building, sketch));
+  write('advice', '');
+  delete find('status').dataset.status;
 }
 
 /** @param {import('../state/state.js').State} state */

@@ -98,6 +98,12 @@ export function describeStatus(status, sketch, isFollowed = false) {
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];
 }
 
+/** By what is asked. */
+const WORK = { path: 'Looking for the shortest path…', all: 'Looking for geodesics…', trace: 'Following the geodesic…' };
+
+/** What is being computed. @param {boolean} building the surface is not there yet @param {Pick<Sketch, 'task'>} sketch that is asked */
+export const describeWork = (building, { task }) => (building ? 'Drawing the surface…' : WORK[task]);
+
 /** The outcomes of a path that is not at rest: a step would still change it. */
 const MOVING = ['stalled', 'iteration-limit'];
 /** Those of one that is known to be as short as can be. */

@@ -170,6 +170,9 @@ describe('what takes long', () => {
     await page.fill('#field-f', LONG);
     await page.waitForSelector('#progress:not([hidden])');
     assert.match(await text('#progress-words'), /^(?:Drawing the surface|Searching for paths)$/);
+    assert.match(await text('#status'), /^(?:Drawing the surface|Looking for the shortest path)…$/);
+    assert.equal(await status(), null, 'what is seen is not the answer');
+    assert.equal(await text('#advice'), '');
     const isHidden = await page.evaluate(() => {
       document.getElementById('cancel')?.click();
       return document.getElementById('progress')?.hidden;
