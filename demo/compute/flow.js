@@ -1,7 +1,7 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { chooseEnds, findBadEnd, placeOf } from '../state/ends.js';
+import { chooseEnds, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -113,9 +113,23 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
-  if (!areLeftBehind()) return;
-  state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
-  await solve(true);
+  for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow())]) {
+    if (mine !== builds || !areLeftBehind()) return;
+    moveEnds(elsewhere());
+    await solve(true);
+  }
+}
+
+/** The ends of the sketch, put onto the surface that is seen. */
+function mended() {
+  const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
+  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends);
+}
+
+/** @param {number[][]} ends */
+function moveEnds(ends) {
+  state.note = describeMoved(state.sketch.ends, ends) ?? state.note;
+  state.sketch = { ...state.sketch, ends, via: [] };
 }
 
 /** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
@@ -143,10 +157,8 @@ function repairEnds() {
   const { kind, ends, via } = state.sketch;
   if (areInside(state.sketch, surfaceNow())) return;
   const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
-  const change = findBadEnd(kind, surfaceNow(), ends)
-    ? { ends: chooseEnds(surfaceNow(), meshNow()), via: [] }
-    : { via: via.filter(inside) };
-  state.sketch = { ...state.sketch, ...change };
+  if (findBadEnd(kind, surfaceNow(), ends)) moveEnds(mended());
+  else state.sketch = { ...state.sketch, via: via.filter(inside) };
 }
 
 /** A place to look from: the middle between the ends. */

@@ -26,7 +26,7 @@ function describeStart(length, start) {
 }
 
 /** @param {import('../state/state.js').State} state */
-function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, moving, building, surface, gauge }) {
+function renderResult({ sketch, solved, problem, endProblem, note, live, moving, building, surface, gauge }) {
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   const busy = live !== null || building;
@@ -51,7 +51,7 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
   if (busy && (!surface || !path)) return;
   const [words, advice] = path ? describeStatus(path.status, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', linkProblem ?? (path && problem ? 'The last good surface is shown.' : advice));
+  write('advice', note ?? (path && problem ? 'The last good surface is shown.' : advice));
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
 
