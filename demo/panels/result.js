@@ -1,5 +1,7 @@
 /** The strip of results, the player and the legend: numbers and words of what is seen. */
 
+import { unbroken } from '../compute/curves.js';
+import { placesOf } from '../compute/drawn.js';
 import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
@@ -49,11 +51,16 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   find('result').toggleAttribute('data-waiting', isWaiting);
   if (isWaiting) return renderWaiting(building, sketch);
   if (busy && (!surface || !path)) return;
-  const [words, advice] = path ? describeStatus(path.status, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
+  const [words, advice] = path
+    ? describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path) })
+    : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
   write('advice', note ?? (path && problem ? 'The last good surface is shown.' : advice));
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
+
+/** Whether a path that came to no rest leaps over what is no surface. @param {import('surfpath').Path} path */
+const leaps = (path) => !path.converged && placesOf(path).length > 0 && unbroken(placesOf(path)).length > 1;
 
 /** @param {boolean} building the surface is not there yet @param {import('../state/sketch.js').Sketch} sketch */
 function renderWaiting(building, sketch) {

@@ -63,13 +63,15 @@ const SMOOTH = {
 /** Functions that bend or jump somewhere. */
 const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
+const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
+
 /**
  * What to do about a path that comes to no rest, or is not exact: where a formula bends or jumps, no algorithm can help.
- * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one
+ * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
  */
-function adviseStuck({ texts, density, tensor }, advice) {
+function adviseStuck({ texts, density, tensor }, advice, leaps) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
-  if (!name) return advice;
+  if (!name) return leaps ? LEAPS : advice;
   const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
   return `Across an edge or a jump, as ${name} makes one, no path comes to rest, or none exactly: write something smooth, such as ${instead}.`;
 }
@@ -82,17 +84,21 @@ function describeSingular(sketch) {
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
 }
 
+/** The statuses of a path that may be about a gap or an edge. */
+const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];
+
 /**
  * @param {string} status of a Path
  * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor'>} sketch that was asked
- * @param {boolean} [isFollowed] while something moves, the path comes from the last one: others were not looked for
+ * @param {{ isFollowed?: boolean, leaps?: boolean }} [seen] isFollowed: while something moves, the path comes from the last one, others were not looked
+ *   for; leaps: two points of it next to each other are far apart
  * @returns {[string, string]} what happened, what to do
  */
-export function describeStatus(status, sketch, isFollowed = false) {
+export function describeStatus(status, sketch, { isFollowed = false, leaps = false } = {}) {
   const { start, task } = sketch;
   const [words, advice] = OUTCOMES[status] ?? [status, ''];
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
-  if (status === 'stalled' || status === 'tolerance-not-met') return [words, adviseStuck(sketch, advice)];
+  if (ROUGHLY.includes(status)) return [words, adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];
@@ -139,10 +145,10 @@ export function formatNumber(x, digits = 6) {
   return `${mantissa} × 10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
 }
 
-/** A number down to the first digit that is uncertain, as far as a reader follows. @param {number} x @param {number} uncertainty */
+/** A number down to the first digit that is uncertain, as far as a reader follows: two at least, as the first alone may mislead. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
   const digits = uncertainty > 0 && uncertainty < Infinity ? orderOf(x, MOST_DIGITS) - orderOf(uncertainty, 1) + 1 : FEW_DIGITS;
-  return formatNumber(x, Math.min(Math.max(digits, 1), MOST_DIGITS));
+  return `${uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
 }
 
 /** @param {number} x a small positive estimate */

@@ -16,7 +16,7 @@ test('each status is said in words', () => {
 
 test('while an end moves no other path was looked for', () => {
   assert.match(describeStatus('converged', sketchOf('saddle'))[1], /No shorter path was found/);
-  assert.match(describeStatus('converged', sketchOf('saddle'), true)[1], /No path nearby is shorter/);
+  assert.match(describeStatus('converged', sketchOf('saddle'), { isFollowed: true })[1], /No path nearby is shorter/);
 });
 
 test('a measure of length that is none is told as what it is', () => {
@@ -30,9 +30,9 @@ test('a measure of length that is none is told as what it is', () => {
 });
 
 test('where a formula bends or jumps, that is why a path is stuck', () => {
-  const advice = (/** @type {string} */ z, status = 'stalled') => {
+  const advice = (/** @type {string} */ z, status = 'stalled', leaps = false) => {
     const sketch = sketchOf('own-graph');
-    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } })[1];
+    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } }, { leaps })[1];
   };
   assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
   assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes one/);
@@ -41,6 +41,8 @@ test('where a formula bends or jumps, that is why a path is stuck', () => {
   assert.match(advice('2*floor (x)'), /as floor makes one.*tanh/);
   assert.match(advice('1e9*x*y'), /less steep/);
   assert.match(advice('absorb*x'), /less steep/);
+  assert.match(advice('1/x', 'stalled', true), /gap between the ends/);
+  assert.match(advice('floor(x)', 'stalled', true), /as floor makes one/);
 });
 
 test('only what was looked for among all is called the shortest path', () => {
@@ -76,8 +78,9 @@ test('a length ends with the digit that is uncertain, nine digits at most', () =
   assert.equal(formatTo(8.447294813, 3e-14), '8.44729481');
   assert.equal(formatTo(8.447294813, 3.2e-4), '8.4473');
   assert.equal(formatTo(1234.5, 30), '1230');
-  assert.equal(formatTo(42, 872.5), '40');
+  assert.equal(formatTo(42, 872.5), '≈ 42');
   assert.equal(formatTo(4.599999999999998e30, 18927999999999996), '4.60000000 × 10³⁰');
+  assert.equal(formatTo(97.9, 46), '98');
   assert.equal(formatTo(1.5, Number.NaN), '1.500000');
   assert.equal(formatTo(1.5, Number.POSITIVE_INFINITY), '1.500000');
 });
