@@ -12,10 +12,8 @@ import { surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('./scene.js').View} View */
 
-/** CSS pixels from a handle to its letter. */
-const LETTER = 23;
-/** Half the width of what marks a handle, in CSS pixels. */
-const MARKER = 10;
+/** Half the width of what marks a handle at its largest, in CSS pixels. */
+const MARKER = 11;
 /** How far along the path is what its letter keeps away from, in parts of it. */
 const BESIDE = 0.12;
 
@@ -118,22 +116,25 @@ function alongPath(end) {
   return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
 }
 
-/** A box about a place. @param {number} x @param {number} y @param {number} reach */
-const boxAt = (x, y, reach) => ({ left: x - reach, top: y - reach, right: x + reach, bottom: y + reach });
+/** A box about a place. @param {number} x @param {number} y @param {number} across half its width @param {number} [down] half its height */
+const boxAt = (x, y, across, down = across) => ({ left: x - across, top: y - down, right: x + across, bottom: y + down });
 
-/** A letter stands on the side where the path does not run. @param {View} view @returns what handles and letters cover */
+/** A letter stands on the side where the path does not run, as near as it can without covering its point. @param {View} view @returns what handles and letters cover */
 function placeLetters(view) {
-  const boxes = [];
-  for (const [i, handle] of handles.entries()) {
-    if (!handle) continue;
+  const placed = handles.flatMap((handle, i) => {
+    if (!handle) return [];
+    const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
+    return [{ i, handle, letter, half: [letter.offsetWidth / 2, letter.offsetHeight / 2] }];
+  });
+  return placed.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
-    const far = LETTER / Math.max(Math.hypot(x - ox, y - oy), 1);
-    const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
-    const [across, down] = [(x - ox) * far, (y - oy) * far];
+    const gap = Math.max(Math.hypot(x - ox, y - oy), 1);
+    const [right, below] = [(x - ox) / gap, (y - oy) / gap];
+    const far = MARKER + Math.abs(right) * half[0] + Math.abs(below) * half[1];
+    const [across, down] = [far * right, far * below];
     letter.style.transform = `translate(${across.toFixed(1)}px, ${down.toFixed(1)}px)`;
-    boxes.push(boxAt(x, y, MARKER), boxAt(x + across, y + down, LETTER / 2));
-  }
-  return boxes;
+    return [boxAt(x, y, MARKER), boxAt(x + across, y + down, half[0], half[1])];
+  });
 }
