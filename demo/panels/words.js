@@ -35,6 +35,10 @@ const OUTCOMES = {
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
+/** Advice as it is where there is one point already. */
+const withoutFewer = (/** @type {string} */ advice) =>
+  advice.replace('choose fewer points or ', '').replace(', fewer points or', ' or').replace(': choose fewer points', '');
+
 /**
  * What must hold for a measure of length to be one; nothing, where it is that of space.
  * @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch
@@ -89,14 +93,15 @@ const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];
 
 /**
  * @param {string} status of a Path
- * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor'>} sketch that was asked
+ * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor' | 'points'>} sketch that was asked
  * @param {{ isFollowed?: boolean, leaps?: boolean }} [seen] isFollowed: while something moves, the path comes from the last one, others were not looked
  *   for; leaps: two points of it next to each other are far apart
  * @returns {[string, string]} what happened, what to do
  */
 export function describeStatus(status, sketch, { isFollowed = false, leaps = false } = {}) {
-  const { start, task } = sketch;
-  const [words, advice] = OUTCOMES[status] ?? [status, ''];
+  const { start, task, points } = sketch;
+  const [words, given] = OUTCOMES[status] ?? [status, ''];
+  const advice = points > 1 ? given : withoutFewer(given);
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
   if (ROUGHLY.includes(status)) return [words, adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];

@@ -14,6 +14,15 @@ test('each status is said in words', () => {
     }
 });
 
+test('fewer points are advised where there are fewer', () => {
+  for (const status of ['stalled', 'iteration-limit', 'out-of-memory']) {
+    assert.match(describeStatus(status, sketchOf('saddle'))[1], /fewer points/);
+    const [, advice] = describeStatus(status, { ...sketchOf('saddle'), points: 1 });
+    assert.doesNotMatch(advice, /fewer points/);
+    assert.match(advice, /^[A-Z][^:]*(?:: (?:try another algorithm or a less|move the ends)[^:]*)?\.$/, status);
+  }
+});
+
 test('while an end moves no other path was looked for', () => {
   assert.match(describeStatus('converged', sketchOf('saddle'))[1], /No shorter path was found/);
   assert.match(describeStatus('converged', sketchOf('saddle'), { isFollowed: true })[1], /No path nearby is shorter/);
