@@ -4,7 +4,9 @@ import { unbroken } from '../compute/curves.js';
 import { placesOf } from '../compute/drawn.js';
 import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
-import { describeStatus, describeWork, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
+import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
+
+const OF_ERROR = 'Estimated difference to the length of the smooth shortest path';
 
 export function startResult() {
   onRender(renderResult);
@@ -37,7 +39,9 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   // All digits, for those who read the page by program.
   find('length').dataset.exact = exists ? String(path.length) : '';
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
-  write('length-error', exists && !moving && path.lengthError < path.length ? formatEstimate(path.lengthError) : '');
+  const isKnown = exists && !moving && path.lengthError < path.length;
+  write('length-error', isKnown ? formatEstimateOf(path.length, path.lengthError) : '');
+  find('length-error').title = isKnown ? `${OF_ERROR}: ${formatEstimate(path.lengthError)}` : OF_ERROR;
   if (!moving) {
     const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
     find('start-figure').hidden = !hasStart && !busy;

@@ -135,6 +135,9 @@ export function namePath(status, { start, task, via }, isFirst) {
 /** The power of ten of a number's first digit, once it is rounded. @param {number} x @param {number} digits */
 const orderOf = (x, digits) => Number(x.toExponential(digits - 1).split('e')[1]);
 
+/** @param {number} order */
+const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
+
 /** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';
@@ -147,7 +150,7 @@ export function formatNumber(x, digits = 6) {
     .toExponential(digits - 1)
     .replace(/e.*/, '')
     .replace('-', MINUS);
-  return `${mantissa} × 10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
+  return `${mantissa} × ${tenTo(order)}`;
 }
 
 /** A number down to the first digit that is uncertain, as far as a reader follows: two at least, as the first alone may mislead. @param {number} x @param {number} uncertainty */
@@ -158,6 +161,12 @@ export function formatTo(x, uncertainty) {
 
 /** @param {number} x a small positive estimate */
 export const formatEstimate = (x) => (Number.isFinite(x) && x !== 0 ? `± ${formatNumber(x, 1)}` : '');
+
+/** The same beside a number that has no digit of its size: only that it is less than the last one. @param {number} x @param {number} error */
+export function formatEstimateOf(x, error) {
+  const last = orderOf(x, MOST_DIGITS) - MOST_DIGITS + 1;
+  return error > 0 && error < 10 ** last ? `error < ${tenTo(last)}` : formatEstimate(error);
+}
 
 /** @param {number} milliseconds */
 export const formatTime = (milliseconds) => `${milliseconds < 100 ? Number(milliseconds.toPrecision(2)) : Math.round(milliseconds)} ms`;

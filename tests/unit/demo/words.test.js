@@ -1,7 +1,15 @@
 // What the page says of outcomes, and its numbers: one notation for all sizes, and no digit beyond the error.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { describeNoMeasure, describeStatus, formatEstimate, formatNumber, formatTo, namePath } from '../../../demo/panels/words.js';
+import {
+  describeNoMeasure,
+  describeStatus,
+  formatEstimate,
+  formatEstimateOf,
+  formatNumber,
+  formatTo,
+  namePath,
+} from '../../../demo/panels/words.js';
 import { sketchOf } from '../../../demo/state/sketch.js';
 import { STATUS } from '../../../web/runtime/status.js';
 
@@ -101,4 +109,13 @@ test('an error has one digit, written as the length is', () => {
   assert.equal(formatEstimate(2e-8), '± 2 × 10⁻⁸');
   assert.equal(formatEstimate(18927999999999996), '± 2 × 10¹⁶');
   assert.equal(formatEstimate(0), '');
+});
+
+test('below the last digit that is shown, only that it is', () => {
+  assert.equal(formatEstimateOf(8.447294813, 3e-14), 'error < 10⁻⁸');
+  assert.equal(formatEstimateOf(8.447294813, 2e-8), '± 2 × 10⁻⁸');
+  assert.equal(formatEstimateOf(12345678.9, 0.001), 'error < 10⁻¹');
+  assert.equal(formatEstimateOf(9.9999999996, 1e-9), 'error < 10⁻⁷');
+  assert.equal(formatEstimateOf(4.6e30, 7), 'error < 10²²');
+  assert.equal(formatEstimateOf(1, 0), '');
 });
