@@ -92,6 +92,17 @@ describe('sizes and themes', () => {
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
+  test('a phone on its side has the whole legend', async () => {
+    await page.setViewportSize({ width: 844, height: 390 });
+    await openEntry(page, 'parametricTorus');
+    assert.deepEqual(await page.$$eval('#legend li', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.textContent)), [
+      'Shortest path',
+      'Straight start',
+      'Hidden part',
+    ]);
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
   test('words of any length leave the view as large as it is', async () => {
     await openEntry(page, 'parametricTorus');
     const height = () => page.evaluate(() => document.getElementById('view')?.clientHeight);
