@@ -41,6 +41,7 @@ function unwind(point, last) {
 /** @param {number} index @param {number[]} given */
 function move(index, given) {
   if (state.building) return;
+  state.dragged = true;
   const { ends, via } = state.sketch;
   const point = unwind(given, points()[index]);
   if (index < 2) change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);

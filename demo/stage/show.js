@@ -45,7 +45,7 @@ function frameAt(film, t) {
 
 /** @param {View} view */
 function renderCurves(view) {
-  const { solved, moment, chosen, sketch, moving } = state;
+  const { solved, moment, chosen, sketch, moving, dragged } = state;
   const path = chosenPath();
   const several = solved.starts.length > 0;
   const playing = stepsShown() > 0 && moment < 1;
@@ -69,12 +69,13 @@ function renderCurves(view) {
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
     hidden: curves.paths.length > 0 ? 'Hidden part' : '',
+    drag: dragged || !path ? '' : sketch.task === 'trace' ? 'Drag A' : 'Drag A and B',
   });
 }
 
 /** @type {string} */ let legendShown = '';
 
-/** @param {Record<'path' | 'start' | 'other' | 'hidden', string>} names of what is drawn; '': it is not */
+/** @param {Record<'path' | 'start' | 'other' | 'hidden' | 'drag', string>} names of what is drawn; '': it is not */
 function renderLegend(names) {
   const rows = Object.entries(names).filter(([, text]) => text);
   if (legendShown === rows.join()) return;

@@ -34,6 +34,8 @@ export const state = {
   building: false,
   /** An end or a parameter moves: what is seen is not yet exact. */
   moving: false,
+  /** An end has been dragged: who reads this knows that it can be. */
+  dragged: false,
 };
 
 /** @typedef {typeof state} State */

@@ -35,6 +35,7 @@ const countLengths = () =>
 
 test('by mouse: the path follows during the drag, the camera stays', async () => {
   await openEntry(page, 'saddle');
+  assert.equal(await page.textContent('.legend-drag'), 'Drag A and B');
   await countLengths();
   const [before, start] = [await length(), await ends()];
   const other = await middleOf('#handle-A');
@@ -48,6 +49,7 @@ test('by mouse: the path follows during the drag, the camera stays', async () =>
   await page.mouse.up();
   await page.waitForTimeout(250);
   await settled(page);
+  assert.equal(await page.locator('.legend-drag').count(), 0, 'who has dragged needs no hint');
   assert.ok(during >= 5, `${during} lengths were shown during the drag`);
   assert.notEqual(await length(), before);
   const end = await ends();

@@ -99,6 +99,7 @@ describe('sizes and themes', () => {
       'Shortest path',
       'Straight start',
       'Hidden part',
+      'Drag A and B',
     ]);
     await page.setViewportSize({ width: 1440, height: 900 });
   });
