@@ -6,6 +6,8 @@ import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
 
+/** Said of a surface whose formula is not the one that is written. */
+const OLD = ['Last good surface', 'What is written now could not be drawn; the reason stands beside it.'];
 const OF_ERROR = 'Estimated difference to the length of the smooth shortest path';
 
 export function startResult() {
@@ -55,13 +57,16 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   find('result').toggleAttribute('data-waiting', isWaiting);
   if (isWaiting) return renderWaiting(building, sketch);
   if (busy && (!surface || !path)) return;
-  const [words, advice] = path
-    ? describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path) })
-    : ['No path', (problem ?? endProblem)?.message ?? ''];
+  const isOld = path !== null && problem !== null;
+  const [words, advice] = isOld ? OLD : path ? describePath(path, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', note ?? (path && problem ? 'The last good surface is shown.' : advice));
+  write('advice', note ?? advice);
+  find('status').toggleAttribute('data-old', isOld);
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
+
+/** @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch @param {boolean} moving */
+const describePath = (path, sketch, moving) => describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path) });
 
 /** Whether a path that came to no rest leaps over what is no surface. @param {import('surfpath').Path} path */
 const leaps = (path) => !path.converged && placesOf(path).length > 0 && unbroken(placesOf(path)).length > 1;

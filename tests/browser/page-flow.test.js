@@ -140,6 +140,7 @@ describe('changes that overtake each other', () => {
     await page.fill('#end-0-0', '1.6');
     await rest();
     assert.ok((await length()) > before + 0.01, 'the path follows on the last good surface');
+    assert.equal(await text('#status'), 'Last good surface');
     assert.equal(await status(), 'converged');
     assert.ok(await page.isVisible('#problem-z pre'));
   });
