@@ -1,7 +1,7 @@
 /** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys. */
 
 import { DragHandle } from 'surfpath/three';
-import { change } from '../state/change.js';
+import { change, undo } from '../state/change.js';
 import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
@@ -21,6 +21,7 @@ const BESIDE = 0.12;
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
 /** @type {unknown} */ let themeOfHandles = null;
+/** The sketch when a handle was pressed. @type {unknown} */ let grabbed = null;
 
 /** @param {View} view */
 export function startAnchors(view) {
@@ -61,10 +62,14 @@ function makeHandle(view, drawn, index, point) {
     colour: index < 2 ? theme?.path : theme?.via,
     ring: theme?.halo,
     onDrag: (moved) => move(index, moved),
+    onDragStart: () => {
+      grabbed = state.sketch;
+    },
     onChange: () => view.invalidate(),
   });
   handle.element.id = `handle-${letter}`;
   handle.element.append(create('span', { className: 'letter-tag' }, letter));
+  listenForEscape(handle.element);
   if (index >= 2)
     handle.element.addEventListener('keydown', ({ key }) => {
       if (key === 'Delete') change({ via: state.sketch.via.filter((_, i) => i !== index - 2) });
@@ -72,6 +77,21 @@ function makeHandle(view, drawn, index, point) {
   handleBefore(index)?.element.after(handle.element);
   view.add(handle);
   return handle;
+}
+
+/** Puts what is dragged back to where it was. @param {HTMLElement} element of a handle */
+function listenForEscape(element) {
+  let pointer = -1;
+  element.addEventListener('pointerdown', ({ pointerId }) => {
+    pointer = pointerId;
+  });
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !element.hasPointerCapture(pointer)) return;
+    event.stopPropagation();
+    // A drag is one step of undo.
+    if (state.sketch !== grabbed) undo();
+    element.releasePointerCapture(pointer);
+  });
 }
 
 /** The handle that comes before another one on the way from A to B: the tab key follows it. @param {number} index */
