@@ -5,7 +5,7 @@ import { change, undo } from '../state/change.js';
 import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
-import { isOnSurface, letterOf } from '../state/ends.js';
+import { letterOf, onto } from '../state/ends.js';
 import { placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
 import { surfaceOf } from '../state/sketch.js';
@@ -18,6 +18,7 @@ const MARKER = 11;
 const BESIDE = 0.12;
 
 /** Of each point that has a place, by its index. @type {(DragHandle | null)[]} */ const handles = [];
+/** What each was put for: an unchanged one is not looked at again. @type {unknown[]} */ let placed = [];
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
 /** @type {unknown} */ let themeOfHandles = null;
@@ -113,14 +114,17 @@ function renderHandles(view) {
   [surfaceOfHandles, meshOfHandles] = [drawn, mesh];
   const definition = surfaceOf(state.shown);
   for (const [i, point] of wanted.entries()) {
+    if (!isNew && placed[i] === point) continue;
     const handle = handles[i];
-    if (!isOnSurface(drawn, definition, point)) {
+    const place = onto(drawn, definition, point);
+    if (!place) {
       handle?.dispose();
       handles[i] = null;
-    } else if (!handle) handles[i] = makeHandle(view, drawn, i, point);
-    else if (isNew) handle.setSurface(drawn, point, view.surface);
-    else if (handle.point.some((x, k) => x !== point[k])) handle.setPoint(point);
+    } else if (!handle) handles[i] = makeHandle(view, drawn, i, place);
+    else if (isNew) handle.setSurface(drawn, place, view.surface);
+    else if (handle.point.some((x, k) => x !== point[k])) handle.setPoint(place);
   }
+  placed = wanted;
 }
 
 /** @param {View} view */

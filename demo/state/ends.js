@@ -34,17 +34,24 @@ const shorten = (x) => String(Number(x.toPrecision(5)));
 /** Share of its box's diagonal from which an implicit surface is too far from a point: the library's. */
 const FAR = 0.1;
 
-/** Whether a point lies on a surface, or so near to it that it can be moved there. @param {Surface} drawn @param {any} definition of it @param {number[]} point */
-export function isOnSurface(drawn, { bounds }, point) {
-  if (drawn.kind !== 'implicit') return placeOf(drawn, point) !== null;
-  if (!point.every(Number.isFinite)) return false;
+/**
+ * A point as one of a surface: an implicit one is so near that it can be moved there, downhill, as the solver does it. Null: it is not on the surface.
+ * @param {Surface} drawn @param {any} definition of it @param {number[]} point
+ */
+export function onto(drawn, { bounds }, point) {
+  if (drawn.kind !== 'implicit') return placeOf(drawn, point) && point;
+  if (!point.every(Number.isFinite)) return null;
   const diagonal = Math.hypot(...bounds.map((/** @type {number[]} */ [low, high]) => high - low));
   try {
-    return Math.hypot(...drawn.project(point).map((x, k) => x - point[k])) <= FAR * diagonal;
+    const place = drawn.project(point, point);
+    return Math.hypot(...place.map((x, k) => x - point[k])) <= FAR * diagonal ? place : null;
   } catch {
-    return false;
+    return null;
   }
 }
+
+/** Whether a point lies on a surface. @param {Surface} drawn @param {any} definition of it @param {number[]} point */
+export const isOnSurface = (drawn, definition, point) => onto(drawn, definition, point) !== null;
 
 /** Where a point of the surface lies in space; null if it lies nowhere. @param {Surface} drawn @param {number[]} point */
 export function placeOf(drawn, point) {
