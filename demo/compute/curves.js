@@ -12,6 +12,17 @@ export function lengthOf(points) {
   return sum;
 }
 
+/** How much longer than half of its pieces one must be that leaps over a gap. */
+const LEAP = 4;
+
+/** A polyline without the pieces that leap: no surface lies below them. @param {Float64Array} points @returns {Float64Array[]} one, where none does */
+export function unbroken(points) {
+  const chords = Array.from({ length: points.length / 3 - 1 }, (_, i) => lengthOf(points.subarray(3 * i, 3 * i + 6)));
+  const limit = LEAP * [...chords].sort((a, b) => a - b)[chords.length >> 1];
+  const cuts = chords.flatMap((chord, i) => (chord > limit ? [i + 1] : []));
+  return [0, ...cuts].map((cut, i) => points.subarray(3 * cut, 3 * (cuts[i] ?? chords.length + 1)));
+}
+
 /** A coordinate of point i; before the first and after the last, the parabola through the three next to it. @param {Float64Array} points @param {number} i @param {number} k */
 function coordinate(points, i, k) {
   const last = points.length / 3 - 1;

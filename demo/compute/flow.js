@@ -1,7 +1,7 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { chooseEnds, findBadEnd, placeOf } from '../state/ends.js';
+import { chooseEnds, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -29,7 +29,7 @@ let timer = 0;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh): void, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): void, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
 /** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
@@ -44,7 +44,7 @@ export function connect(solver, solved) {
 export function showIn(view) {
   stage = view;
   if (!state.mesh) return;
-  stage?.setSurface(state.mesh);
+  stage?.setSurface(state.mesh, endPlaces());
   stage?.frame(middle(), toLookFrom);
   render();
 }
@@ -113,9 +113,23 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
-  if (!areLeftBehind()) return;
-  state.sketch = { ...state.sketch, ends: chooseEnds(surfaceNow(), meshNow()), via: [] };
-  await solve(true);
+  for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow())]) {
+    if (mine !== builds || !areLeftBehind()) return;
+    moveEnds(elsewhere());
+    await solve(true);
+  }
+}
+
+/** The ends of the sketch, put onto the surface that is seen. */
+function mended() {
+  const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
+  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends);
+}
+
+/** @param {number[][]} ends */
+function moveEnds(ends) {
+  state.note = describeMoved(state.sketch.ends, ends) ?? state.note;
+  state.sketch = { ...state.sketch, ends, via: [] };
 }
 
 /** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
@@ -129,7 +143,7 @@ function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
-  stage?.setSurface(mesh);
+  stage?.setSurface(mesh, endPlaces());
   render();
 }
 
@@ -143,16 +157,21 @@ function repairEnds() {
   const { kind, ends, via } = state.sketch;
   if (areInside(state.sketch, surfaceNow())) return;
   const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
-  const change = findBadEnd(kind, surfaceNow(), ends)
-    ? { ends: chooseEnds(surfaceNow(), meshNow()), via: [] }
-    : { via: via.filter(inside) };
-  state.sketch = { ...state.sketch, ...change };
+  if (findBadEnd(kind, surfaceNow(), ends)) moveEnds(mended());
+  else state.sketch = { ...state.sketch, via: via.filter(inside) };
 }
+
+/** Where the ends are, as far as they are anywhere. */
+const endPlaces = () =>
+  state.sketch.ends.flatMap((end) => {
+    const place = state.drawn && placeOf(state.drawn, end);
+    return place ? [place] : [];
+  });
 
 /** A place to look from: the middle between the ends. */
 function middle() {
-  const places = state.sketch.ends.map((end) => state.drawn && placeOf(state.drawn, end));
-  return places[0] && places[1] ? places[0].map((x, k) => (x + /** @type {number[]} */ (places[1])[k]) / 2) : null;
+  const [from, to] = endPlaces();
+  return to ? from.map((x, k) => (x + to[k]) / 2) : null;
 }
 
 /** The path, exactly. @param {boolean} animated */
@@ -223,7 +242,7 @@ export async function deform(parameters) {
     const resolution = state.surface.kind === 'implicit' ? DRAFT : undefined;
     const draft = await live.ask('draft', { ...question(), definition: surfaceOf(shown), start, resolution });
     if (!draft || built !== builds) return;
-    stage?.setSurface(draft.mesh);
+    stage?.setSurface(draft.mesh, endPlaces());
     Object.assign(state, { mesh: draft.mesh, shown, shade: null, moving: true });
     if (draft.path && Number.isFinite(draft.path.length)) state.solved = { ...UNSOLVED, paths: [draft.path] };
   } catch (error) {
@@ -245,7 +264,7 @@ async function refine() {
     if (state.surface?.kind === 'implicit') {
       const mesh = await live.ask('mesh', { definition: surfaceOf(shown) });
       if (!mesh || mine !== turn || built !== builds) return;
-      stage?.setSurface(mesh);
+      stage?.setSurface(mesh, endPlaces());
       Object.assign(state, { mesh, shade: null });
     }
   } catch (error) {

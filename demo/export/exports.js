@@ -84,11 +84,13 @@ function picture(view) {
   );
 }
 
-/** One line a point: length from A, position, parameters. @param {import('surfpath').Path} path */
+/** One line a point: length from A, position, parameters, which a graph has in its position. @param {import('surfpath').Path} path */
 function table(path) {
-  const { points, parameters } = path;
+  const { kind } = state.shown ?? state.sketch;
+  const { points } = path;
+  const parameters = kind === 'graph' ? null : path.parameters;
   const runs = runsOf(path, state.solved.legs);
-  const names = coordinates(state.sketch.kind).slice(0, 2);
+  const names = coordinates(kind);
   const head = ['s', ...(points.length > 0 ? ['x', 'y', 'z'] : []), ...(parameters ? names : [])];
   const rows = runs.map((run, i) => [run, ...points.subarray(3 * i, 3 * i + 3), ...(parameters?.subarray(2 * i, 2 * i + 2) ?? [])].join());
   return `${[head.join(), ...rows].join('\n')}\n`;

@@ -1,13 +1,22 @@
 /** The strip of results, the player and the legend: numbers and words of what is seen. */
 
+import { unbroken } from '../compute/curves.js';
+import { placesOf } from '../compute/drawn.js';
 import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
-import { describeStatus, formatEstimate, formatNumber, formatTime, formatTo } from './words.js';
+import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
+
+/** Said of a surface whose formula is not the one that is written. */
+const OLD = ['Last good surface', 'What is written now could not be drawn; the reason stands beside it.'];
+const OF_ERROR = 'Estimated difference to the length of the smooth shortest path';
 
 export function startResult() {
   onRender(renderResult);
   onRender(renderMoment);
 }
+
+/** What is computed takes so long that what is seen must not pass for the answer. */
+let isWaiting = false;
 
 /** @param {string} id @param {string} text */
 function write(id, text) {
@@ -23,7 +32,7 @@ function describeStart(length, start) {
 }
 
 /** @param {import('../state/state.js').State} state */
-function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, moving, building, surface, gauge }) {
+function renderResult({ sketch, solved, problem, endProblem, note, live, moving, building, surface, gauge }) {
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   const busy = live !== null || building;
@@ -32,7 +41,9 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
   // All digits, for those who read the page by program.
   find('length').dataset.exact = exists ? String(path.length) : '';
   write('length', exists ? formatTo(path.length, path.lengthError) : '–');
-  write('length-error', exists && !moving && path.lengthError < path.length ? formatEstimate(path.lengthError) : '');
+  const isKnown = exists && !moving && path.lengthError < path.length;
+  write('length-error', isKnown ? formatEstimateOf(path.length, path.lengthError) : '');
+  find('length-error').title = isKnown ? `${OF_ERROR}: ${formatEstimate(path.lengthError)}` : OF_ERROR;
   if (!moving) {
     const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
     find('start-figure').hidden = !hasStart && !busy;
@@ -41,11 +52,30 @@ function renderResult({ sketch, solved, problem, endProblem, linkProblem, live, 
     write('iterations', exists ? String(stepsShown() || path.iterations) : '–');
     write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
   }
+  // Of several tasks in a row each begins as a quick one.
+  isWaiting = busy && (isWaiting || live?.isSlow === true);
+  find('result').toggleAttribute('data-waiting', isWaiting);
+  if (isWaiting) return renderWaiting(building, sketch);
   if (busy && (!surface || !path)) return;
-  const [words, advice] = path ? describeStatus(path.status, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
+  const isOld = path !== null && problem !== null;
+  const [words, advice] = isOld ? OLD : path ? describePath(path, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', linkProblem ?? (path && problem ? 'The last good surface is shown.' : advice));
+  write('advice', note ?? advice);
+  find('status').toggleAttribute('data-old', isOld);
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
+}
+
+/** @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch @param {boolean} moving */
+const describePath = (path, sketch, moving) => describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path) });
+
+/** Whether a path that came to no rest leaps over what is no surface. @param {import('surfpath').Path} path */
+const leaps = (path) => !path.converged && placesOf(path).length > 0 && unbroken(placesOf(path)).length > 1;
+
+/** @param {boolean} building the surface is not there yet @param {import('../state/sketch.js').Sketch} sketch */
+function renderWaiting(building, sketch) {
+  write('status', describeWork(building, sketch));
+  write('advice', '');
+  delete find('status').dataset.status;
 }
 
 /** @param {import('../state/state.js').State} state */

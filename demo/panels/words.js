@@ -35,6 +35,10 @@ const OUTCOMES = {
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
+/** Advice as it is where there is one point already. */
+const withoutFewer = (/** @type {string} */ advice) =>
+  advice.replace('choose fewer points or ', '').replace(', fewer points or', ' or').replace(': choose fewer points', '');
+
 /**
  * What must hold for a measure of length to be one; nothing, where it is that of space.
  * @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch
@@ -63,13 +67,15 @@ const SMOOTH = {
 /** Functions that bend or jump somewhere. */
 const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
+const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
+
 /**
  * What to do about a path that comes to no rest, or is not exact: where a formula bends or jumps, no algorithm can help.
- * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one
+ * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
  */
-function adviseStuck({ texts, density, tensor }, advice) {
+function adviseStuck({ texts, density, tensor }, advice, leaps) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
-  if (!name) return advice;
+  if (!name) return leaps ? LEAPS : advice;
   const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
   return `Across an edge or a jump, as ${name} makes one, no path comes to rest, or none exactly: write something smooth, such as ${instead}.`;
 }
@@ -82,21 +88,32 @@ function describeSingular(sketch) {
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
 }
 
+/** The statuses of a path that may be about a gap or an edge. */
+const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];
+
 /**
  * @param {string} status of a Path
- * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor'>} sketch that was asked
- * @param {boolean} [isFollowed] while something moves, the path comes from the last one: others were not looked for
+ * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor' | 'points'>} sketch that was asked
+ * @param {{ isFollowed?: boolean, leaps?: boolean }} [seen] isFollowed: while something moves, the path comes from the last one, others were not looked
+ *   for; leaps: two points of it next to each other are far apart
  * @returns {[string, string]} what happened, what to do
  */
-export function describeStatus(status, sketch, isFollowed = false) {
-  const { start, task } = sketch;
-  const [words, advice] = OUTCOMES[status] ?? [status, ''];
+export function describeStatus(status, sketch, { isFollowed = false, leaps = false } = {}) {
+  const { start, task, points } = sketch;
+  const [words, given] = OUTCOMES[status] ?? [status, ''];
+  const advice = points > 1 ? given : withoutFewer(given);
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
-  if (status === 'stalled' || status === 'tolerance-not-met') return [words, adviseStuck(sketch, advice)];
+  if (ROUGHLY.includes(status)) return [words, adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];
 }
+
+/** By what is asked. */
+const WORK = { path: 'Looking for the shortest path…', all: 'Looking for geodesics…', trace: 'Following the geodesic…' };
+
+/** What is being computed. @param {boolean} building the surface is not there yet @param {Pick<Sketch, 'task'>} sketch that is asked */
+export const describeWork = (building, { task }) => (building ? 'Drawing the surface…' : WORK[task]);
 
 /** The outcomes of a path that is not at rest: a step would still change it. */
 const MOVING = ['stalled', 'iteration-limit'];
@@ -118,6 +135,9 @@ export function namePath(status, { start, task, via }, isFirst) {
 /** The power of ten of a number's first digit, once it is rounded. @param {number} x @param {number} digits */
 const orderOf = (x, digits) => Number(x.toExponential(digits - 1).split('e')[1]);
 
+/** @param {number} order */
+const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
+
 /** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';
@@ -130,17 +150,23 @@ export function formatNumber(x, digits = 6) {
     .toExponential(digits - 1)
     .replace(/e.*/, '')
     .replace('-', MINUS);
-  return `${mantissa} × 10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
+  return `${mantissa} × ${tenTo(order)}`;
 }
 
-/** A number down to the first digit that is uncertain, as far as a reader follows. @param {number} x @param {number} uncertainty */
+/** A number down to the first digit that is uncertain, as far as a reader follows: two at least, as the first alone may mislead. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
   const digits = uncertainty > 0 && uncertainty < Infinity ? orderOf(x, MOST_DIGITS) - orderOf(uncertainty, 1) + 1 : FEW_DIGITS;
-  return formatNumber(x, Math.min(Math.max(digits, 1), MOST_DIGITS));
+  return `${uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
 }
 
 /** @param {number} x a small positive estimate */
 export const formatEstimate = (x) => (Number.isFinite(x) && x !== 0 ? `± ${formatNumber(x, 1)}` : '');
+
+/** The same beside a number that has no digit of its size: only that it is less than the last one. @param {number} x @param {number} error */
+export function formatEstimateOf(x, error) {
+  const last = orderOf(x, MOST_DIGITS) - MOST_DIGITS + 1;
+  return error > 0 && error < 10 ** last ? `error < ${tenTo(last)}` : formatEstimate(error);
+}
 
 /** @param {number} milliseconds */
 export const formatTime = (milliseconds) => `${milliseconds < 100 ? Number(milliseconds.toPrecision(2)) : Math.round(milliseconds)} ms`;

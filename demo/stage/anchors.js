@@ -1,28 +1,28 @@
 /** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys. */
 
 import { DragHandle } from 'surfpath/three';
-import { change } from '../state/change.js';
+import { change, undo } from '../state/change.js';
 import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
-import { isOnSurface, letterOf } from '../state/ends.js';
+import { letterOf, onto } from '../state/ends.js';
 import { placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
 import { surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('./scene.js').View} View */
 
-/** CSS pixels from a handle to its letter. */
-const LETTER = 23;
-/** Half the width of what marks a handle, in CSS pixels. */
-const MARKER = 10;
+/** Half the width of what marks a handle at its largest, in CSS pixels. */
+const MARKER = 11;
 /** How far along the path is what its letter keeps away from, in parts of it. */
 const BESIDE = 0.12;
 
 /** Of each point that has a place, by its index. @type {(DragHandle | null)[]} */ const handles = [];
+/** What each was put for: an unchanged one is not looked at again. @type {unknown[]} */ let placed = [];
 /** What the handles were made for. @type {unknown} */ let surfaceOfHandles = null;
 /** @type {unknown} */ let meshOfHandles = null;
 /** @type {unknown} */ let themeOfHandles = null;
+/** The sketch when a handle was pressed. @type {unknown} */ let grabbed = null;
 
 /** @param {View} view */
 export function startAnchors(view) {
@@ -43,6 +43,7 @@ function unwind(point, last) {
 /** @param {number} index @param {number[]} given */
 function move(index, given) {
   if (state.building) return;
+  state.dragged = true;
   const { ends, via } = state.sketch;
   const point = unwind(given, points()[index]);
   if (index < 2) change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);
@@ -62,10 +63,14 @@ function makeHandle(view, drawn, index, point) {
     colour: index < 2 ? theme?.path : theme?.via,
     ring: theme?.halo,
     onDrag: (moved) => move(index, moved),
+    onDragStart: () => {
+      grabbed = state.sketch;
+    },
     onChange: () => view.invalidate(),
   });
   handle.element.id = `handle-${letter}`;
   handle.element.append(create('span', { className: 'letter-tag' }, letter));
+  listenForEscape(handle.element);
   if (index >= 2)
     handle.element.addEventListener('keydown', ({ key }) => {
       if (key === 'Delete') change({ via: state.sketch.via.filter((_, i) => i !== index - 2) });
@@ -73,6 +78,21 @@ function makeHandle(view, drawn, index, point) {
   handleBefore(index)?.element.after(handle.element);
   view.add(handle);
   return handle;
+}
+
+/** Puts what is dragged back to where it was. @param {HTMLElement} element of a handle */
+function listenForEscape(element) {
+  let pointer = -1;
+  element.addEventListener('pointerdown', ({ pointerId }) => {
+    pointer = pointerId;
+  });
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !element.hasPointerCapture(pointer)) return;
+    event.stopPropagation();
+    // A drag is one step of undo.
+    if (state.sketch !== grabbed) undo();
+    element.releasePointerCapture(pointer);
+  });
 }
 
 /** The handle that comes before another one on the way from A to B: the tab key follows it. @param {number} index */
@@ -94,14 +114,17 @@ function renderHandles(view) {
   [surfaceOfHandles, meshOfHandles] = [drawn, mesh];
   const definition = surfaceOf(state.shown);
   for (const [i, point] of wanted.entries()) {
+    if (!isNew && placed[i] === point) continue;
     const handle = handles[i];
-    if (!isOnSurface(drawn, definition, point)) {
+    const place = onto(drawn, definition, point);
+    if (!place) {
       handle?.dispose();
       handles[i] = null;
-    } else if (!handle) handles[i] = makeHandle(view, drawn, i, point);
-    else if (isNew) handle.setSurface(drawn, point, view.surface);
-    else if (handle.point.some((x, k) => x !== point[k])) handle.setPoint(point);
+    } else if (!handle) handles[i] = makeHandle(view, drawn, i, place);
+    else if (isNew) handle.setSurface(drawn, place, view.surface);
+    else if (handle.point.some((x, k) => x !== point[k])) handle.setPoint(place);
   }
+  placed = wanted;
 }
 
 /** @param {View} view */
@@ -118,22 +141,25 @@ function alongPath(end) {
   return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
 }
 
-/** A box about a place. @param {number} x @param {number} y @param {number} reach */
-const boxAt = (x, y, reach) => ({ left: x - reach, top: y - reach, right: x + reach, bottom: y + reach });
+/** A box about a place. @param {number} x @param {number} y @param {number} across half its width @param {number} [down] half its height */
+const boxAt = (x, y, across, down = across) => ({ left: x - across, top: y - down, right: x + across, bottom: y + down });
 
-/** A letter stands on the side where the path does not run. @param {View} view @returns what handles and letters cover */
+/** A letter stands on the side where the path does not run, as near as it can without covering its point. @param {View} view @returns what handles and letters cover */
 function placeLetters(view) {
-  const boxes = [];
-  for (const [i, handle] of handles.entries()) {
-    if (!handle) continue;
+  const placed = handles.flatMap((handle, i) => {
+    if (!handle) return [];
+    const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
+    return [{ i, handle, letter, half: [letter.offsetWidth / 2, letter.offsetHeight / 2] }];
+  });
+  return placed.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
-    const far = LETTER / Math.max(Math.hypot(x - ox, y - oy), 1);
-    const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
-    const [across, down] = [(x - ox) * far, (y - oy) * far];
+    const gap = Math.max(Math.hypot(x - ox, y - oy), 1);
+    const [right, below] = [(x - ox) / gap, (y - oy) / gap];
+    const far = MARKER + Math.abs(right) * half[0] + Math.abs(below) * half[1];
+    const [across, down] = [far * right, far * below];
     letter.style.transform = `translate(${across.toFixed(1)}px, ${down.toFixed(1)}px)`;
-    boxes.push(boxAt(x, y, MARKER), boxAt(x + across, y + down, LETTER / 2));
-  }
-  return boxes;
+    return [boxAt(x, y, MARKER), boxAt(x + across, y + down, half[0], half[1])];
+  });
 }

@@ -1,8 +1,8 @@
 /** The eye of the view: a camera that looks at a whole surface until the reader turns it. */
 
-import { PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView, shareOfView } from './fit.js';
+import { fitView, shareOfView, withoutSpikes } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
@@ -18,9 +18,11 @@ const TINY = 0.35;
 export class Eye {
   camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   controls;
+  /** About what must fit into the view. */
   #bounds = new Sphere(new Vector3(), 1);
-  /** What must fit into the view. @type {import('three').BufferAttribute | import('three').InterleavedBufferAttribute | null} */ #points =
-    null;
+  /** About all of the surface. */
+  #whole = new Sphere(new Vector3(), 1);
+  /** What must fit into the view. @type {import('./fit.js').Points | null} */ #points = null;
   #size = { width: 1, height: 1 };
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
   /** Whether the reader has turned the view: then it is not ours to change. */
@@ -40,11 +42,15 @@ export class Eye {
     });
   }
 
-  /** @param {import('three').BufferGeometry} geometry */
-  setSurface(geometry) {
-    this.#bounds.copy(/** @type {Sphere} */ (geometry.boundingSphere));
+  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that must be seen, x y z each */
+  setSurface(geometry, ends) {
+    this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
+    const all = geometry.getAttribute('position');
+    const bulk = withoutSpikes(all, ends);
+    this.#points = bulk ?? all;
+    if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);
+    else this.#bounds.copy(this.#whole);
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
-    this.#points = geometry.getAttribute('position');
   }
 
   /** Looks at the whole surface again, from the same side, if it has outgrown the view, left it, or become tiny in it; but not because of what the reader left out. */
@@ -114,9 +120,9 @@ export class Eye {
   /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */
   update() {
     this.controls.update();
-    const { center, radius } = this.#bounds;
+    const { center, radius } = this.#whole;
     const distance = this.camera.position.distanceTo(center);
-    this.camera.near = Math.max(distance - 1.6 * radius, 0.01 * radius);
+    this.camera.near = Math.max(distance - 1.6 * radius, 0.01 * this.#bounds.radius);
     this.camera.far = distance + 1.6 * radius;
     this.camera.updateProjectionMatrix();
   }

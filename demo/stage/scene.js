@@ -108,11 +108,11 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh */
-  setSurface(mesh) {
+  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh @param {readonly ArrayLike<number>[]} ends see `Eye` */
+  setSurface(mesh, ends) {
     this.#surface.setMesh(mesh);
     this.#compile();
-    this.#eye.setSurface(this.#surface.geometry);
+    this.#eye.setSurface(this.#surface.geometry, ends);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */

@@ -1,7 +1,7 @@
 /** Shows the state in the 3D view: the surface's colours, the curves at the moment that is played, the handles, the legend and the scale. */
 
 import { startAnchors } from './anchors.js';
-import { blend, smooth } from '../compute/curves.js';
+import { blend, smooth, unbroken } from '../compute/curves.js';
 import { create, find, say, themeColor } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
@@ -45,7 +45,7 @@ function frameAt(film, t) {
 
 /** @param {View} view */
 function renderCurves(view) {
-  const { solved, moment, chosen, sketch, moving } = state;
+  const { solved, moment, chosen, sketch, moving, dragged } = state;
   const path = chosenPath();
   const several = solved.starts.length > 0;
   const playing = stepsShown() > 0 && moment < 1;
@@ -57,19 +57,25 @@ function renderCurves(view) {
     others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
     warmth: playing ? moment : 1,
   };
-  const drawn = (/** @type {Float64Array[]} */ list) => list.filter(({ length }) => length >= 6).map(smooth);
+  const whole = !path || path.converged;
+  const drawn = (/** @type {Float64Array[]} */ list) =>
+    list
+      .flatMap((points) => (whole ? [points] : unbroken(points)))
+      .filter(({ length }) => length >= 6)
+      .map(smooth);
   view.setCurves({ ...curves, starts: drawn(curves.starts), paths: drawn(curves.paths), others: drawn(curves.others) });
   renderLegend({
     path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0 && !moving) : '',
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
     hidden: curves.paths.length > 0 ? 'Hidden part' : '',
+    drag: dragged || !path ? '' : sketch.task === 'trace' ? 'Drag A' : 'Drag A and B',
   });
 }
 
 /** @type {string} */ let legendShown = '';
 
-/** @param {Record<'path' | 'start' | 'other' | 'hidden', string>} names of what is drawn; '': it is not */
+/** @param {Record<'path' | 'start' | 'other' | 'hidden' | 'drag', string>} names of what is drawn; '': it is not */
 function renderLegend(names) {
   const rows = Object.entries(names).filter(([, text]) => text);
   if (legendShown === rows.join()) return;

@@ -38,7 +38,7 @@ export function change(part, key = Object.keys(part).join(), isStep = false) {
 function turnInto(sketch, isStep = false) {
   const before = state.sketch;
   const frame = sketch.entry !== before.entry;
-  Object.assign(state, { sketch, linkProblem: null });
+  Object.assign(state, { sketch, note: null });
   writeAddress(before, isStep || frame);
   const differs = (/** @type {keyof Sketch} */ name) => JSON.stringify(before[name]) !== JSON.stringify(sketch[name]);
   if (OF_SURFACE.some(differs)) return rebuild({ frame, direction: frame ? ENTRIES[sketch.entry].camera : undefined });
@@ -69,12 +69,12 @@ export function openAddress(hash) {
   if (!isJunk) writeAddress();
 }
 
-/** @param {Sketch} sketch @param {string | null} linkProblem */
-function openSketch(sketch, linkProblem = null) {
+/** @param {Sketch} sketch @param {string | null} note */
+function openSketch(sketch, note = null) {
   // What was to be written was of the sketch before.
   clearTimeout(timer);
   if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
-  Object.assign(state, { sketch, linkProblem });
+  Object.assign(state, { sketch, note });
   return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
 }
 

@@ -34,23 +34,64 @@ const shorten = (x) => String(Number(x.toPrecision(5)));
 /** Share of its box's diagonal from which an implicit surface is too far from a point: the library's. */
 const FAR = 0.1;
 
-/** Whether a point lies on a surface, or so near to it that it can be moved there. @param {Surface} drawn @param {any} definition of it @param {number[]} point */
-export function isOnSurface(drawn, { bounds }, point) {
-  if (drawn.kind !== 'implicit') return placeOf(drawn, point) !== null;
-  if (!point.every(Number.isFinite)) return false;
+/**
+ * A point as one of a surface: an implicit one is so near that it can be moved there, downhill, as the solver does it. Null: it is not on the surface.
+ * @param {Surface} drawn @param {any} definition of it @param {number[]} point
+ */
+export function onto(drawn, { bounds }, point) {
+  if (drawn.kind !== 'implicit') return placeOf(drawn, point) && point;
+  if (!point.every(Number.isFinite)) return null;
   const diagonal = Math.hypot(...bounds.map((/** @type {number[]} */ [low, high]) => high - low));
   try {
-    return Math.hypot(...drawn.project(point).map((x, k) => x - point[k])) <= FAR * diagonal;
+    const place = drawn.project(point, point);
+    return Math.hypot(...place.map((x, k) => x - point[k])) <= FAR * diagonal ? place : null;
   } catch {
-    return false;
+    return null;
   }
 }
+
+/** Whether a point lies on a surface. @param {Surface} drawn @param {any} definition of it @param {number[]} point */
+export const isOnSurface = (drawn, definition, point) => onto(drawn, definition, point) !== null;
 
 /** Where a point of the surface lies in space; null if it lies nowhere. @param {Surface} drawn @param {number[]} point */
 export function placeOf(drawn, point) {
   if (!point.every(Number.isFinite)) return null;
   const place = drawn.kind === 'implicit' ? point : Array.from(drawn.evaluate(point).subarray(0, 3));
   return place.every(Number.isFinite) ? place : null;
+}
+
+/**
+ * Each end that is not on a surface moved to the nearest vertex of its mesh; both to places at random, where there is no nearest, or it is the other end.
+ * @param {import('./kinds.js').Kind} kind @param {{ surface: Surface, drawn: Surface, mesh: SurfaceMesh }} shown @param {any} definition @param {number[][]} ends
+ */
+export function mendEnds(kind, { surface, drawn, mesh }, definition, ends) {
+  const isGood = (/** @type {number[]} */ end) => !findBadEnd(kind, surface, [end]) && isOnSurface(drawn, definition, end);
+  const [from, to] = ends.map((end) => (isGood(end) ? end : nearestVertex(surface, mesh, end, isGood)));
+  return from && to && from.some((x, k) => x !== to[k]) ? [from, to] : chooseEnds(surface, mesh);
+}
+
+/** @param {Surface} surface @param {SurfaceMesh} mesh @param {number[]} point @param {(vertex: number[]) => boolean} isGood */
+function nearestVertex(surface, mesh, point, isGood) {
+  const [dimension, places] = coordinatesOf(surface, mesh);
+  /** @type {number[] | null} */ let nearest = null;
+  let least = Infinity;
+  for (const vertex of mesh.indices) {
+    let distance = 0;
+    for (let k = 0; k < dimension; k++) distance += (places[dimension * vertex + k] - point[k]) ** 2;
+    if (!(distance < least)) continue;
+    const candidate = pointAt(surface, mesh, vertex);
+    if (isGood(candidate)) [nearest, least] = [candidate, distance];
+  }
+  return nearest;
+}
+
+/** That ends were moved by the page; null: none was. @param {number[][]} before @param {number[][]} now */
+export function describeMoved(before, now) {
+  const names = now.flatMap((end, i) => (end.every((x, k) => x === before[i][k]) ? [] : [letterOf(i)]));
+  if (names.length === 0) return null;
+  return names.length > 1
+    ? 'A and B were moved: there is no surface where they were.'
+    : `${names[0]} was moved: there is no surface where it was.`;
 }
 
 /**
@@ -79,8 +120,14 @@ function randomPair(surface, mesh) {
   const gap = (/** @type {number[]} */ [a, b]) =>
     Math.hypot(...[0, 1, 2].map((k) => mesh.positions[3 * a + k] - mesh.positions[3 * b + k]));
   const pairs = Array.from({ length: 6 }, () => [pick(), pick()]).sort((one, other) => gap(one) - gap(other));
-  const [dimension, places] = surface.domain && mesh.parameters ? [2, mesh.parameters] : [3, mesh.positions];
-  return pairs[4].map((vertex) =>
-    Array.from(places.subarray(dimension * vertex, dimension * vertex + dimension), (x) => Math.trunc(1000 * x) / 1000),
-  );
+  return pairs[4].map((vertex) => pointAt(surface, mesh, vertex));
+}
+
+/** What points of a surface are given by, of each vertex, and how many numbers these are. @param {Surface} surface @param {SurfaceMesh} mesh @returns {[number, Float64Array]} */
+const coordinatesOf = ({ domain }, { parameters, positions }) => (domain && parameters ? [2, parameters] : [3, positions]);
+
+/** A vertex as a point of the surface, in few digits. @param {Surface} surface @param {SurfaceMesh} mesh @param {number} vertex */
+function pointAt(surface, mesh, vertex) {
+  const [dimension, places] = coordinatesOf(surface, mesh);
+  return Array.from(places.subarray(dimension * vertex, dimension * (vertex + 1)), (x) => Math.trunc(1000 * x) / 1000);
 }

@@ -20,7 +20,7 @@ export const state = {
   /** @type {import('../compute/drawable.js').SurfaceMesh | null} */ mesh: null,
   /** @type {import('./definition.js').Problem | null} */ problem: null,
   /** @type {import('./ends.js').EndProblem | null} */ endProblem: null,
-  /** What is wrong with the address that was opened. @type {string | null} */ linkProblem: null,
+  /** What the reader is told once: the link that was opened is none, an end had to be moved. @type {string | null} */ note: null,
   solved: UNSOLVED,
   /** Which of the paths is looked at: the sketch's choice, once there are as many. */
   chosen: 0,
@@ -34,6 +34,8 @@ export const state = {
   building: false,
   /** An end or a parameter moves: what is seen is not yet exact. */
   moving: false,
+  /** An end has been dragged: who reads this knows that it can be. */
+  dragged: false,
 };
 
 /** @typedef {typeof state} State */

@@ -35,6 +35,7 @@ const countLengths = () =>
 
 test('by mouse: the path follows during the drag, the camera stays', async () => {
   await openEntry(page, 'saddle');
+  assert.equal(await page.textContent('.legend-drag'), 'Drag A and B');
   await countLengths();
   const [before, start] = [await length(), await ends()];
   const other = await middleOf('#handle-A');
@@ -48,6 +49,7 @@ test('by mouse: the path follows during the drag, the camera stays', async () =>
   await page.mouse.up();
   await page.waitForTimeout(250);
   await settled(page);
+  assert.equal(await page.locator('.legend-drag').count(), 0, 'who has dragged needs no hint');
   assert.ok(during >= 5, `${during} lengths were shown during the drag`);
   assert.notEqual(await length(), before);
   const end = await ends();
@@ -58,6 +60,29 @@ test('by mouse: the path follows during the drag, the camera stays', async () =>
   assert.ok(Math.hypot(bx - (x + 10 * dx), by - (y + 10 * dy)) < 4, 'B is under the pointer');
   assert.deepEqual(await middleOf('#handle-A'), other, 'the camera stays');
   assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
+});
+
+test('Escape puts back what is dragged, and what the hand does then moves nothing', async () => {
+  await openEntry(page, 'saddle');
+  const start = await ends();
+  const [x, y] = await middleOf('#handle-B');
+  const other = await middleOf('#handle-A');
+  const toward = (/** @type {number} */ share) => page.mouse.move(x + share * (other[0] - x), y + share * (other[1] - y));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await toward(0.1);
+  await toward(0.2);
+  assert.notDeepEqual(await ends(), start);
+  await page.keyboard.press('Escape');
+  await toward(0.3);
+  await toward(0.4);
+  await page.mouse.up();
+  await page.waitForTimeout(250);
+  await settled(page);
+  assert.deepEqual(await ends(), start);
+  await nextFrame(page);
+  assert.deepEqual(await middleOf('#handle-B'), [x, y]);
+  assert.equal(await page.isDisabled('#redo'), false);
 });
 
 test('by finger, on an implicit surface', async () => {

@@ -92,6 +92,31 @@ describe('sizes and themes', () => {
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
+  test('a phone on its side has the whole legend', async () => {
+    await page.setViewportSize({ width: 844, height: 390 });
+    await openEntry(page, 'parametricTorus');
+    assert.deepEqual(await page.$$eval('#legend li', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.textContent)), [
+      'Shortest path',
+      'Straight start',
+      'Hidden part',
+      'Drag A and B',
+    ]);
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
+  test('on a phone with large type no word of the status is cut off', async () => {
+    const session = await browser.context.newCDPSession(page);
+    await page.setViewportSize({ width: 390, height: 844 });
+    await session.send('Page.setFontSizes', { fontSizes: { standard: 24 } });
+    await openEntry(page, 'parametricTorus');
+    const [inner, outer] = await Promise.all(['#advice', '#result'].map((id) => page.locator(id).boundingBox()));
+    assert.ok(inner && outer && inner.x + inner.width <= 390 && inner.y + inner.height <= outer.y + outer.height);
+    const cut = await page.$eval('.status', ({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+    assert.ok(cut <= 0, `${cut} pixels`);
+    await session.send('Page.setFontSizes', { fontSizes: { standard: 16 } });
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
   test('words of any length leave the view as large as it is', async () => {
     await openEntry(page, 'parametricTorus');
     const height = () => page.evaluate(() => document.getElementById('view')?.clientHeight);

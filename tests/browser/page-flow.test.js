@@ -59,6 +59,24 @@ describe('changes that overtake each other', () => {
     assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
+  test('but an end that has a place stays, the other one goes to the nearest, and the page says so', async () => {
+    await openEntry(page, 'own-graph');
+    const ends = () => page.$$eval('#ends input', (all) => all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber));
+    const [ax, ay, ...b] = await ends();
+    await page.fill('#field-z', 'sqrt(x)');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await status(), 'converged');
+    const [x, y, ...other] = await ends();
+    assert.deepEqual(other, b);
+    assert.ok(ax < 0 && x >= 0 && x < 0.2 && Math.abs(y - ay) < 0.1, `A is at ${x}, ${y}`);
+    assert.equal(await text('#advice'), 'A was moved: there is no surface where it was.');
+    await page.fill('#field-z', 'sqrt(x)+y');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.doesNotMatch(await text('#advice'), /was moved/);
+  });
+
   test('a metric that is none has no ellipses', async () => {
     await openEntry(page, 'own-metric');
     await page.fill('#field-E', '-1');
@@ -122,6 +140,7 @@ describe('changes that overtake each other', () => {
     await page.fill('#end-0-0', '1.6');
     await rest();
     assert.ok((await length()) > before + 0.01, 'the path follows on the last good surface');
+    assert.equal(await text('#status'), 'Last good surface');
     assert.equal(await status(), 'converged');
     assert.ok(await page.isVisible('#problem-z pre'));
   });
@@ -170,6 +189,9 @@ describe('what takes long', () => {
     await page.fill('#field-f', LONG);
     await page.waitForSelector('#progress:not([hidden])');
     assert.match(await text('#progress-words'), /^(?:Drawing the surface|Searching for paths)$/);
+    assert.match(await text('#status'), /^(?:Drawing the surface|Looking for the shortest path)…$/);
+    assert.equal(await status(), null, 'what is seen is not the answer');
+    assert.equal(await text('#advice'), '');
     const isHidden = await page.evaluate(() => {
       document.getElementById('cancel')?.click();
       return document.getElementById('progress')?.hidden;

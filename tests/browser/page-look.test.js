@@ -46,6 +46,32 @@ describe('lengths of all geodesics', () => {
     });
 });
 
+test('letters stand beside their points, however large the type is', async () => {
+  const session = await browser.context.newCDPSession(page);
+  const setType = (/** @type {number} */ standard) => session.send('Page.setFontSizes', { fontSizes: { standard } });
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const size of [16, 24]) {
+    await setType(size);
+    for (const name of ['parametricTorus', 'saddle', 'vase']) {
+      await openEntry(page, name);
+      await nextFrame(page);
+      const gaps = await page.$$eval('.surfpath-handle', (handles) =>
+        handles.map((handle) => {
+          const [{ x, y, width, height }, letter] = [handle, /** @type {Element} */ (handle.lastElementChild)].map((one) =>
+            one.getBoundingClientRect(),
+          );
+          const [across, down] = [x + width / 2, y + height / 2];
+          const beside = Math.max(letter.left - across, across - letter.right, 0);
+          return Math.hypot(beside, Math.max(letter.top - down, down - letter.bottom, 0));
+        }),
+      );
+      for (const gap of gaps) assert.ok(gap > 10.5 && gap < 20, `${name}: ${gap} pixels from point to letter`);
+    }
+  }
+  await setType(16);
+  await page.setViewportSize({ width: 1040, height: 640 });
+});
+
 describe('the view follows a surface that changes its size', () => {
   const doing = async (/** @type {() => Promise<unknown>} */ work) => {
     await work();

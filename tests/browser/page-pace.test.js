@@ -69,6 +69,15 @@ describe('no script keeps the page for 50 ms', () => {
       await settled(page);
     });
   });
+
+  test('while a slider takes an implicit surface away from its ends', async () => {
+    await openEntry(page, 'sphere');
+    await checkTasks(async () => {
+      for (let i = 1; i <= 6; i++) await page.fill('#value-r', String(1 + i / 40));
+      await page.waitForTimeout(300);
+      await settled(page);
+    });
+  });
 });
 
 test('a surface that changes keeps its shaders', async () => {

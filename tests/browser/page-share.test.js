@@ -198,6 +198,14 @@ describe('exports', () => {
     assert.equal(numbers.at(-1)?.[0], Number(await page.getAttribute('#length', 'data-exact')));
   });
 
+  test('CSV of a graph: x and y once', async () => {
+    await openEntry(page, 'own-graph');
+    const [head, first] = (await take('csv')).toString().split('\n');
+    assert.equal(head, 's,x,y,z');
+    assert.deepEqual(first.split(',').slice(0, 3), ['0', '-1.9', '-1.2']);
+    await openEntry(page, 'parametricTorus');
+  });
+
   test('CSV: without a path there is none', async () => {
     await page.fill('#end-0-0', '');
     await page.click('[data-export=csv]');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BufferAttribute, Matrix4, PerspectiveCamera, Vector3 } from 'three';
-import { fitView, shareOfView } from '../../../demo/stage/fit.js';
+import { fitView, shareOfView, withoutSpikes } from '../../../demo/stage/fit.js';
 
 const SLOPES = [0.4, 0.3];
 const CUBE = new BufferAttribute(Float32Array.from([-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].flatMap((z) => [x, y, z])))), 3);
@@ -34,4 +34,46 @@ test('from afar it takes less, in parts of the view', () => {
 
 test('behind the camera nothing is seen', () => {
   assert.equal(shareOfView(CUBE, new Matrix4(), SLOPES).reach, Infinity);
+});
+
+/** Points of a graph over the square of 5. @param {(x: number, y: number) => number} z */
+const graphOf = (z) =>
+  new BufferAttribute(
+    Float32Array.from(
+      Array.from({ length: 50 * 50 }, (_, i) => [(i % 50) / 10 - 2.45, Math.floor(i / 50) / 10 - 2.45]).flatMap(([x, y]) => [
+        x,
+        y,
+        z(x, y),
+      ]),
+    ),
+    3,
+  );
+
+test('spikes beside a pole are not looked at, all of what is only steep is', () => {
+  for (const [low, high, z] of /** @type {[number, number, (x: number, y: number) => number][]} */ ([
+    [-5, 5, (x) => 1 / x],
+    [0, 8, (x, y) => 1 / (x * x + y * y)],
+    [-20, 20, (x) => Math.tan(x)],
+  ])) {
+    const points = withoutSpikes(graphOf(z));
+    assert.ok(points, String(z));
+    const heights = Array.from({ length: points.count }, (_, i) => points.getZ(i));
+    assert.ok(points.count > 0.9 * 50 * 50, `${z}: ${points.count}`);
+    assert.ok(Math.min(...heights) >= low && Math.max(...heights) <= high, `${z}: ${Math.min(...heights)} … ${Math.max(...heights)}`);
+  }
+  for (const z of /** @type {((x: number, y: number) => number)[]} */ ([
+    (x, y) => 60 * x * y,
+    (x) => 100 * x ** 3,
+    (x) => Math.exp(3 * x),
+    (x, y) => 3 * Math.exp(-4 * (x * x + y * y)),
+  ]))
+    assert.equal(withoutSpikes(graphOf(z)), null, String(z));
+});
+
+test('but where an end of the path is on one, it is seen', () => {
+  const points = withoutSpikes(
+    graphOf((x) => 1 / x),
+    [[0.05, 0, 20]],
+  );
+  assert.ok(points && Math.max(...Array.from({ length: points.count }, (_, i) => points.getZ(i))) > 19);
 });

@@ -1,7 +1,15 @@
 // What the page says of outcomes, and its numbers: one notation for all sizes, and no digit beyond the error.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { describeNoMeasure, describeStatus, formatEstimate, formatNumber, formatTo, namePath } from '../../../demo/panels/words.js';
+import {
+  describeNoMeasure,
+  describeStatus,
+  formatEstimate,
+  formatEstimateOf,
+  formatNumber,
+  formatTo,
+  namePath,
+} from '../../../demo/panels/words.js';
 import { sketchOf } from '../../../demo/state/sketch.js';
 import { STATUS } from '../../../web/runtime/status.js';
 
@@ -14,9 +22,18 @@ test('each status is said in words', () => {
     }
 });
 
+test('fewer points are advised where there are fewer', () => {
+  for (const status of ['stalled', 'iteration-limit', 'out-of-memory']) {
+    assert.match(describeStatus(status, sketchOf('saddle'))[1], /fewer points/);
+    const [, advice] = describeStatus(status, { ...sketchOf('saddle'), points: 1 });
+    assert.doesNotMatch(advice, /fewer points/);
+    assert.match(advice, /^[A-Z][^:]*(?:: (?:try another algorithm or a less|move the ends)[^:]*)?\.$/, status);
+  }
+});
+
 test('while an end moves no other path was looked for', () => {
   assert.match(describeStatus('converged', sketchOf('saddle'))[1], /No shorter path was found/);
-  assert.match(describeStatus('converged', sketchOf('saddle'), true)[1], /No path nearby is shorter/);
+  assert.match(describeStatus('converged', sketchOf('saddle'), { isFollowed: true })[1], /No path nearby is shorter/);
 });
 
 test('a measure of length that is none is told as what it is', () => {
@@ -30,9 +47,9 @@ test('a measure of length that is none is told as what it is', () => {
 });
 
 test('where a formula bends or jumps, that is why a path is stuck', () => {
-  const advice = (/** @type {string} */ z, status = 'stalled') => {
+  const advice = (/** @type {string} */ z, status = 'stalled', leaps = false) => {
     const sketch = sketchOf('own-graph');
-    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } })[1];
+    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } }, { leaps })[1];
   };
   assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
   assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes one/);
@@ -41,6 +58,8 @@ test('where a formula bends or jumps, that is why a path is stuck', () => {
   assert.match(advice('2*floor (x)'), /as floor makes one.*tanh/);
   assert.match(advice('1e9*x*y'), /less steep/);
   assert.match(advice('absorb*x'), /less steep/);
+  assert.match(advice('1/x', 'stalled', true), /gap between the ends/);
+  assert.match(advice('floor(x)', 'stalled', true), /as floor makes one/);
 });
 
 test('only what was looked for among all is called the shortest path', () => {
@@ -76,8 +95,9 @@ test('a length ends with the digit that is uncertain, nine digits at most', () =
   assert.equal(formatTo(8.447294813, 3e-14), '8.44729481');
   assert.equal(formatTo(8.447294813, 3.2e-4), '8.4473');
   assert.equal(formatTo(1234.5, 30), '1230');
-  assert.equal(formatTo(42, 872.5), '40');
+  assert.equal(formatTo(42, 872.5), '≈ 42');
   assert.equal(formatTo(4.599999999999998e30, 18927999999999996), '4.60000000 × 10³⁰');
+  assert.equal(formatTo(97.9, 46), '98');
   assert.equal(formatTo(1.5, Number.NaN), '1.500000');
   assert.equal(formatTo(1.5, Number.POSITIVE_INFINITY), '1.500000');
 });
@@ -89,4 +109,13 @@ test('an error has one digit, written as the length is', () => {
   assert.equal(formatEstimate(2e-8), '± 2 × 10⁻⁸');
   assert.equal(formatEstimate(18927999999999996), '± 2 × 10¹⁶');
   assert.equal(formatEstimate(0), '');
+});
+
+test('below the last digit that is shown, only that it is', () => {
+  assert.equal(formatEstimateOf(8.447294813, 3e-14), 'error < 10⁻⁸');
+  assert.equal(formatEstimateOf(8.447294813, 2e-8), '± 2 × 10⁻⁸');
+  assert.equal(formatEstimateOf(12345678.9, 0.001), 'error < 10⁻¹');
+  assert.equal(formatEstimateOf(9.9999999996, 1e-9), 'error < 10⁻⁷');
+  assert.equal(formatEstimateOf(4.6e30, 7), 'error < 10²²');
+  assert.equal(formatEstimateOf(1, 0), '');
 });
