@@ -37,6 +37,7 @@ export class Manifold {
   /** @type {Installed | null} */ #installedMetric = null;
   /** @type {Installed | null} */ #installedOwn = null;
   /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
+  /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('./mesh.js').Mesh | null} */ coarse = null;
   /** The domain whose walls the solver knows now. @type {Domain | null} */ #walls = null;
   /** The solver's instance in which it is installed; 0: in none. */
   #generation = 0;
@@ -295,8 +296,9 @@ export class Manifold {
     this.#writeRecord();
   }
 
-  /** Frees the graphs: they are those of other parameters, or no longer needed. */
+  /** Frees the graphs, and the mesh: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
+    this.coarse = null;
     const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }

@@ -35,7 +35,8 @@ export function projectOnto(manifold, caller, target, near) {
  * @param {Manifold} manifold @param {string} caller @param {number[]} target
  */
 function nearestVertex(manifold, caller, target) {
-  const { positions, parameters } = meshSurface(manifold, caller, SEARCH);
+  manifold.coarse ??= meshSurface(manifold, caller, SEARCH);
+  const { positions, parameters } = manifold.coarse;
   let [best, least] = [-1, Infinity];
   for (let i = 0; i < positions.length / 3; i++) {
     const away = gap(positions.subarray(3 * i), target);
