@@ -38,8 +38,10 @@ static int close_in(const double from[2], const double along[2], double spread[S
     double power = sum_with_root(-foot / least), ratio = sum_with_root((1 - foot) / least) / power;
     for (int halvings = SP_SPREAD; halvings > 1; halvings /= 2)
         ratio = root(ratio);
-    for (int k = 0; k <= SP_SPREAD; k++, power *= ratio)
+    for (int k = 0; k <= SP_SPREAD; k++, power *= ratio) {
         spread[k] = foot + 0.5 * least * (power - 1 / power);
+        if (!is_finite(spread[k])) spread[k] = (double)k / SP_SPREAD; /* of ends by the hole and at no distance worth a number */
+    }
     spread[0] = 0, spread[SP_SPREAD] = 1;
     return foot * (1 - foot) > BETWEEN;
 }

@@ -272,7 +272,7 @@ static struct sp_refined climb_all(struct sp_newton *newton, const struct sp_opt
     int follows = 0, uneven = newton->system.elements.spread != NULL;
     if (uneven) memcpy(spread, newton->system.elements.spread, sizeof spread);
     /* A metric that changes much is what so many chords were for. */
-    if (first->line.kind->components && first->elements.reference.degree == 1 && first->line.fold.inner >= SPREAD_NODES)
+    if (chords && first->line.kind->components && first->line.fold.inner >= SPREAD_NODES)
         uneven = spread_elements(first, newton->step, spread);
     struct start start;
     struct sp_storage storage;

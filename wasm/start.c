@@ -1,6 +1,6 @@
 /* First polylines: straight, or resampled from one that is given. MATH.md, "Starts". */
 #include "start.h"
-#include "graph_build.h"
+#include "metric.h"
 #include "scalar.h"
 
 /* Where a place lies; u and v themselves on a surface without positions. */
@@ -59,16 +59,34 @@ static void straight_line(const struct sp_polyline *line, const double from[3], 
         line->nodes.places[j][1] = to[j];
 }
 
+/* Where a given point lies, both lanes alike, and what length is measured by there, if that is not space. */
+static void measure_point(const struct sp_polyline *line, const double *point, sp_pair at[3], sp_pair metric[SP_METRIC_LARGEST]) {
+    double position[3];
+    if (line->kind->components) {
+        sp_pair place[3] = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(line->kind->dimension == 3 ? point[2] : 0)}, chart[SP_CHART];
+        line->kind->charts(line->surface, 1, place, chart, metric);
+        sp_store(sp_load(chart + SP_CHART_X), at);
+    } else {
+        locate_place(line->surface, point, position);
+        for (int j = 0; j < 3; j++)
+            at[j] = sp_splat(position[j]);
+    }
+}
+
 /* The length of the given polyline up to each point, as length is measured; returns that of all. Nodes that begin evenly spaced in space
  * have far to go along the path where a metric changes much. */
 static double measure(const struct sp_polyline *line, const struct sp_request *request, double *along) {
-    int dimension = line->kind->dimension;
-    double samples[2][SP_GRAPH_WIDTH], total = 0;
+    int32_t components = line->kind->components;
+    sp_pair at[2][3] = {{{0}}}, metric[2][SP_METRIC_LARGEST], chord[3];
+    double total = 0;
     for (int32_t i = 0; i < request->start_count; i++) {
-        const double *place = request->start + dimension * i, *before = i ? place - dimension : place;
-        double by[2] = {place[0] - before[0], place[1] - before[1]};
-        sp_graph_sample(line->surface, place, samples[i & 1]);
-        along[i] = total += i ? sp_graph_chord(line->surface, samples[~i & 1], samples[i & 1], by) : 0;
+        int here = i & 1;
+        measure_point(line, request->start + line->kind->dimension * i, at[here], metric[here]);
+        for (int j = 0; j < 3; j++)
+            chord[j] = at[here][j] - at[!here][j];
+        for (int side = 0; side < 2 && i > 0; side++)
+            total += 0.5 * sp_square_root(sp_metric_product(components, metric[side], chord, chord))[0];
+        along[i] = total;
     }
     return total;
 }
