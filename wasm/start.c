@@ -84,9 +84,10 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
         measure_point(line, request->start + line->kind->dimension * i, at[here], metric[here]);
         for (int j = 0; j < 3; j++)
             chord[j] = at[here][j] - at[!here][j];
+        double both = 0;
         for (int side = 0; side < 2 && i > 0; side++)
-            total += 0.5 * sp_square_root(sp_metric_product(components, metric[side], chord, chord))[0];
-        along[i] = total;
+            both += sp_square_root(sp_metric_product(components, metric[side], chord, chord))[0];
+        along[i] = total += 0.5 * both;
     }
     return total;
 }
