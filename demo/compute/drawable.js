@@ -1,4 +1,4 @@
-/** Meshes as they are drawn: without the triangles of which some corner is no number. */
+/** Meshes as they are drawn: without the triangles of which some corner is no number, or one that graphics cannot compute with. */
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('./tasks.js').Opened} Opened */
@@ -8,6 +8,8 @@
 const CELLS_ALONG = 160;
 /** Places a direction of a box at which a formula is tried. */
 const SAMPLES = 9;
+/** Coordinates beyond are not drawn: their squares, and products with those, are too large for 32 bits, and keep some machines busy for minutes. */
+const LARGEST = 1e18;
 /** Share of its box below which a surface is drawn in a smaller one. */
 const TINY = 0.1;
 
@@ -64,12 +66,12 @@ function findTighter(positions, bounds) {
   return isSmall && size > 0 ? box.map(([low, high]) => [low - size / 2, high + size / 2]) : null;
 }
 
-/** Triangles whose corners are all numbers: a formula may have no value on a part of its range. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */
+/** Triangles whose corners can be drawn: a formula may have no value on a part of its range, or a huge one. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */
 function drawable(mesh) {
   const { positions, normals } = mesh;
-  if (positions.every(Number.isFinite) && normals.every(Number.isFinite)) return mesh;
-  const good = (/** @type {number} */ i) =>
-    [0, 1, 2].every((k) => Number.isFinite(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
+  const isPlace = (/** @type {number} */ x) => Math.abs(x) <= LARGEST;
+  if (positions.every(isPlace) && normals.every(Number.isFinite)) return mesh;
+  const good = (/** @type {number} */ i) => [0, 1, 2].every((k) => isPlace(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
   /** @type {number[]} */ const indices = [];
   for (let i = 0; i < mesh.indices.length; i += 3) {
     const corners = mesh.indices.subarray(i, i + 3);

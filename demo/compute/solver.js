@@ -1,7 +1,7 @@
 /**
  * The solver in a worker, as the page asks it: one task at a time, the newest of a kind in place of an older one that still waits, or that runs and listens.
  * A task that takes long is said to, with how far it is where it knows; it can be cancelled, and is given up where it is about a surface that is no longer
- * asked for.
+ * asked for, or where it is asked anew about something else.
  */
 
 /**
@@ -13,6 +13,9 @@
 
 /** Milliseconds from which a task is long: the page says so. */
 const PATIENCE = 400;
+
+/** Tasks that answer what a task asks. @type {Record<string, string[]>} */
+const ANSWERS = { solve: ['solve', 'open'] };
 
 /** What a task that was cancelled is rejected with. */
 export class Cancelled extends Error {
@@ -46,7 +49,7 @@ export class Solver {
     if (this.#running?.task === task) this.#worker?.postMessage({ stop: this.#id });
     return new Promise((resolve, reject) => {
       this.#waiting.push({ task, request, report, resolve, reject });
-      if (this.#isOutdated(request)) this.#stop((job) => job.resolve(null));
+      if (this.#isOutdated(task, request)) this.#stop((job) => job.resolve(null));
       this.#next();
     });
   }
@@ -64,10 +67,11 @@ export class Solver {
     this.#tell(null);
   }
 
-  /** Whether what runs has been long about a surface that is not this one. @param {Job['request']} request */
-  #isOutdated({ definition }) {
+  /** Whether what runs has been long about a surface that is not this one, or about what is asked anew. @param {string} task @param {Job['request']} request */
+  #isOutdated(task, { definition }) {
     const isSame = () => JSON.stringify(this.#running?.request.definition) === JSON.stringify(definition);
-    return this.#work?.isSlow === true && !isSame();
+    const isAnew = (ANSWERS[task] ?? [task]).includes(this.#running?.task ?? '');
+    return this.#work?.isSlow === true && (isAnew || !isSame());
   }
 
   /** @param {(job: Job) => boolean} test */

@@ -1,7 +1,6 @@
 /** The strip of results, the player and the legend: numbers and words of what is seen. */
 
-import { unbroken } from '../compute/curves.js';
-import { placesOf } from '../compute/drawn.js';
+import { mayLeap, unbroken } from '../compute/curves.js';
 import { find } from './dom.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
@@ -15,6 +14,9 @@ export function startResult() {
   onRender(renderMoment);
 }
 
+/** From here on by how much something is longer is better seen from the lengths. */
+const MOST_SHARE = 1000;
+
 /** What is computed takes so long that what is seen must not pass for the answer. */
 let isWaiting = false;
 
@@ -27,7 +29,7 @@ function write(id, text) {
 /** @param {number} length @param {number} start */
 function describeStart(length, start) {
   const share = Math.round(100 * (start / length - 1));
-  const longer = Number.isFinite(share) && share > 0 ? ` (+${share} %)` : '';
+  const longer = share > 0 && share < MOST_SHARE ? ` (+${share} %)` : '';
   return `${formatNumber(start, 4)}${longer}`;
 }
 
@@ -51,12 +53,12 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
     write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');
     write('iterations', exists ? String(stepsShown() || path.iterations) : '–');
     write('time', exists && Number.isFinite(solved.milliseconds) ? formatTime(solved.milliseconds) : '–');
-  }
+  } else write('start-length', '–');
   // Of several tasks in a row each begins as a quick one.
-  isWaiting = busy && (isWaiting || live?.isSlow === true);
+  isWaiting = busy && !problem && (isWaiting || live?.isSlow === true);
   find('result').toggleAttribute('data-waiting', isWaiting);
   if (isWaiting) return renderWaiting(building, sketch);
-  if (busy && (!surface || !path)) return;
+  if (busy && !problem && (!surface || !path)) return;
   const isOld = path !== null && problem !== null;
   const [words, advice] = isOld ? OLD : path ? describePath(path, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
@@ -66,10 +68,10 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
 }
 
 /** @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch @param {boolean} moving */
-const describePath = (path, sketch, moving) => describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path) });
+const describePath = (path, sketch, moving) => describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
 
-/** Whether a path that came to no rest leaps over what is no surface. @param {import('surfpath').Path} path */
-const leaps = (path) => !path.converged && placesOf(path).length > 0 && unbroken(placesOf(path)).length > 1;
+/** Whether a path leaps over what is no surface. @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch */
+const leaps = (path, sketch) => mayLeap(path, sketch) && unbroken(path.points).length > 1;
 
 /** @param {boolean} building the surface is not there yet @param {import('../state/sketch.js').Sketch} sketch */
 function renderWaiting(building, sketch) {

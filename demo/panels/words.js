@@ -88,12 +88,17 @@ function describeSingular(sketch) {
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
 }
 
+/** What few points cannot follow may be no matter of the surface. @param {Pick<Sketch, 'algorithm' | 'points'>} sketch */
+const isCoarse = ({ algorithm, points }) => algorithm !== 'elements' && points < FEW_POINTS;
+const FEW_POINTS = 24;
+const COARSE = 'So few points may not follow the surface: choose more of them.';
+
 /** The statuses of a path that may be about a gap or an edge. */
 const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];
 
 /**
  * @param {string} status of a Path
- * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor' | 'points'>} sketch that was asked
+ * @param {Pick<Sketch, 'start' | 'task' | 'kind' | 'texts' | 'density' | 'tensor' | 'points' | 'algorithm'>} sketch that was asked
  * @param {{ isFollowed?: boolean, leaps?: boolean }} [seen] isFollowed: while something moves, the path comes from the last one, others were not looked
  *   for; leaps: two points of it next to each other are far apart
  * @returns {[string, string]} what happened, what to do
@@ -103,7 +108,7 @@ export function describeStatus(status, sketch, { isFollowed = false, leaps = fal
   const [words, given] = OUTCOMES[status] ?? [status, ''];
   const advice = points > 1 ? given : withoutFewer(given);
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
-  if (ROUGHLY.includes(status)) return [words, adviseStuck(sketch, advice, leaps)];
+  if (ROUGHLY.includes(status)) return [words, isCoarse(sketch) ? COARSE : adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];
   return [words, start === 'global' && task === 'path' && !isFollowed ? 'No shorter path was found.' : advice];

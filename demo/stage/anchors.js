@@ -1,7 +1,7 @@
 /** What stands over the view at points of the surface: the handles of A, B and the points between, which can be dragged and moved by keys. */
 
 import { DragHandle } from 'surfpath/three';
-import { change, undo } from '../state/change.js';
+import { change, forget } from '../state/change.js';
 import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
@@ -89,8 +89,8 @@ function listenForEscape(element) {
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !element.hasPointerCapture(pointer)) return;
     event.stopPropagation();
-    // A drag is one step of undo.
-    if (state.sketch !== grabbed) undo();
+    // A drag is one change.
+    if (state.sketch !== grabbed) forget();
     element.releasePointerCapture(pointer);
   });
 }
@@ -137,7 +137,9 @@ function colourHandles({ theme }) {
 function alongPath(end) {
   const path = end < 2 ? chosenPath() : null;
   const places = path ? placesOf(path) : [];
-  const at = 3 * Math.floor((places.length / 3) * (end === 0 ? BESIDE : 1 - BESIDE));
+  const last = places.length / 3 - 1;
+  const away = Math.max(Math.floor(BESIDE * last), 1);
+  const at = 3 * (end === 0 ? away : last - away);
   return places.length > 3 ? [places[at], places[at + 1], places[at + 2]] : null;
 }
 

@@ -1,7 +1,7 @@
 /** Shows the state in the 3D view: the surface's colours, the curves at the moment that is played, the handles, the legend and the scale. */
 
 import { startAnchors } from './anchors.js';
-import { blend, smooth, unbroken } from '../compute/curves.js';
+import { blend, mayLeap, smooth, unbroken } from '../compute/curves.js';
 import { create, find, say, themeColor } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { planeStrokes, spaceStrokes } from './grain.js';
@@ -57,7 +57,7 @@ function renderCurves(view) {
     others: several && !playing ? [] : solved.paths.filter((_, i) => i !== chosen).map(placesOf),
     warmth: playing ? moment : 1,
   };
-  const whole = !path || path.converged;
+  const whole = !path || !mayLeap(path, sketch);
   const drawn = (/** @type {Float64Array[]} */ list) =>
     list
       .flatMap((points) => (whole ? [points] : unbroken(points)))

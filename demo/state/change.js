@@ -83,6 +83,12 @@ export function undo() {
   if (sketch) turnInto(sketch);
 }
 
+/** Takes the last change back for good: it was not meant. */
+export function forget() {
+  const sketch = history.forget();
+  if (sketch) turnInto(sketch);
+}
+
 export function redo() {
   const sketch = history.redo(state.sketch);
   if (sketch) turnInto(sketch);

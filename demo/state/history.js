@@ -13,13 +13,15 @@ export class History {
   #key = '';
   #time = -Infinity;
   #isHeld = false;
+  /** What could be done again before the last change that was kept. @type {T[]} */ #undone = [];
 
   /** @param {T} before what is about to change @param {string} key what changes */
   keep(before, key) {
     const now = performance.now();
     const goesOn = key === this.#key && (this.#isHeld || now - this.#time < PAUSE);
-    [this.#key, this.#time, this.#future] = [key, now, []];
+    [this.#key, this.#time] = [key, now];
     if (goesOn) return;
+    [this.#undone, this.#future] = [this.#future, []];
     this.#past.push(before);
     if (this.#past.length > MOST) this.#past.shift();
   }
@@ -37,6 +39,12 @@ export class History {
   /** @param {T} now @returns {T | undefined} */
   undo(now) {
     return this.#move(this.#past, this.#future, now);
+  }
+
+  /** Takes the last change back as if it had not been. @returns {T | undefined} */
+  forget() {
+    [this.#future, this.#undone, this.#key] = [this.#undone, [], ''];
+    return this.#past.pop();
   }
 
   /** @param {T} now @returns {T | undefined} */

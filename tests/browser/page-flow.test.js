@@ -214,6 +214,24 @@ describe('what takes long', () => {
     assert.equal(await text('#entry-title'), 'Saddle');
   });
 
+  test('a mistake in the formula is said at once, and another end is not waited for', async () => {
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', 'exp(x^4)');
+    await page.waitForSelector('#progress:not([hidden])');
+    await page.fill('#field-z', 'exp(x^4)+');
+    await page.waitForFunction(() => /ends too early/.test(document.getElementById('advice')?.textContent ?? ''), null, {
+      timeout: allowance(4000),
+    });
+    await page.fill('#field-z', 'exp(x^4)');
+    await page.waitForFunction(() => /^Looking/.test(document.getElementById('status')?.textContent ?? ''));
+    const begin = Date.now();
+    await page.fill('#end-0-0', '1');
+    await settled(page);
+    assert.equal(await status(), 'converged');
+    const quick = Date.now() - begin;
+    assert.ok(quick < allowance(6000), `${quick} ms`);
+  });
+
   test('plots say how far they are, and a cancelled one says so', async () => {
     await openEntry(page, 'own-graph');
     await page.fill('#field-z', `x*y/4${babble(130)}`);

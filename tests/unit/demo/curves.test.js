@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'surfpath';
-import { unbroken } from '../../../demo/compute/curves.js';
+import { mayLeap, unbroken } from '../../../demo/compute/curves.js';
 
 const surfpath = await load();
 
@@ -24,4 +24,13 @@ test('a path over a pole or a jump is in pieces', () => {
 
 test('over edges and slopes it is whole', () => {
   for (const z of ['x*y', 'abs(x)+abs(y)', 'atan(1000*x)', '100*x^3']) assert.equal(piecesOver(z), 1, z);
+});
+
+test('only a path that came to no rest, of many points evenly apart in space, may leap', () => {
+  const sketch = { kind: /** @type {const} */ ('graph'), density: '', tensor: [] };
+  const path = (/** @type {number} */ count, converged = false) => /** @type {any} */ ({ converged, points: new Float64Array(3 * count) });
+  assert.equal(mayLeap(path(66), sketch), true);
+  assert.equal(mayLeap(path(66, true), sketch), false);
+  assert.equal(mayLeap(path(5), sketch), false);
+  assert.equal(mayLeap(path(66), { ...sketch, density: '1 - 0.95exp(-30y^2)' }), false);
 });

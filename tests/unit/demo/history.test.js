@@ -38,3 +38,13 @@ test('a gesture is one step, however long it rests, and the next one another, ho
   history.keep(3, 'a');
   assert.deepEqual([history.undo(4), history.undo(3), history.undo(2), history.canUndo], [3, 2, 0, false]);
 });
+
+test('a change that is forgotten was never there: what could be done again before it still can', () => {
+  const history = new History();
+  history.keep('a', 'end');
+  assert.equal(history.undo('b'), 'a');
+  history.keep('a', 'end');
+  assert.equal(history.forget(), 'a');
+  assert.equal(history.canUndo, false);
+  assert.equal(history.redo('a'), 'b');
+});
