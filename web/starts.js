@@ -46,7 +46,7 @@ export function* findStarts(problem, isAll, straight) {
   /* What only hangs together outside the bounds: the straight start's path proves that it does, not that none is shorter. */
   const isOutside = status === OFF_SURFACE || (status === DISCONNECTED && known > 0);
   const near = isPlain && (!known || isAll) ? NEAR * gap(from, to) : 0;
-  for (const reach of isOutside && !isFound ? (near ? [near, 0] : [known]) : []) {
+  for (const reach of isOutside && !isFound ? (near ? [near, 0] : [isPlain ? known : 0]) : []) {
     for (const looked of look(problem, (level) => problem.flood(level, reach), 0, isAll)) {
       status = looked.status;
       if (isOpen(status)) {

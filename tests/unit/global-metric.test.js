@@ -239,3 +239,19 @@ describe('along a road, on which length is a twentieth, or less', () => {
       surface.dispose();
     });
 });
+
+test('an implicit surface without bounds, where length is less than in space: as short as its graph, not as what a straight start leads to', () => {
+  const density = '1 - 0.9exp(-20(y - 1.5sin(3x))^2)';
+  const height = (/** @type {number} */ x, /** @type {number} */ y) => 0.3 * Math.cos(x) + 0.1 * y * y;
+  const level = make({ kind: 'implicit', f: 'z - 0.3cos(x) - 0.1y^2', density });
+  const graph = make({ kind: 'graph', z: '0.3cos(x) + 0.1y^2', x: [-6, 6], y: [-6, 6], density });
+  const [from, to] = [
+    [-1, -2],
+    [0.5, 2.5],
+  ];
+  const [path, same] = [
+    level.shortestPath([...from, height(from[0], from[1])], [...to, height(to[0], to[1])]),
+    graph.shortestPath(from, to),
+  ];
+  assert.ok(path.converged && same.converged && Math.abs(path.length / same.length - 1) < 1e-9, `${path.length}, ${same.length}`);
+});
