@@ -87,6 +87,8 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
         double both = 0;
         for (int side = 0; side < 2 && i > 0; side++)
             both += sp_square_root(sp_metric_product(components, metric[side], chord, chord))[0];
+        /* Where the metric is none: Newton will say so. */
+        if (!is_finite(both)) both = 2 * sp_square_root(sp_metric_product(0, NULL, chord, chord))[0];
         along[i] = total += 0.5 * both;
     }
     return total;

@@ -297,3 +297,16 @@ describe('parameters and seams', () => {
     sameLength(solve({ ...flat, periodic: { u: true } }, [0.1, 0.5], [0.9, 0.5]), 0.2, 1e-14, 'closed');
   });
 });
+
+test('a start that leads where the metric is none is singular-metric there, not another mistake', () => {
+  const ends = [
+    [0.5, 0],
+    [0.6, 0.5],
+  ];
+  const start = [...ends[0], -0.5, 0.2, ...ends[1]];
+  for (const surface of [
+    surfpath.metric({ E: 'u', F: 0, G: 1, u: [-1, 1], v: [-1, 1] }),
+    surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1], density: 'x' }),
+  ])
+    assert.equal(surface.shortestPath(ends[0], ends[1], { start }).status, 'singular-metric');
+});
