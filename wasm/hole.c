@@ -40,7 +40,7 @@ static int close_in(const double from[2], const double along[2], double spread[S
         ratio = root(ratio);
     for (int k = 0; k <= SP_SPREAD; k++, power *= ratio) {
         spread[k] = foot + 0.5 * least * (power - 1 / power);
-        if (!is_finite(spread[k])) spread[k] = (double)k / SP_SPREAD; /* of ends by the hole and at no distance worth a number */
+        if (!is_finite(spread[k])) spread[k] = (double)k / SP_SPREAD; /* the line meets the middle, as far as numbers tell */
     }
     spread[0] = 0, spread[SP_SPREAD] = 1;
     return foot * (1 - foot) > BETWEEN;

@@ -16,11 +16,11 @@ export function lengthOf(points) {
 const ENOUGH = 16;
 
 /**
- * Whether a piece of a path that is much longer than the others leaps over what is no surface: that came to no rest, has many points, and these are evenly apart in space.
- * @param {import('surfpath').Path} path @param {Pick<import('../state/sketch.js').Sketch, 'kind' | 'density' | 'tensor'>} sketch
+ * Whether a piece of a path that is much longer than the others leaps over what is no surface: it came to no rest, and has many points, evenly apart in space.
+ * @param {import('surfpath').Path} path @param {Pick<import('../state/sketch.js').Sketch, 'density' | 'tensor'>} sketch
  */
-export const mayLeap = ({ converged, points }, { kind, density, tensor }) =>
-  !converged && points.length > 3 * ENOUGH && kind !== 'metric' && !density.trim() && tensor.length === 0;
+export const mayLeap = ({ converged, points }, { density, tensor }) =>
+  !converged && points.length > 3 * ENOUGH && !density.trim() && tensor.length === 0;
 
 /** How much longer than half of its pieces one must be that leaps over a gap. */
 const LEAP = 4;

@@ -11,8 +11,8 @@
  */
 /** @typedef {{ task: string, isSlow: boolean, share: number | null }} Work what is being done; share: in [0, 1], null: nobody knows */
 
-/** Milliseconds from which a task is long: the page says so. */
-const PATIENCE = 400;
+/** Milliseconds from which a task is long: the page says so, and another surface does not wait for it; and from which nothing else does that it does not answer. */
+const [PATIENCE, LONGEST] = [400, 1500];
 
 /** Tasks that answer what a task asks. @type {Record<string, string[]>} */
 const ANSWERS = { solve: ['solve', 'open'] };
@@ -31,6 +31,7 @@ export class Solver {
   /** @type {Work | null} */ #work = null;
   #id = 0;
   #timer = 0;
+  /** Of these milliseconds, those that what runs has taken. */ #taken = 0;
   #onWork;
 
   /** @param {(work: Work | null) => void} onWork null: it is idle, and all that waited for an answer has had its turn */
@@ -49,7 +50,7 @@ export class Solver {
     if (this.#running?.task === task) this.#worker?.postMessage({ stop: this.#id });
     return new Promise((resolve, reject) => {
       this.#waiting.push({ task, request, report, resolve, reject });
-      if (this.#isOutdated(task, request)) this.#stop((job) => job.resolve(null));
+      this.#giveWay();
       this.#next();
     });
   }
@@ -67,11 +68,23 @@ export class Solver {
     this.#tell(null);
   }
 
-  /** Whether what runs has been long about a surface that is not this one, or about what is asked anew. @param {string} task @param {Job['request']} request */
-  #isOutdated(task, { definition }) {
-    const isSame = () => JSON.stringify(this.#running?.request.definition) === JSON.stringify(definition);
-    const isAnew = (ANSWERS[task] ?? [task]).includes(this.#running?.task ?? '');
-    return this.#work?.isSlow === true && (isAnew || !isSame());
+  /** Ends what runs where it has been long about what is not asked any more: a surface that is not that of what waits, or an older question about it. */
+  #giveWay() {
+    const running = this.#running;
+    if (!running || this.#taken < PATIENCE) return;
+    const isOther = (/** @type {Job} */ { request }) => JSON.stringify(running.request.definition) !== JSON.stringify(request.definition);
+    const isAnew = (/** @type {Job} */ { task }) => this.#taken === LONGEST && (ANSWERS[task] ?? [task]).includes(running.task);
+    if (this.#waiting.some((job) => isAnew(job) || isOther(job))) this.#stop((job) => job.resolve(null));
+  }
+
+  /** Notes what time what runs has taken. @param {number} taken */
+  #wait(taken) {
+    this.#taken = taken;
+    if (taken === PATIENCE) {
+      this.#tell({ isSlow: true });
+      this.#timer = window.setTimeout(() => this.#wait(LONGEST), LONGEST - PATIENCE);
+    }
+    this.#giveWay();
   }
 
   /** @param {(job: Job) => boolean} test */
@@ -88,7 +101,8 @@ export class Solver {
     this.#running = job;
     this.#worker ??= this.#start();
     this.#worker.postMessage({ id: ++this.#id, task: job.task, request: job.request });
-    this.#timer = window.setTimeout(() => this.#tell({ isSlow: true }), PATIENCE);
+    this.#taken = 0;
+    this.#timer = window.setTimeout(() => this.#wait(PATIENCE), PATIENCE);
     this.#work = null;
     return this.#tell({ task: job.task, isSlow: false, share: null });
   }

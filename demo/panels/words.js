@@ -88,10 +88,11 @@ function describeSingular(sketch) {
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
 }
 
-/** What few points cannot follow may be no matter of the surface. @param {Pick<Sketch, 'algorithm' | 'points'>} sketch */
-const isCoarse = ({ algorithm, points }) => algorithm !== 'elements' && points < FEW_POINTS;
+/** A polyline of fewer points may not follow a surface that is in order. */
 const FEW_POINTS = 24;
 const COARSE = 'So few points may not follow the surface: choose more of them.';
+/** @param {Pick<Sketch, 'algorithm' | 'points'>} sketch */
+const isCoarse = ({ algorithm, points }) => algorithm !== 'elements' && points < FEW_POINTS;
 
 /** The statuses of a path that may be about a gap or an edge. */
 const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];

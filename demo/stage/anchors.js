@@ -148,12 +148,12 @@ const boxAt = (x, y, across, down = across) => ({ left: x - across, top: y - dow
 
 /** A letter stands on the side where the path does not run, as near as it can without covering its point. @param {View} view @returns what handles and letters cover */
 function placeLetters(view) {
-  const placed = handles.flatMap((handle, i) => {
+  const letters = handles.flatMap((handle, i) => {
     if (!handle) return [];
     const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
     return [{ i, handle, letter, half: [letter.offsetWidth / 2, letter.offsetHeight / 2] }];
   });
-  return placed.flatMap(({ i, handle, letter, half }) => {
+  return letters.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];

@@ -27,7 +27,7 @@ test('over edges and slopes it is whole', () => {
 });
 
 test('only a path that came to no rest, of many points evenly apart in space, may leap', () => {
-  const sketch = { kind: /** @type {const} */ ('graph'), density: '', tensor: [] };
+  const sketch = { density: '', tensor: [] };
   const path = (/** @type {number} */ count, converged = false) => /** @type {any} */ ({ converged, points: new Float64Array(3 * count) });
   assert.equal(mayLeap(path(66), sketch), true);
   assert.equal(mayLeap(path(66, true), sketch), false);

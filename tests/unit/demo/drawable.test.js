@@ -49,3 +49,8 @@ test('where a formula has no value there are no vertices either: what is fitted 
   assert.ok(indices.length > 0);
   for (let i = 0; i < positions.length; i += 3) assert.ok(Math.hypot(...positions.subarray(i, i + 3)) < 1 + 1e-9);
 });
+
+test('what is too large for graphics is not drawn, and the rest is', () => {
+  const { positions, indices } = meshOf(open({ kind: 'graph', z: 'exp(20x)', x: [-2.5, 2.5], y: [-1, 1] }), 32, surfpath);
+  assert.ok(indices.length > 0 && positions.every((x) => Math.abs(x) <= 1e18));
+});

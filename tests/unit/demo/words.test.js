@@ -31,6 +31,12 @@ test('fewer points are advised where there are fewer', () => {
   }
 });
 
+test('of a polyline of few points more are advised', () => {
+  const sketch = { ...sketchOf('saddle'), algorithm: /** @type {const} */ ('polyline') };
+  assert.match(describeStatus('stalled', { ...sketch, points: 5 }, { leaps: true })[1], /choose more of them/);
+  assert.match(describeStatus('stalled', { ...sketch, points: 64 }, { leaps: true })[1], /gap between the ends/);
+});
+
 test('while an end moves no other path was looked for', () => {
   assert.match(describeStatus('converged', sketchOf('saddle'))[1], /No shorter path was found/);
   assert.match(describeStatus('converged', sketchOf('saddle'), { isFollowed: true })[1], /No path nearby is shorter/);
