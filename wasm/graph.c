@@ -5,7 +5,10 @@
 #include <string.h>
 
 /* Implicit, measured: 2 to 9 N^2 cells with a change of sign, 40 to 60 edges each. */
-enum { PARAMETRIC_EDGES = 32, IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
+enum { IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
+
+/* Edges of a vertex of a parametric graph at most, and of one with so many cells a direction that nobody wants as many. */
+enum { WIDE_EDGES = 80, FINE_EDGES = 32, FINE_RESOLUTION = 128 };
 
 /* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it, or a metric that changes as much along it; how
  * many may be. */
@@ -19,7 +22,7 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     double edge = sizeof(struct sp_graph_edge);
     if (kind == SP_PARAMETRIC) {
         double vertices = 1.2 * (resolution + 2) * (resolution + 2);
-        return vertices * (vertex + PARAMETRIC_EDGES * edge + 4 * 4 * sizeof(double) + 1) + 4096;
+        return vertices * (vertex + (resolution < FINE_RESOLUTION ? WIDE_EDGES : FINE_EDGES) * edge + 4 * 4 * sizeof(double) + 1) + 4096;
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
     double lookup = options->cell > 0 ? 1 << 17 : 2 * resolution * resolution * resolution;
@@ -39,9 +42,11 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
         if (!(side > 0 || clean.cell > 0) || !is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
-    graph->resolved = status == SP_CONVERGED && graph->vertex_count > FIRST_CELLS && builder.bent <= MOST_BENT * graph->edge_count;
+    graph->resolved = status == SP_CONVERGED && graph->vertex_count > FIRST_CELLS && sp_builder_resolves(&builder);
     return status;
 }
+
+int sp_builder_resolves(const struct sp_builder *builder) { return builder->bent <= MOST_BENT * builder->graph->edge_count; }
 
 int sp_builder_take(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;

@@ -25,6 +25,9 @@ int sp_builder_take(struct sp_builder *builder);
  * the surface were flat and its metric linear; 0: not known. */
 int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord);
 
+/* Whether few edges are longer than their chords by what a detail of the surface makes them. */
+int sp_builder_resolves(const struct sp_builder *builder);
+
 /* Points put and got one by one, evaluated together: `capacity` of them. The lane without a point repeats the last. */
 struct sp_block {
     const struct sp_surface *surface;

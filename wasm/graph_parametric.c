@@ -7,7 +7,7 @@
 #include "scalar.h"
 #include <string.h>
 
-enum { REACH = 3, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
+enum { REACH = 3, WIDE_REACH = 5, WIDE_EDGES = 80, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
 /* A pole: the samples of an edge of the rectangle vary by less than this part of what lies beside it: the surface may be far larger
  * elsewhere, or infinite. A curve where the normal vanishes: after the
@@ -28,8 +28,6 @@ struct grid {
     double *normals;            /* 3 a vertex: S_u x S_v */
     double size;                /* how long the surface is both ways */
 };
-
-static int is_even(int32_t x) { return (x & 1) == 0; }
 
 /* Where a line of the fine grid lies, beyond a seam too. */
 static double place_of(const struct grid *grid, int direction, int32_t line) {
@@ -167,18 +165,24 @@ static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32
 }
 
 static int is_coprime(int32_t a, int32_t b) {
-    if (a == 0 || b == 0) return a * a + b * b == 1;
-    return !(is_even(a) && is_even(b)) && !(a % 3 == 0 && b % 3 == 0);
+    while (b != 0) {
+        int32_t rest = a % b;
+        a = b, b = rest;
+    }
+    return a * a == 1;
 }
 
-static int join_all(const struct grid *grid) {
+/* Every vertex to those around it that a coprime step of at most `reach` leads to: 32 of 3, 80 of 5. */
+static int join_all(const struct grid *grid, int32_t reach) {
     struct sp_graph *graph = grid->builder->graph;
+    int32_t side = 2 * reach + 1;
     int fits = 1;
+    graph->edge_count = 0;
     for (int32_t i = 0; i < graph->count[0]; i++)
         for (int32_t j = 0; j < graph->count[1]; j++) {
             graph->first[vertex_at(grid, i, j)] = graph->edge_count;
-            for (int32_t k = 0; k < (2 * REACH + 1) * (2 * REACH + 1) && fits; k++) {
-                int32_t du = k / (2 * REACH + 1) - REACH, dv = k % (2 * REACH + 1) - REACH;
+            for (int32_t k = 0; k < side * side && fits; k++) {
+                int32_t du = k / side - reach, dv = k % side - reach;
                 if (is_coprime(du, dv)) fits = join(grid, i, j, du, dv);
             }
         }
@@ -280,5 +284,9 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     graph->unique =
         curvature <= flat && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1] && inspect(&grid, 1) <= flat;
     write_vertices(&grid);
-    return join_all(&grid) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
+    if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
+    /* On slopes ways along them are few among 32. */
+    int is_wide = !sp_builder_resolves(builder) && builder->edge_capacity >= WIDE_EDGES * graph->vertex_count;
+    if (is_wide) builder->bent = 0;
+    return !is_wide || join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

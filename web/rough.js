@@ -2,7 +2,7 @@
 
 import { holds, leaps, POLYLINE, solveFrom } from './candidates.js';
 import { isSame } from './distinct.js';
-import { ILL_CONDITIONED, SHEET_JUMP, STALLED } from './runtime/status.js';
+import { ILL_CONDITIONED, ITERATION_LIMIT, SHEET_JUMP, STALLED } from './runtime/status.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -74,6 +74,8 @@ function solveFiner(problem, one) {
     const mayLead = path.status !== STALLED && path.lengthError < path.length;
     path = mayLead ? solveFrom(problem, { ...one, path }, finer) : problem.solve(one.to, one.start, finer);
   }
+  /* Across many waves the straight line has far to go. */
+  if (path.status === ITERATION_LIMIT) path = solveFrom(problem, { ...one, path }, { ...ROUGHLY, points: innerOf(path) });
   return { ...one, path };
 }
 

@@ -1,6 +1,7 @@
 /** How a computation ended: enum sp_status of wasm/status.h, which tells what each means. */
 
 export const CONVERGED = 0;
+export const ITERATION_LIMIT = 1;
 export const STALLED = 2;
 export const TOLERANCE_NOT_MET = 3;
 export const ILL_CONDITIONED = 4;
@@ -14,7 +15,7 @@ export const OUT_OF_MEMORY = -6;
 /** The words of `path.status`. @type {Map<number, import('../path.js').Status>} */
 export const STATUS = new Map([
   [CONVERGED, 'converged'],
-  [1, 'iteration-limit'],
+  [ITERATION_LIMIT, 'iteration-limit'],
   [STALLED, 'stalled'],
   [TOLERANCE_NOT_MET, 'tolerance-not-met'],
   [ILL_CONDITIONED, 'ill-conditioned'],
