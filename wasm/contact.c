@@ -130,6 +130,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
     for (int32_t r = 0; r <= count; r++) {
         const struct sp_run *run = runs + r;
         double to = r < count ? run->from : 1;
+        if (r > 0 && r < count && !(to > from)) return -1; /* no way between them */
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = coordinate(line, last, j);
@@ -250,9 +251,10 @@ static void drop_shortest(struct sp_run *runs, int32_t count) {
     memmove(runs + shortest, runs + shortest + 1, (size_t)(count - shortest - 1) * sizeof *runs);
 }
 
-/* Cuts the runs in two whose edge the path wants to leave midway, as nothing presses it there: few chords bridge what is shorter.
- * Returns how many runs they are then; the same number: each is pressed; -1: there are too many. */
-static int32_t split(const struct sp_surface *surface, const struct sp_arcs *arcs, double least, struct sp_run *runs, int32_t count) {
+/* Cuts the runs in two whose edge the path wants to leave midway, as nothing presses it there: few chords bridge what is shorter. What it
+ * leaves only at an end of the path is an end, and no run. Returns whether any was cut; -1: there are too many. */
+static int split(const struct sp_surface *surface, const struct sp_arcs *arcs, double least, struct sp_run *runs, int32_t *total) {
+    int32_t count = *total, any = 0;
     for (int32_t i = 0, r = 0; i < arcs->count; i++) {
         const struct sp_arc *arc = arcs->arc + i;
         double stretch[2];
@@ -268,9 +270,13 @@ static int32_t split(const struct sp_surface *surface, const struct sp_arcs *arc
             *(end ? &run[1].from : &run->to) = from + span * (at - arc->ends[0]) / (arc->ends[1] - arc->ends[0]);
             run[end].along[1 - end] = run[end].beside[1 - end] = at;
         }
-        count++, r++;
+        any = 1, count++, r++;
     }
-    return count;
+    int32_t kept = 0;
+    for (int32_t r = 0; r < count; r++)
+        if (!any || (runs[r].to > 0 && runs[r].from < 1)) runs[kept++] = runs[r];
+    *total = kept;
+    return any;
 }
 
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
@@ -310,12 +316,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         contact.made = cut(walled, runs, touching, contact.pieces, &contact.arcs);
         if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
         fits = sp_contact_solve(newton, options, &contact, arena, &refined);
-        int32_t apart =
-            fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, touching) : touching;
-        if (apart != touching) {
+        int apart = fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, &touching) : 0;
+        if (apart != 0) {
             fits = 0;
             if (apart < 0 || ++splits > SPLITS) break;
-            touching = apart;
             continue;
         }
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */

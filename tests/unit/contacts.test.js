@@ -87,3 +87,36 @@ test('walls that a density, or a wave of the wall, pulls a path away from midway
     ribbon.dispose();
   }
 });
+
+test('long strips, from edge to edge: where a path ends on an edge which it leaves, it ends there, seed 9', () => {
+  const random = createRandom(9);
+  const strips = [
+    { z: '0.2cos(3x)+0.3y^2', long: 10, low: -1, high: 1 },
+    { z: '0.3sin(x)+0.1y^2', long: 60, low: -1, high: 1 },
+    { z: '0.3sin(2x+y)', long: 20, low: 0, high: 5 },
+    { z: '0.2sin(x)', density: '1+0.3cos(2x+y)', long: 10, low: 0, high: 4 },
+  ];
+  for (const { z, density, long, low, high } of strips) {
+    const strip = surfpath.graph({ z, density, x: [0, long], y: [low, high] });
+    const end = () => [random.between(0, long), random.between(0, 1) < 0.5 ? low : high];
+    const pairs = [
+      [
+        [0, 0],
+        [long - 2, high],
+      ],
+      ...Array.from({ length: 40 }, () => [end(), end()]),
+    ];
+    for (const [from, to] of pairs) {
+      const path = strip.shortestPath(from, to);
+      const what = `${z} from ${from} to ${to}: ${path.status} ${path.length}`;
+      assert.ok(path.converged || (path.status === 'tolerance-not-met' && path.lengthError < 0.05 * path.length), what);
+      const chords = strip.shortestPath(from, to, { algorithm: 'polyline', points: 1999, start: path });
+      if (!path.converged || !chords.converged) continue;
+      assert.ok(
+        Math.abs(chords.length + chords.lengthError - path.length) <= 4 * chords.lengthError + 1e-6 * path.length,
+        `${what}, chords ${chords.length}`,
+      );
+    }
+    strip.dispose();
+  }
+});
