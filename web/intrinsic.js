@@ -4,6 +4,7 @@
  */
 
 import { compared, ELEMENTS } from './candidates.js';
+import { findCreased } from './creased.js';
 import { mostOf } from './path.js';
 import { findGeodesics as findAllIn, findPath as findIn } from './pieces.js';
 import { vector } from './rectangle.js';
@@ -78,6 +79,8 @@ function isGood(field, { converged, parameters, points, length }, { tolerance })
  * @returns {Path}
  */
 export function findPath(field, ends, options, start) {
+  const creased = findCreased(field, ends, options, start);
+  if (creased) return creased;
   const path = findIn(field, ends, options, start);
   const again = instead(field, path, options);
   if (!again) return path;

@@ -6,11 +6,13 @@
 import { checkBounds, checkParameters, checkPeriodic, readNumbers } from './definition.js';
 import { enterDomain, findDomain } from './domain.js';
 import { compile } from './expression/compile.js';
+import { Creases } from './expression/creases.js';
 import { Graphs } from './graphs.js';
 import { KIND, SHAPE } from './kind.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
 import { evaluateRanges, readShape } from './shapes.js';
+import { Sides } from './sides.js';
 import { gap } from './vector.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
@@ -27,7 +29,7 @@ export class Manifold {
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /**
    * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
-   * @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null }}
+   * @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean }}
    */
   #compiled;
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
@@ -37,6 +39,7 @@ export class Manifold {
   /** @type {Installed | null} */ #installedMetric = null;
   /** @type {Installed | null} */ #installedOwn = null;
   /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
+  /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('./mesh.js').Mesh | null} */ coarse = null;
   /** The domain whose walls the solver knows now. @type {Domain | null} */ #walls = null;
   /** The solver's instance in which it is installed; 0: in none. */
@@ -125,7 +128,28 @@ export class Manifold {
   /** What a question needs of this surface. @returns {import('./routes.js').Field} */
   field() {
     const own = () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null);
-    return { ...this.#fieldOf(this.domain, 0, false), own: this.kind === 'parametric' && !this.#measure.metric ? own : null };
+    return {
+      ...this.#fieldOf(this.domain, 0, false),
+      own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
+      sides: this.#compiled.isCreased ? () => this.#findSides() : null,
+    };
+  }
+
+  #findSides() {
+    this.#wake();
+    this.#sides ??= new Sides({
+      kind: this.kind,
+      measure: this.#measure,
+      shape: this.#shape,
+      reference: this.#reference,
+      parameters: this.parameters,
+      solver: this.#solver,
+      write: (shape, measured, code) => {
+        this.#writeRecords(shape, [{ installed: measured, code }], this.domain);
+        return measured ?? shape;
+      },
+    });
+    return this.#sides;
   }
 
   /** @param {Domain | null} domain its own, or that of a piece @param {number} place of its graphs @param {boolean} isOwn @returns {import('./routes.js').Field} */
@@ -145,13 +169,15 @@ export class Manifold {
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,
+      sides: null,
     };
   }
 
   #compile() {
     const { outputs, names, variables } = this.#shape;
     const reference = this.#reference;
-    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, this.#solver.apply);
+    const [creases, measured] = [new Creases(), new Creases()];
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, this.#solver.apply, measured);
     const compiled = compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
       names,
@@ -159,8 +185,9 @@ export class Manifold {
       parameters: this.parameters,
       apply: this.#solver.apply,
       valueOrder: SHAPE[this.kind].valueOrder,
+      creases,
     });
-    return { ...compiled, metric, own: null, reference };
+    return { ...compiled, metric, own: null, reference, isCreased: creases.nodes.length + measured.nodes.length > 0 };
   }
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
@@ -220,6 +247,7 @@ export class Manifold {
     if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
     if (this.#generation === this.#solver.generation) return;
     for (const graphs of this.#graphs.flat()) graphs.drop(null);
+    this.#sides = null;
     try {
       this.#install();
       this.#writeRecord();
@@ -240,20 +268,25 @@ export class Manifold {
 
   /** Tells the solver what it is: as space measures it, and as it measures length. */
   #writeRecord(domain = this.domain) {
-    const { jet, value, record } = /** @type {Installed} */ (this.#installed);
     this.#walls = domain;
+    const { metric, own } = this.#compiled;
+    const measures = [
+      { installed: this.#installedMetric, code: metric?.code ?? METRIC.induced },
+      { installed: this.#installedOwn, code: own?.code ?? METRIC.induced },
+    ];
+    this.#writeRecords(/** @type {Installed} */ (this.#installed), measures, domain);
+  }
+
+  /** @param {Installed} shape as space measures it @param {{ installed: Installed | null, code: number }[]} measures of length @param {Domain | null} domain */
+  #writeRecords({ jet, value, record }, measures, domain) {
     const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
     const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
     const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
     const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent: this.extent };
     const { heap } = this.#solver;
-    const { metric, own } = this.#compiled;
     heap.writeSurface(record, this.kind === 'metric' ? { ...shape, metric: METRIC.tensor, value: 0 } : shape);
-    for (const [measure, measured] of /** @type {const} */ ([
-      [metric, this.#installedMetric],
-      [own, this.#installedOwn],
-    ]))
-      if (measure && measured) heap.writeSurface(measured.record, { ...shape, metric: measure.code, jet: measured.jet });
+    for (const { installed, code } of measures)
+      if (installed) heap.writeSurface(installed.record, { ...shape, metric: code, jet: installed.jet });
   }
 
   /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
@@ -299,6 +332,8 @@ export class Manifold {
   /** Frees the graphs, and the mesh: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
     this.coarse = null;
+    this.#sides?.drop();
+    this.#sides = null;
     const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }

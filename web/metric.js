@@ -50,39 +50,49 @@ function induced({ graph, slope }, position, variables) {
 }
 
 /**
- * Compiles what measures length, if it is not space alone: the function `jet` of wasm/surface.h for that metric. Formulas are over u, v, the shape's own
+ * The nodes of a shape, and of what measures length on it. Formulas are over u, v, the shape's own
  * variables, and, a density's, x, y and z; over x, y, z on an implicit surface.
  * @param {'parametric' | 'implicit' | 'metric'} kind @param {Measure} measure @param {import('./shapes.js').Shape} shape @param {readonly number[] | null} reference of a frame
- * @param {Record<string, number>} parameters @param {import('./expression/compile.js').Apply} apply
+ * @param {import('./expression/compile.js').Formulas} formulas @returns {{ shaped: number[], measured: number[] }}
+ */
+export function nodesOf(kind, { density, metric, isOwn }, { outputs, names, variables }, reference, formulas) {
+  const { graph, read } = formulas;
+  const known = (/** @type {Record<string, number>} */ nodes) =>
+    Object.fromEntries(Object.entries(nodes).filter(([name]) => !variables.includes(name)));
+  /** @type {Record<string, number>} */
+  const places = kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
+  const shaped =
+    typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => read(source, names[i], variables));
+  const [x, y, z] = shaped;
+  const everything = kind === 'implicit' ? places : { ...places, x, y, z };
+  const factor = density === undefined ? graph.one : read(density, 'density', variables, known(everything));
+  const square = graph.multiply(factor, graph.absolute(factor));
+  const entry = (/** @type {string} */ name) => read(/** @type {any} */ (metric)[name], `metric.${name}`, variables, known(places));
+  const tensor = isOwn ? induced(formulas, shaped, variables) : metric ? TENSOR[kind].order.map(entry) : [graph.one];
+  return { shaped, measured: tensor.map((component) => graph.multiply(component, square)) };
+}
+
+/**
+ * Compiles what measures length, if it is not space alone: the function `jet` of wasm/surface.h for that metric.
+ * @param {'parametric' | 'implicit' | 'metric'} kind @param {Measure} measure @param {import('./shapes.js').Shape} shape @param {readonly number[] | null} reference of a frame
+ * @param {Record<string, number>} parameters @param {import('./expression/compile.js').Apply} apply @param {import('./expression/creases.js').Creases} [creases]
  * @returns {{ code: number, compiled: Compiled } | null}
  */
-export function compileMetric(kind, { density, metric, isOwn }, shape, reference, parameters, apply) {
+export function compileMetric(kind, measure, shape, reference, parameters, apply, creases) {
+  const { density, metric, isOwn } = measure;
   if (density === undefined && metric === undefined && !isOwn) return null;
-  const { outputs, names, variables } = shape;
-  const order = metric ? TENSOR[kind].order : [];
+  const { names, variables } = shape;
   const compiled = compile({
     outputs: (formulas) => {
-      const { graph, read } = formulas;
-      const known = (/** @type {Record<string, number>} */ nodes) =>
-        Object.fromEntries(Object.entries(nodes).filter(([name]) => !variables.includes(name)));
-      /** @type {Record<string, number>} */
-      const places = kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
-      const shaped =
-        typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => read(source, names[i], variables));
-      const [x, y, z] = shaped;
-      const everything = kind === 'implicit' ? places : { ...places, x, y, z };
-      const factor = density === undefined ? graph.one : read(density, 'density', variables, known(everything));
-      const square = graph.multiply(factor, graph.absolute(factor));
-      const entry = (/** @type {string} */ name) => read(/** @type {any} */ (metric)[name], `metric.${name}`, variables, known(places));
-      const tensor = isOwn ? induced(formulas, shaped, variables) : metric ? order.map(entry) : [graph.one];
-      const measured = tensor.map((component) => graph.multiply(component, square));
-      return kind === 'parametric' && tensor.length > 1 ? measured : [...shaped, ...measured];
+      const { shaped, measured } = nodesOf(kind, measure, shape, reference, formulas);
+      return kind === 'parametric' && measured.length > 1 ? measured : [...shaped, ...measured];
     },
     names,
     variables,
     parameters,
     valueOrder: 0,
     apply,
+    creases,
   });
   return { code: metric || isOwn ? METRIC.tensor : METRIC.density, compiled };
 }

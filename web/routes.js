@@ -3,6 +3,7 @@
 import { findBranches } from './branches.js';
 import { passBranches } from './branched.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
+import { distinct } from './distinct.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
 import { reverse, turned } from './join.js';
@@ -11,6 +12,7 @@ import { makePath } from './path.js';
 import { passedTip, passPoles } from './poles.js';
 import { ROUGHLY } from './rough.js';
 import { emptyPath } from './runtime/result.js';
+import { findStarts } from './starts.js';
 import { CONVERGED, OUT_OF_MEMORY } from './runtime/status.js';
 import { gap } from './vector.js';
 
@@ -29,6 +31,7 @@ import { gap } from './vector.js';
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
  * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
+ * @property {(() => import('./sides.js').Sides) | null} sides of its creases; null: it has none, or is a part of another
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points
@@ -45,6 +48,8 @@ const [PATIENCE, SLIPPING] = [40, 0.1];
 /** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
 const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
 const BESIDE = 1e-6;
+/** Inner points of a polyline that is only to tell which way a path leads. */
+const SKETCHED = 63;
 
 /**
  * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.
@@ -103,6 +108,34 @@ export function solveNear(field, ends, options, start) {
 export function findGlobal(field, ends, options, most) {
   return pose(field, ends, (problem) => findPaths(problem, options, most));
 }
+
+/**
+ * Polylines near where paths between two ends may lead, shortest first: relaxed, if that does not fail; not further than is needed to tell which way they lead.
+ * @param {Field} field @param {number[][]} ends @param {import('./pieces.js').Start} start
+ * @returns {Path[]}
+ */
+export function sketch(field, ends, start) {
+  const options = { ...ROUGHLY, points: SKETCHED };
+  const relax = (/** @type {import('./candidates.js').Problem} */ problem, /** @type {import('./candidates.js').Start} */ { to, start: given }) => {
+    const path = problem.solve(to, given, options);
+    if (path.length >= 0 || !given) return path;
+    const line = Float64Array.from(given);
+    return { ...path, length: Infinity, points: line, parameters: problem.domain && line };
+  };
+  /** @type {any[]} */
+  const paths =
+    start === 'global'
+      ? pose(field, ends, (problem) => {
+          const straight = problem.domain ? [] : [{ to: problem.to, start: null, ...solved(problem.solve(problem.to, null, options)) }];
+          const [found] = findStarts(problem, false, straight[0]);
+          return [...straight.map(({ path }) => path), ...(found?.starts ?? []).map((one) => relax(problem, one))];
+        })
+      : [poseNear(field, ends, start)].map(({ solve, finish }) => finish(solve(options)));
+  return distinct(paths.filter(({ length }) => length >= 0).map((path) => ({ path }))).map(({ path }) => path);
+}
+
+/** @param {RawPath} path */
+const solved = (path) => ({ path, coarse: path });
 
 /**
  * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.

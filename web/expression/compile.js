@@ -45,18 +45,19 @@ const LARGEST_PARAMETER_COUNT = 64;
  * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
  * @param {0 | 1} [options.valueOrder] whether `value` stores first derivatives too; default: only if there is one output
  * @param {Apply} options.apply folds elementary functions of constants
+ * @param {import('./creases.js').Creases} [options.creases] takes down those of the expressions, or says on which side of them they are wanted
  * @returns {Compiled}
  * @throws {ExpressionError} for an expression or parameter that cannot be used
  * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
  */
-export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, apply }) {
+export function compile({ outputs, names, variables, parameters = {}, valueOrder = names.length === 1 ? 1 : 0, apply, creases }) {
   const parameterNames = Object.keys(parameters);
   const scope = createScope(variables, parameters);
   const graph = new Graph(apply);
   const jets =
     typeof outputs === 'function'
-      ? differentiateNodes(graph, outputs(formulasOf(graph, variables, scope)), variables.length, 2)
-      : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2));
+      ? differentiateNodes(graph, outputs(formulasOf(graph, variables, scope, creases)), variables.length, 2)
+      : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2, [], creases));
   const jet = layOut(jets, 2);
   const value = layOut(jets, valueOrder);
   const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
@@ -65,8 +66,8 @@ export function compile({ outputs, names, variables, parameters = {}, valueOrder
   return { module, data, dataBytes, parameterNames, graph, jet, value };
 }
 
-/** @param {Graph} graph @param {string[]} variables @param {Map<string, Meaning>} scope @returns {Formulas} */
-function formulasOf(graph, variables, scope) {
+/** @param {Graph} graph @param {string[]} variables @param {Map<string, Meaning>} scope @param {import('./creases.js').Creases} [creases] @returns {Formulas} */
+function formulasOf(graph, variables, scope, creases) {
   const visible = (/** @type {string[]} */ names, /** @type {string[]} */ known) => {
     const own = new Map([...scope].filter(([name, { kind }]) => kind !== 'variable' || names.includes(name)));
     for (const [value, name] of known.entries()) {
@@ -79,7 +80,7 @@ function formulasOf(graph, variables, scope) {
     graph,
     read: (source, name, names, known = {}) => {
       const jets = Object.values(known).map((value) => ({ value, first: [], second: [] }));
-      return differentiate(graph, read(source, visible(names, Object.keys(known)), name), 0, 0, jets).value;
+      return differentiate(graph, read(source, visible(names, Object.keys(known)), name), 0, 0, jets, creases).value;
     },
     slope: (node, variable) => differentiateNodes(graph, [node], variables.length, 1)[0].first[variables.indexOf(variable)],
   };

@@ -19,9 +19,10 @@ import { ATAN2, HYPOT, LOG, POW, rules } from './functions.js';
  * @param {number} variableCount
  * @param {0 | 1 | 2} order of the highest derivatives wanted
  * @param {Jet[]} [known] what the program's known values are
+ * @param {import('./creases.js').Creases} [creases] which of its functions have
  * @returns {Jet}
  */
-export function differentiate(graph, program, variableCount, order, known = []) {
+export function differentiate(graph, program, variableCount, order, known = [], creases = undefined) {
   const calculus = new Calculus(graph, order === 0 ? 0 : variableCount, order === 2);
   /** @type {Jet[]} */
   const stack = [];
@@ -30,7 +31,10 @@ export function differentiate(graph, program, variableCount, order, known = []) 
     else if (kind === 'parameter') stack.push(calculus.constant(graph.parameter(value)));
     else if (kind === 'variable') stack.push(calculus.variable(value));
     else if (kind === 'known') stack.push(known[value]);
-    else stack.push(calculus.call(name, stack.splice(stack.length - value)));
+    else {
+      const operands = stack.splice(stack.length - value);
+      stack.push(creases ? creases.call(graph, calculus, name, operands) : calculus.call(name, operands));
+    }
   }
   return stack[0];
 }

@@ -1,0 +1,349 @@
+/**
+ * Paths across creases: geodesics on smooth sides of the surface, joined where they cross. Which way they lead polylines tell; what moves are the places at which
+ * sides meet. MATH.md, "Creases".
+ */
+
+import { ELEMENTS, holds } from './candidates.js';
+import { joinLegs, reverse } from './join.js';
+import { placed } from './pieces.js';
+import { isAfter, poseNear, sketch } from './routes.js';
+
+/** @typedef {import('./path.js').Path} Path */
+/** @typedef {import('./routes.js').Field} Field */
+/** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {import('./sides.js').Sides} Sides */
+/** @typedef {{ signs: number[], line: Float64Array, length: number }} Leg on which side of each crease, and its polyline as it was solved last */
+/** @typedef {{ crease: number, signs: number[], place: number[] }} Joint a place on a crease; signs: of the leg before */
+/** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
+/** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: { steps: number } }} Question budget: of Newton, for all that is tried */
+
+/** Each chord of a polyline is looked at in so many parts; there may be so many joints. */
+const [PARTS, MOST_JOINTS] = [4, 12];
+/** Legs while joints move: so exact, over so many points. */
+const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
+/** Differences are taken over this part of the shorter leg; steps are at most this part of it. */
+const [DIFFERENCE, FARTHEST] = [1e-4, 0.5];
+/** So often joints are moved, so often a step halved, and legs that leave their sides cut anew. */
+const [MOST_STEPS, MOST_HALVINGS, MOST_CUTS] = [30, 12, 6];
+/** Steps of Newton for one question. */
+const MOST_NEWTON = 30_000;
+/** A place is on a crease to this part of how large coordinates are; events nearer to each other than this, in parts of a chord's, are one. */
+const [ROUNDING, TOGETHER] = [1e-13, 1e-6];
+/** Sides are the same surface where derivatives are, to this part of them. */
+const SAME = 1e-9;
+/** A polyline is longer or shorter than what lies under it by no more than this part. */
+const ROUGH = 0.02;
+/** A step that gains less, in parts of the length, is the last. */
+const ENOUGH = 1e-13;
+
+/**
+ * The shortest path near a start, or of all that are found; null: no path was found that is one.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null}
+ */
+export function findCreased(field, ends, options, start) {
+  if (!field.sides || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations) return null;
+  if (start !== null && start !== 'global') return findFrom(field, ends, options, start);
+  /* As everywhere: exchanged ends give the same path. */
+  const path = isAfter(ends[0], ends[1]) ? findFrom(field, [ends[1], ends[0]], options, start) : findFrom(field, ends, options, start);
+  return path && isAfter(ends[0], ends[1]) ? placed(field.domain, reverse(path), ends[0]) : path;
+}
+
+/** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null} */
+function findFrom(field, ends, options, start) {
+  const sides = /** @type {() => Sides} */ (field.sides)();
+  const budget = { steps: MOST_NEWTON };
+  /** @type {Path | null} */
+  let best = null;
+  let missed = Infinity;
+  for (const path of sketch(field, ends, start)) {
+    if (best && path.length * (1 - ROUGH) > best.length) break;
+    const found = follow({ field, sides, ends, budget }, path.parameters ?? path.points, options);
+    if (found?.converged && !(best && best.length <= found.length)) best = found;
+    if (!found?.converged) missed = Math.min(missed, path.length);
+  }
+  /* A shorter way that could not be followed, along a crease, say, leaves it open what is the shortest. */
+  return best && missed * (1 + ROUGH) < best.length
+    ? { ...best, status: 'stalled', converged: false, lengthError: Math.max(best.lengthError, best.length - missed) }
+    : best;
+}
+
+/** The path that a polyline leads to. @param {Question} question @param {Float64Array} line @param {SolveOptions} options @returns {Path | null} */
+function follow(question, line, options) {
+  const { sides, ends } = question;
+  const width = ends[0].length;
+  let route = cut(sides, line, width);
+  for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
+    const fitted = fit(question, route);
+    if (!fitted) return null;
+    if (fitted.legs.every((leg) => stays(sides, leg, width))) return write(question, fitted, options);
+    route = cut(sides, concatenate(fitted.legs, width), width);
+  }
+  return null;
+}
+
+/** The lines of all legs. @param {Leg[]} legs @param {number} width */
+const concatenate = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i) => Array.from(i ? line.subarray(width) : line)));
+
+/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width */
+function divide(line, width) {
+  const places = new Float64Array((line.length - width) * PARTS + width);
+  for (let k = 0; k < places.length; k++) {
+    const at = Math.floor(k / width) / PARTS;
+    const i = width * Math.floor(at) + (k % width);
+    places[k] = line[i] + (at % 1) * ((line[i + width] ?? 0) - line[i]);
+  }
+  return places;
+}
+
+/** Cuts a polyline where it crosses creases at which the surface, or what measures length, bends. @param {Sides} sides @param {Float64Array} line @param {number} width @returns {Route | null} */
+function cut(sides, line, width) {
+  const places = divide(line, width);
+  const last = places.length / width - 1;
+  const measured = sides.measure(places);
+  const size = Math.max(...line.map(Math.abs));
+  const creases = Array.from({ length: sides.count }, (_, k) => k);
+  const signAt = (/** @type {number} */ i, /** @type {number} */ k) => {
+    const slope = Math.max(...Array.from({ length: width }, (_, j) => Math.abs(measured[i][sides.count * (1 + j) + k])));
+    return Math.abs(measured[i][k]) > ROUNDING * size * slope ? Math.sign(measured[i][k]) : 0;
+  };
+  const signs = creases.map((k) => measured.map((_, i) => signAt(i, k)).find((sign) => sign) ?? 1);
+  const now = [...signs];
+  /** @type {{ at: number, crease: number }[]} */
+  const events = [];
+  for (let i = 0; i <= last; i++)
+    for (const crease of creases) {
+      const sign = signAt(i, crease);
+      if (!sign || sign === now[crease]) continue;
+      now[crease] = sign;
+      const [before, after] = [measured[i - 1][crease], measured[i][crease]];
+      events.push({ at: i - 1 + Math.min(Math.max(before / (before - after), 0), 1), crease });
+    }
+  events.sort((a, b) => a.at - b.at);
+  const placeAt = (/** @type {number} */ at) => {
+    const i = Math.min(Math.floor(at), last - 1);
+    return Array.from({ length: width }, (_, j) => {
+      const [a, b] = [places[width * i + j], places[width * (i + 1) + j]];
+      return a + (at - i) * (b - a);
+    });
+  };
+  /** @type {Route} */
+  const route = { legs: [], joints: [] };
+  let leg = { signs: [...signs], line: Array.from(places.subarray(0, width)), at: 0 };
+  const goOn = (/** @type {number} */ at) => {
+    for (let i = Math.floor(leg.at) + 1; i < at; i++) leg.line.push(...places.subarray(width * i, width * (i + 1)));
+    leg.at = at;
+  };
+  for (let e = 0; e < events.length; e++) {
+    const { at, crease } = events[e];
+    const before = [...signs];
+    signs[crease] *= -1;
+    while (e + 1 < events.length && events[e + 1].at - at < TOGETHER) signs[events[++e].crease] *= -1;
+    if (at < TOGETHER) leg.signs = [...signs];
+    if (at < TOGETHER || at > last - TOGETHER) continue;
+    const place = placeAt(at);
+    const active = isBent(sides, before, signs, place);
+    if (active === null) return null;
+    if (!active) continue;
+    goOn(at);
+    leg.line.push(...place);
+    route.legs.push({ signs: leg.signs, line: Float64Array.from(leg.line), length: 0 });
+    route.joints.push({ crease, signs: before, place });
+    leg = { signs: [...signs], line: [...place], at };
+  }
+  goOn(last);
+  leg.line.push(...places.subarray(-width));
+  route.legs.push({ signs: leg.signs, line: Float64Array.from(leg.line), length: 0 });
+  return route.joints.length > MOST_JOINTS ? null : route;
+}
+
+/** Whether two sides are different surfaces at a place; null: there are too many. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
+function isBent(sides, before, after, place) {
+  const [a, b] = [sides.on(before), sides.on(after)];
+  if (!a || !b) return null;
+  const [[one], [other]] = [a.jets(place), b.jets(place)];
+  const size = Math.max(...one.map(Math.abs), ...other.map(Math.abs));
+  return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
+}
+
+/** Whether a leg crosses nothing between its ends. @param {Sides} sides @param {Leg} leg @param {number} width */
+function stays(sides, { line, signs }, width) {
+  const route = cut(sides, line, width);
+  const middle = width * Math.floor(line.length / width / 2);
+  return route?.legs.length === 1 && isBent(sides, signs, route.legs[0].signs, Array.from(line.subarray(middle, middle + width))) === false;
+}
+
+/** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {Joint} joint @param {number[]} place */
+function settle(sides, { crease, signs }, place) {
+  const width = place.length;
+  let at = place;
+  for (let round = 0; round < 20; round++) {
+    const [measured] = sides.measure(at);
+    const gradient = at.map((_, j) => measured[sides.count * (1 + j) + crease]);
+    const by = width === 2 ? along([[measured[crease], gradient]]) : along([[measured[crease], gradient], implicit(sides, signs, at)]);
+    at = at.map((x, j) => x - by[j]);
+    if (Math.max(...by.map(Math.abs)) <= ROUNDING * Math.max(...at.map(Math.abs))) break;
+  }
+  return at;
+}
+
+/** f and ∇f of a side. @param {Sides} sides @param {number[]} signs @param {number[]} at @returns {[number, number[]]} */
+function implicit(sides, signs, at) {
+  const [[f, x, y, z]] = /** @type {import('./sides.js').Side} */ (sides.on(signs)).jets(at);
+  return [f, [x, y, z]];
+}
+
+/** The shortest step that takes away one or two values with these gradients. @param {[number, number[]][]} equations */
+function along([[g, a], second]) {
+  const times = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p.reduce((sum, x, j) => sum + x * q[j], 0);
+  if (!second) return a.map((x) => (x * g) / times(a, a));
+  const [f, b] = second;
+  const [aa, ab, bb] = [times(a, a), times(a, b), times(b, b)];
+  const determinant = aa * bb - ab * ab;
+  const [s, t] = [(g * bb - f * ab) / determinant, (f * aa - g * ab) / determinant];
+  return a.map((x, j) => s * x + t * b[j]);
+}
+
+/** Along the crease, a unit vector. @param {Sides} sides @param {Joint} joint */
+function direction(sides, { crease, signs, place }) {
+  const [measured] = sides.measure(place);
+  const g = place.map((_, j) => measured[sides.count * (1 + j) + crease]);
+  const [, f] = place.length === 3 ? implicit(sides, signs, place) : [0, []];
+  const t = f.length ? [f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0]] : [-g[1], g[0]];
+  return t.map((x) => x / Math.hypot(...t));
+}
+
+/**
+ * Moves the joints until the path is shortest; null: that leads nowhere.
+ * @param {Question} question @param {Route} route @returns {Route | null}
+ */
+function fit({ field, sides, ends, budget }, { legs, joints }) {
+  const width = ends[0].length;
+  /** A leg between two places. @param {Leg} leg @param {number[]} from @param {number[]} to @returns {Leg | null} */
+  const solve = (leg, from, to) => {
+    const side = sides.on(leg.signs);
+    if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
+    const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(LEG);
+    budget.steps -= 1 + path.iterations;
+    return holds({ path }) ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
+  };
+  const solveAll = (/** @type {number[][]} */ places) => {
+    const all = [ends[0], ...places, ends[1]];
+    const solved = [];
+    for (const [i, leg] of now.entries()) {
+      const one = solve(leg, all[i], all[i + 1]);
+      if (!one) return null;
+      solved.push(one);
+    }
+    return solved;
+  };
+  const { domain } = field;
+  const isInside = (/** @type {number[]} */ place) =>
+    !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+  const total = (/** @type {Leg[]} */ of) => of.reduce((sum, { length }) => sum + length, 0);
+  let now = legs;
+  let places = joints.map((joint) => settle(sides, joint, joint.place));
+  const first = solveAll(places);
+  if (!first) return null;
+  now = first;
+  for (let step = 0; joints.length > 0; step++) {
+    if (step === MOST_STEPS) return null;
+    const all = [ends[0], ...places, ends[1]];
+    const spans = now.map(({ line }) => span(line, width));
+    const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+    const directions = joints.map((joint, j) => direction(sides, { ...joint, place: places[j] }));
+    const moved = (/** @type {number} */ j, /** @type {number} */ by) =>
+      settle(sides, joints[j], places[j].map((x, i) => x + by * directions[j][i]));
+    const n = joints.length;
+    const slope = new Array(n).fill(0);
+    const matrix = slope.map(() => new Array(n).fill(0));
+    for (const [i, leg] of now.entries()) {
+      const [a, b] = [i - 1, i];
+      const at = (/** @type {number} */ j, /** @type {number} */ s, /** @type {number[]} */ end) => (s && j >= 0 && j < n ? moved(j, s * DIFFERENCE * least[j]) : end);
+      const lengthAt = (/** @type {number} */ s, /** @type {number} */ t) => solve(leg, at(a, s, all[i]), at(b, t, all[i + 1]))?.length ?? Number.NaN;
+      const [p, m] = a >= 0 ? [lengthAt(1, 0), lengthAt(-1, 0)] : [0, 0];
+      const [q, k] = b < n ? [lengthAt(0, 1), lengthAt(0, -1)] : [0, 0];
+      if (a >= 0) {
+        const h = DIFFERENCE * least[a];
+        slope[a] += (p - m) / (2 * h);
+        matrix[a][a] += (p - 2 * leg.length + m) / (h * h);
+      }
+      if (b < n) {
+        const h = DIFFERENCE * least[b];
+        slope[b] += (q - k) / (2 * h);
+        matrix[b][b] += (q - 2 * leg.length + k) / (h * h);
+      }
+      if (a >= 0 && b < n)
+        matrix[a][b] = matrix[b][a] = (lengthAt(1, 1) - p - q + leg.length) / (DIFFERENCE ** 2 * least[a] * least[b]);
+    }
+    const down = descend(matrix, slope);
+    if (!down) return null;
+    const gain = -0.5 * down.step.reduce((sum, x, j) => sum + x * slope[j], 0);
+    const before = total(now);
+    let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
+    let next = null;
+    for (let halving = 0; halving < MOST_HALVINGS && !next; halving++, factor /= 2) {
+      const tried = joints.map((_, j) => moved(j, factor * down.step[j]));
+      const solved = tried.every(isInside) ? solveAll(tried) : null;
+      if (solved && total(solved) <= before * (1 + ENOUGH)) {
+        next = solved;
+        places = tried;
+      }
+    }
+    if (!next) return null;
+    now = next;
+    if (gain <= ENOUGH * before) return down.shifted ? null : { legs: now, joints: joints.map((joint, j) => ({ ...joint, place: places[j] })) };
+  }
+  return { legs: now, joints };
+}
+
+/** How long a polyline is in its coordinates. @param {Float64Array} line @param {number} width */
+function span(line, width) {
+  let sum = 0;
+  for (let i = width; i < line.length; i += width) {
+    let squared = 0;
+    for (let j = 0; j < width; j++) squared += (line[i + j] - line[i + j - width]) ** 2;
+    sum += Math.sqrt(squared);
+  }
+  return sum;
+}
+
+/** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */
+function descend(matrix, slope) {
+  const size = Math.max(...matrix.flat().map(Math.abs));
+  if (!(size > 0 && size < Infinity)) return null;
+  for (let shift = 0; shift <= 4 * size; shift = shift ? 4 * shift : 1e-3 * size) {
+    const factor = matrix.map((row) => row.map(() => 0));
+    const isPositive = matrix.every((row, i) => {
+      for (let j = 0; j <= i; j++) {
+        let sum = row[j] + (i === j ? shift : 0);
+        for (let k = 0; k < j; k++) sum -= factor[i][k] * factor[j][k];
+        if (i === j && !(sum > 1e-9 * size)) return false;
+        factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
+      }
+      return true;
+    });
+    if (!isPositive) continue;
+    const step = slope.map((x) => -x);
+    for (let i = 0; i < step.length; i++) {
+      for (let k = 0; k < i; k++) step[i] -= factor[i][k] * step[k];
+      step[i] /= factor[i][i];
+    }
+    for (let i = step.length - 1; i >= 0; i--) {
+      for (let k = i + 1; k < step.length; k++) step[i] -= factor[k][i] * step[k];
+      step[i] /= factor[i][i];
+    }
+    return { step, shifted: shift > 0 };
+  }
+  return null;
+}
+
+/** @param {Question} question @param {Route} route @param {SolveOptions} options @returns {Path} */
+function write({ field, sides, ends }, { legs, joints }, options) {
+  const places = [ends[0], ...joints.map(({ place }) => place), ends[1]];
+  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
+    const { run } = /** @type {import('./sides.js').Side} */ (sides.on(legs[k].signs));
+    const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
+    return finish(solveLeg(asked));
+  };
+  return joinLegs(/** @type {any} */ (legs), options, solve, field.domain).path;
+}

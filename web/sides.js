@@ -1,0 +1,122 @@
+/**
+ * The sides of a surface: its formulas written for one side of each of their creases, smooth, and beyond these, too. Compiled and installed when somebody asks for them.
+ * Knows nothing of paths.
+ */
+
+import { compile } from './expression/compile.js';
+import { Creases } from './expression/creases.js';
+import { SHAPE } from './kind.js';
+import { compileMetric, METRIC, nodesOf } from './metric.js';
+
+/** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
+/** @typedef {import('./runtime/heap.js').SurfaceRecord} SurfaceRecord */
+/**
+ * @typedef {object} Given a surface, for the present values of its parameters
+ * @property {'parametric' | 'implicit' | 'metric'} kind
+ * @property {import('./metric.js').Measure} measure
+ * @property {import('./shapes.js').Shape} shape
+ * @property {readonly number[] | null} reference of a frame
+ * @property {Record<string, number>} parameters
+ * @property {import('./runtime/solver.js').Solver} solver
+ * @property {(shape: Installed, measured: Installed | null, code: number) => Installed} write tells the solver what was installed; returns which of the two measures length
+ */
+/**
+ * @typedef {object} Side
+ * @property {<T>(call: import('./routes.js').Call<T>) => T} run
+ * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
+ * @property {(places: ArrayLike<number>) => number[][]} values without derivatives
+ */
+
+/** So many sides are kept: who needs more has a surface of facets. */
+const MOST_SIDES = 64;
+
+export class Sides {
+  #given;
+  /** Which crease each of those that formulas name is. @type {number[]} */ #which = [];
+  /** What vanishes on the creases, with its derivatives. @type {Installed} */ #vanishing;
+  /** @type {Map<string, { side: Side, installed: Installed[] }>} */ #known = new Map();
+  count = 0;
+
+  /** @param {Given} given */
+  constructor(given) {
+    const { kind, measure, shape, reference, parameters, solver } = given;
+    this.#given = given;
+    const creases = new Creases();
+    const { module, data, dataBytes } = compile({
+      outputs: (formulas) => {
+        nodesOf(kind, measure, shape, reference, formulas);
+        const nodes = [...new Set(creases.nodes)];
+        this.#which = creases.nodes.map((node) => nodes.indexOf(node));
+        this.count = nodes.length;
+        return nodes;
+      },
+      names: [],
+      variables: shape.variables,
+      parameters,
+      valueOrder: 1,
+      apply: solver.apply,
+      creases,
+    });
+    this.#vanishing = solver.install(module, data, dataBytes);
+  }
+
+  /** Of each place, of each crease what vanishes there, then its derivatives by the first variable, and so on. @param {ArrayLike<number>} places */
+  measure(places) {
+    const width = SHAPE[this.#given.kind].variables.length;
+    return split(this.#given.solver.evaluate(this.#vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
+  }
+
+  /** The surface on these sides of its creases; null: there are too many. @param {number[]} signs @returns {Side | null} */
+  on(signs) {
+    const key = signs.join();
+    if (!this.#known.has(key) && this.#known.size < MOST_SIDES) this.#known.set(key, this.#make(signs));
+    return this.#known.get(key)?.side ?? null;
+  }
+
+  /** @param {number[]} signs */
+  #make(signs) {
+    const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
+    const { variables, valueOrder } = SHAPE[kind];
+    const sided = () => new Creases(this.#which.map((crease) => signs[crease]));
+    const { outputs, names } = shape;
+    const compiled = compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
+      names,
+      variables: shape.variables,
+      parameters,
+      apply: solver.apply,
+      valueOrder,
+      creases: sided(),
+    });
+    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, sided());
+    const modules = [compiled, ...(metric ? [metric.compiled] : [])];
+    const installed = modules.map(({ module, data, dataBytes }) => solver.install(module, data, dataBytes));
+    const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
+    /* Values, then first and second derivatives. */
+    const orders = 1 + variables.length + (variables.length * (variables.length + 1)) / 2;
+    const evaluate = (/** @type {ArrayLike<number>} */ places, /** @type {number} */ parts) => {
+      const count = places.length / variables.length;
+      const jets = modules.map(({ jet }, i) => split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count));
+      return jets[0].map((_, k) => jets.flatMap((of) => of[k].slice(0, of[k].length / parts)));
+    };
+    /** @type {Side} */
+    const side = {
+      run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
+      jets: (places) => evaluate(places, 1),
+      values: (places) => evaluate(places, orders),
+    };
+    return { side, installed };
+  }
+
+  /** Gives back what the solver holds of it. */
+  drop() {
+    for (const installed of [this.#vanishing, ...[...this.#known.values()].flatMap((known) => known.installed)])
+      this.#given.solver.remove(installed);
+  }
+}
+
+/** @param {Float64Array} numbers @param {number} count lists */
+function split(numbers, count) {
+  const width = numbers.length / count;
+  return Array.from({ length: count }, (_, i) => Array.from(numbers.subarray(width * i, width * (i + 1))));
+}
