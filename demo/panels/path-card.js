@@ -24,7 +24,8 @@ export function startPathCard() {
     find(name).addEventListener('input', ({ target }) => change({ [name]: /** @type {HTMLInputElement} */ (target).valueAsNumber }));
   find('ends').addEventListener('input', ({ target }) => typeEnd(/** @type {HTMLInputElement} */ (target)));
   find('random-ends').addEventListener('click', () => {
-    if (state.surface && state.mesh) change({ ends: chooseEnds(state.surface, state.mesh), via: [] }, `random ${performance.now()}`);
+    if (state.surface && state.mesh)
+      change({ ends: chooseEnds(state.surface, state.mesh, state.seen), via: [] }, `random ${performance.now()}`);
   });
   find('swap-ends').addEventListener('click', () =>
     change({ ends: [...state.sketch.ends].reverse(), via: [...state.sketch.via].reverse() }),

@@ -2,7 +2,7 @@
 
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView, shareOfView, withoutSpikes } from './fit.js';
+import { fitView, pointsWithin, rangesWithoutSpikes, shareOfView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
@@ -12,6 +12,8 @@ const MARGIN = 0.1;
 const LEAST_MARGIN = 44;
 /** Share of the view below which a surface is too small to be seen well. */
 const TINY = 0.35;
+/** How much farther than the surface without its spikes these are drawn. */
+const DEEP = 200;
 
 /** @typedef {{ top: number, bottom: number }} Covered CSS pixels at the edges of the view that other things stand over */
 
@@ -42,15 +44,17 @@ export class Eye {
     });
   }
 
-  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that must be seen, x y z each */
+  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that should be seen, x y z each @returns what is seen along each axis, from and to */
   setSurface(geometry, ends) {
     this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     const all = geometry.getAttribute('position');
-    const bulk = withoutSpikes(all, ends);
+    const ranges = rangesWithoutSpikes(all, ends);
+    const bulk = pointsWithin(all, ranges);
     this.#points = bulk ?? all;
     if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);
     else this.#bounds.copy(this.#whole);
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
+    return ranges;
   }
 
   /** Looks at the whole surface again, from the same side, if it has outgrown the view, left it, or become tiny in it; but not because of what the reader left out. */
@@ -103,13 +107,18 @@ export class Eye {
     return [slope * (width - margin), slope * (height - top - bottom - margin)];
   }
 
+  /** Where all of the surface just fits. @param {Vector3} towards the camera, unit length */
+  #plan(towards) {
+    const { width, height } = this.#size;
+    const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
+    return fitView(/** @type {import('./fit.js').Points} */ (this.#points), this.#bounds.center, towards, this.camera.up, slopes);
+  }
+
   /** @param {Vector3} towards the camera, unit length */
   #fit(towards) {
     if (!this.#points) return;
-    const { width, height } = this.#size;
-    const { center, radius } = this.#bounds;
-    const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
-    const { target, distance } = fitView(this.#points, center, towards, this.camera.up, slopes);
+    const { radius } = this.#bounds;
+    const { target, distance } = this.#plan(towards);
     Object.assign(this.controls, { minDistance: 0.15 * radius, maxDistance: 20 * radius });
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);
@@ -121,9 +130,10 @@ export class Eye {
   update() {
     this.controls.update();
     const { center, radius } = this.#whole;
-    const distance = this.camera.position.distanceTo(center);
+    const { position } = this.camera;
+    const distance = position.distanceTo(center);
     this.camera.near = Math.max(distance - 1.6 * radius, 0.01 * this.#bounds.radius);
-    this.camera.far = distance + 1.6 * radius;
+    this.camera.far = Math.min(distance + 1.6 * radius, position.distanceTo(this.#bounds.center) + DEEP * this.#bounds.radius);
     this.camera.updateProjectionMatrix();
   }
 }
