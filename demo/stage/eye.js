@@ -12,6 +12,8 @@ const MARGIN = 0.1;
 const LEAST_MARGIN = 44;
 /** Share of the view below which a surface is too small to be seen well. */
 const TINY = 0.35;
+/** By how much a surface may grow or shrink, and move, in parts of its distance, before a view that nobody has turned follows it. */
+const [GROWTH, SHIFT] = [1.15, 0.04];
 /** How much farther than the surface without its spikes these are drawn. */
 const DEEP = 200;
 
@@ -27,7 +29,8 @@ export class Eye {
   /** What must fit into the view. @type {import('./fit.js').Points | null} */ #points = null;
   #size = { width: 1, height: 1 };
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
-  /** Whether the reader has turned the view: then it is not ours to change. */
+  /** Whether the reader has pressed the view, and turned it: then it is not ours to change. */
+  #held = false;
   #touched = false;
   /** Where the surface was then. */
   #seen = new Sphere();
@@ -37,9 +40,13 @@ export class Eye {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
-    this.controls.addEventListener('change', onChange);
     this.controls.addEventListener('start', () => {
-      this.#touched = true;
+      this.#held = true;
+    });
+    this.controls.addEventListener('change', () => {
+      onChange();
+      if (!this.#held) return;
+      [this.#held, this.#touched] = [false, true];
       this.#seen.copy(this.#bounds);
     });
   }
@@ -57,9 +64,18 @@ export class Eye {
     return ranges;
   }
 
-  /** Looks at the whole surface again, from the same side, if it has outgrown the view, left it, or become tiny in it; but not because of what the reader left out. */
+  /**
+   * Looks at the whole surface again, from the same side, if it is noticeably larger, smaller or elsewhere; once the reader has turned the view, only if it has
+   * outgrown it, left it, or become tiny in it, and not because of what the reader left out.
+   */
   refit() {
     if (!this.#points || this.#isAsLeft()) return;
+    if (!this.#touched) {
+      const { target, distance } = this.#plan(this.#towards());
+      const growth = distance / this.camera.position.distanceTo(this.controls.target);
+      const isOff = growth > GROWTH || growth < 1 / GROWTH || target.distanceTo(this.controls.target) > SHIFT * distance;
+      return isOff && this.#fit(this.#towards());
+    }
     this.camera.updateMatrixWorld();
     const { reach, extent } = shareOfView(this.#points, this.camera.matrixWorldInverse, this.#slopes(0));
     if (reach > 1 || extent < TINY) this.#fit(this.#towards());
@@ -123,7 +139,7 @@ export class Eye {
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);
     this.controls.update();
-    this.#touched = false;
+    this.#held = this.#touched = false;
   }
 
   /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */
