@@ -85,10 +85,9 @@ test('Escape puts back what is dragged, and what the hand does then moves nothin
   assert.equal(await page.isDisabled('#redo'), true);
 });
 
-test('by finger, on an implicit surface', async () => {
-  await openEntry(page, 'ellipsoid');
-  const before = await length();
-  const [x, y] = await middleOf('#handle-A');
+/** A finger on a handle, and what it does next. @param {string} handle */
+async function fingerOn(handle) {
+  const [x, y] = await middleOf(handle);
   const session = await browser.context.newCDPSession(page);
   const touch = (/** @type {string} */ type, /** @type {number} */ step) =>
     session.send('Input.dispatchTouchEvent', {
@@ -96,6 +95,27 @@ test('by finger, on an implicit surface', async () => {
       touchPoints: type === 'touchEnd' ? [] : [{ x: x + 7 * step, y: y + 2 * step }],
     });
   await touch('touchStart', 0);
+  return touch;
+}
+
+test('by finger, Escape and the end of a drag leave no ring', async () => {
+  await openEntry(page, 'ellipsoid');
+  for (const key of ['Escape', '']) {
+    const touch = await fingerOn('#handle-A');
+    for (let step = 1; step <= 3; step++) await touch('touchMove', step);
+    if (key) await page.keyboard.press(key);
+    await touch('touchMove', 4);
+    await touch('touchEnd', 4);
+    await nextFrame(page);
+    assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'BODY', key);
+  }
+  await settled(page);
+});
+
+test('by finger, on an implicit surface', async () => {
+  await openEntry(page, 'ellipsoid');
+  const before = await length();
+  const touch = await fingerOn('#handle-A');
   for (let step = 1; step <= 6; step++) await touch('touchMove', step);
   await touch('touchEnd', 6);
   await page.waitForTimeout(250);
