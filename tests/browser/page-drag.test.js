@@ -125,6 +125,32 @@ test('by finger, on an implicit surface', async () => {
   assert.equal(await page.evaluate(() => document.scrollingElement?.scrollTop), 0, 'the page does not scroll');
 });
 
+test('written beside an implicit surface, an end stays as it is written until its fields are left, then is said where it is', async () => {
+  await openEntry(page, 'sphere');
+  const written = () => Promise.all([0, 1, 2].map(async (i) => Number(await page.inputValue(`#end-0-${i}`))));
+  const away = (/** @type {number[]} */ place) => Math.abs(Math.hypot(...place) - Math.hypot(...radius));
+  const radius = await written();
+  for (const [i, share] of [1.02, 0.97, 1.03].entries()) await page.fill(`#end-0-${i}`, (share * radius[i] + 0.01).toFixed(3));
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.deepEqual(
+    await written(),
+    [1.02, 0.97, 1.03].map((share, i) => Number((share * radius[i] + 0.01).toFixed(3))),
+  );
+  assert.ok(away(await written()) > 1e-3, String(await written()));
+  const found = await length();
+  await page.focus('#points');
+  await page.waitForTimeout(100);
+  assert.ok(away(await written()) < 5e-5, String(await written()));
+  // One coordinate more goes with the others as they are read.
+  const [, y, z] = await written();
+  await page.fill('#end-0-0', '0.2');
+  assert.deepEqual(await written(), [0.2, y, z]);
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.notEqual(await length(), found);
+});
+
 test('by keys, and back by undo', async () => {
   await openEntry(page, 'parametricTorus');
   const before = await length();
