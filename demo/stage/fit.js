@@ -11,8 +11,8 @@ const ENOUGH = 4000;
 const BULK = [0.05, 0.95];
 /** A surface has spikes where it is so many times longer than its bulk, and than it is wide; */
 const [SPIKY, TALL] = [3, 2];
-/** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly. */
-const DENSE = 8;
+/** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly, and so large a share of all. */
+const [DENSE, SOME] = [8, 0.1];
 /** In parts of its width: a bulk up to here is seen, and ends of a path that lie so far apart. */
 const [LONG, FARTHEST] = [4, 6];
 
@@ -46,7 +46,7 @@ export function rangesWithoutSpikes(points, ends = []) {
     if (!(lengths[k] > TALL * width)) return [-Infinity, Infinity];
     const [low, high] = BULK.map((share) => list[Math.floor(share * (list.length - 1))]);
     const { from: dense, share } = densest(list, width);
-    if (lengths[k] <= SPIKY * (high - low) && share * lengths[k] <= DENSE * width) return [-Infinity, Infinity];
+    if (lengths[k] <= SPIKY * (high - low) && share <= Math.max((DENSE * width) / lengths[k], SOME)) return [-Infinity, Infinity];
     const size = Math.max(high - low, width);
     const isLong = size > LONG * width;
     let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);

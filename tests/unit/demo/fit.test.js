@@ -67,6 +67,7 @@ test('spikes beside a pole are not looked at, all of what is only steep is', () 
   for (const z of /** @type {((x: number, y: number) => number)[]} */ ([
     (x, y) => 60 * x * y,
     (x) => 2 * x ** 3,
+    (x) => 1000 * x,
     (x) => Math.exp(x),
     (x, y) => 3 * Math.exp(-4 * (x * x + y * y)),
   ]))
