@@ -56,7 +56,7 @@ export class Eye {
     this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     const all = geometry.getAttribute('position');
     const ranges = rangesWithoutSpikes(all, ends);
-    const bulk = pointsWithin(all, ranges);
+    const bulk = pointsWithin(all, ranges, ends);
     this.#points = bulk ?? all;
     if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);
     else this.#bounds.copy(this.#whole);

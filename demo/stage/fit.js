@@ -9,7 +9,7 @@ const ENOUGH = 4000;
 
 /** Of a surface's points along an axis, what lies between these shares is its bulk. */
 const BULK = [0.05, 0.95];
-/** A surface has spikes where it is so many times longer than its bulk, and than it is wide; */
+/** A surface has spikes where it is so many times longer than its bulk, and than that is wide; */
 const [SPIKY, TALL] = [3, 2];
 /** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly, and so large a share of all. */
 const [DENSE, SOME] = [8, 0.1];
@@ -40,14 +40,16 @@ export function rangesWithoutSpikes(points, ends = []) {
   const lists = AXES.map((get) =>
     Float64Array.from({ length: Math.floor((points.count - 1) / stride) + 1 }, (_, i) => points[get](i * stride)).sort(),
   );
-  const lengths = lists.map((list) => list[list.length - 1] - list[0]);
+  const bulks = lists.map((list) => BULK.map((share) => list[Math.floor(share * (list.length - 1))]));
+  const sizes = bulks.map(([low, high]) => high - low);
   return lists.map((list, k) => {
-    const width = Math.max(...lengths.filter((_, other) => other !== k));
-    if (!(lengths[k] > TALL * width)) return [-Infinity, Infinity];
-    const [low, high] = BULK.map((share) => list[Math.floor(share * (list.length - 1))]);
+    const [low, high] = bulks[k];
+    const length = list[list.length - 1] - list[0];
+    const width = Math.max(...sizes.filter((_, other) => other !== k));
+    if (!(length > TALL * width)) return [-Infinity, Infinity];
     const { from: dense, share } = densest(list, width);
-    if (lengths[k] <= SPIKY * (high - low) && share <= Math.max((DENSE * width) / lengths[k], SOME)) return [-Infinity, Infinity];
-    const size = Math.max(high - low, width);
+    if (length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME)) return [-Infinity, Infinity];
+    const size = Math.max(sizes[k], width);
     const isLong = size > LONG * width;
     let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);
     let to = from + (isLong ? width : size);
@@ -57,14 +59,15 @@ export function rangesWithoutSpikes(points, ends = []) {
   });
 }
 
-/** The points that lie in such ranges; null: all. @param {Points} points @param {number[][]} ranges */
-export function pointsWithin(points, ranges) {
+/** The points, and ends, that lie in such ranges; null: all. @param {Points} points @param {number[][]} ranges @param {readonly ArrayLike<number>[]} [ends] */
+export function pointsWithin(points, ranges, ends = []) {
   if (ranges.flat().every((x) => !Number.isFinite(x))) return null;
   /** @type {number[]} */ const kept = [];
   for (let i = 0; i < points.count; i++) {
     const place = AXES.map((get) => points[get](i));
     if (isWithin(place, ranges)) kept.push(...place);
   }
+  for (const end of ends) if (isWithin(end, ranges)) kept.push(...Array.from(end));
   return new BufferAttribute(Float32Array.from(kept), 3);
 }
 

@@ -50,7 +50,7 @@ const graphOf = (z) =>
   );
 
 /** @param {import('three').BufferAttribute} points @param {number[][]} [ends] */
-const withoutSpikes = (points, ends) => pointsWithin(points, rangesWithoutSpikes(points, ends));
+const withoutSpikes = (points, ends) => pointsWithin(points, rangesWithoutSpikes(points, ends), ends);
 
 test('spikes beside a pole are not looked at, all of what is only steep is', () => {
   for (const [low, high, z] of /** @type {[number, number, (x: number, y: number) => number][]} */ ([
@@ -86,6 +86,14 @@ test('of what is so steep that all of it would be a thread, the part is looked a
     const heights = Array.from({ length: points.count }, (_, i) => points.getZ(i));
     assert.ok(Math.max(...heights) - Math.min(...heights) <= 4.9 && points.count > 0.15 * 50 * 50, `${z}: ${points.count}`);
   }
+});
+
+test('spikes may be along two axes', () => {
+  const points = graphOf((x) => x);
+  for (let i = 0; i < points.count; i++) points.setXY(i, Math.tan(0.64 * points.getX(i)), Math.tan(0.64 * points.getY(i)));
+  const ranges = rangesWithoutSpikes(points);
+  for (const [low, high] of ranges.slice(0, 2)) assert.ok(high - low > 10 && high - low < 40, `${low} … ${high}`);
+  assert.deepEqual(ranges[2], [-Infinity, Infinity]);
 });
 
 test('but where an end of the path is on one, it is seen', () => {
