@@ -113,8 +113,14 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
+  await fetchEnds();
+}
+
+/** Ends that are left behind by the surface are moved onto it: to the nearest places, else anywhere. */
+async function fetchEnds() {
+  const mine = builds;
   for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow(), state.seen)]) {
-    if (mine !== builds || !areLeftBehind()) return;
+    if (mine !== builds || state.moving || !areLeftBehind()) return;
     moveEnds(elsewhere());
     await solve(true);
   }
@@ -281,6 +287,7 @@ async function refine() {
   stage?.refit();
   repairEnds();
   await solve(false);
+  await fetchEnds();
 }
 
 /** Colours for the surface as the sketch wishes them. */
