@@ -234,7 +234,11 @@ function followFrom(last, points) {
   const [from, to] = state.sketch.ends;
   const start = performance.now();
   try {
-    const path = surfaceNow().shortestPath(from, to, { start: last, points, tolerance: 1e-6 });
+    const find = (/** @type {import('surfpath').Path | 'straight'} */ begin) =>
+      surfaceNow().shortestPath(from, to, { start: begin, points, tolerance: 1e-6 });
+    // Beside a rim, the last one moved to the new end may leave the surface.
+    const near = find(last);
+    const path = Number.isFinite(near.length) ? near : find('straight');
     if (Number.isFinite(path.length)) state.solved = { ...UNSOLVED, paths: [path], milliseconds: state.solved.milliseconds };
     Object.assign(state, { chosen: 0, moment: 1, moving: true });
   } catch (error) {

@@ -62,6 +62,23 @@ test('by mouse: the path follows during the drag, the camera stays', async () =>
   assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
 });
 
+test('beside a rim the path follows, too', async () => {
+  await openEntry(page, 'own-graph');
+  await page.fill('#field-z', 'sqrt(1-x^2-y^2)');
+  await page.waitForTimeout(300);
+  await settled(page);
+  const before = await length();
+  const [x, y] = await middleOf('#handle-B');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= 12; step++) await page.mouse.move(x - 13 * step, y + 6 * step);
+  await nextFrame(page);
+  assert.notEqual(await length(), before);
+  await page.mouse.up();
+  await page.waitForTimeout(250);
+  await settled(page);
+});
+
 test('Escape puts back what is dragged, and what the hand does then moves nothing', async () => {
   await openEntry(page, 'saddle');
   const start = await ends();
