@@ -1,15 +1,15 @@
-/** Meshes as they are drawn: without the triangles of which some corner is no number, or one that graphics cannot compute with. */
+/** Meshes as they are drawn: without what has a place that is no number, or one that graphics cannot compute with. */
+
+import { cutMesh, LARGEST } from './cuts.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('./tasks.js').Opened} Opened */
-/** @typedef {{ positions: Float64Array, normals: Float64Array, parameters?: Float64Array, indices: Uint32Array }} SurfaceMesh */
+/** @typedef {{ positions: Float64Array, normals: Float64Array, parameters?: Float64Array, indices: Uint32Array, twins?: number[] }} SurfaceMesh twins: after a mesh's own vertices, others, each beside one of those */
 
 /** Cells a direction: what is carried along a curve is much longer than wide. */
 const CELLS_ALONG = 160;
 /** Places a direction of a box at which a formula is tried. */
 const SAMPLES = 9;
-/** Coordinates beyond are not drawn: their squares, and products with those, are too large for 32 bits, and keep some machines busy for minutes. */
-const LARGEST = 1e18;
 /** Share of its box below which a surface is drawn in a smaller one. */
 const TINY = 0.1;
 
@@ -18,7 +18,7 @@ export function meshOf(opened, resolution, surfpath) {
   const { drawn, definition } = opened;
   const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
   const given = drawn.mesh(wanted ? { resolution: wanted } : {});
-  const mesh = drawable(given);
+  const mesh = drawable(given.parameters ? cutMesh(given, (places) => drawn.evaluate(places)) : given);
   const bounds = mesh.indices.length > 0 && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
   if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
   if (mesh.indices.length > 0) return mesh;

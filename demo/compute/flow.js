@@ -1,7 +1,7 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { chooseEnds, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { chooseEnds, describeFar, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -29,7 +29,7 @@ let timer = 0;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): void, frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
 /** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
@@ -44,7 +44,7 @@ export function connect(solver, solved) {
 export function showIn(view) {
   stage = view;
   if (!state.mesh) return;
-  stage?.setSurface(state.mesh, endPlaces());
+  look(state.mesh);
   stage?.frame(middle(), toLookFrom);
   render();
 }
@@ -113,8 +113,14 @@ export async function rebuild({ frame, direction }) {
   repairEnds();
   if (solved && asked === turn) show(solved, true);
   else await solve(true);
-  for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow())]) {
-    if (mine !== builds || !areLeftBehind()) return;
+  await fetchEnds();
+}
+
+/** Ends that are left behind by the surface are moved onto it: to the nearest places, else anywhere. */
+async function fetchEnds() {
+  const mine = builds;
+  for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow(), state.seen)]) {
+    if (mine !== builds || state.moving || !areLeftBehind()) return;
     moveEnds(elsewhere());
     await solve(true);
   }
@@ -143,8 +149,14 @@ function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
-  stage?.setSurface(mesh, endPlaces());
+  look(mesh);
+  state.note ??= describeFar(endPlaces(), state.seen);
   render();
+}
+
+/** Shows a mesh in the view. @param {SurfaceMesh} mesh */
+function look(mesh) {
+  state.seen = stage?.setSurface(mesh, endPlaces()) ?? [];
 }
 
 const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
@@ -222,7 +234,11 @@ function followFrom(last, points) {
   const [from, to] = state.sketch.ends;
   const start = performance.now();
   try {
-    const path = surfaceNow().shortestPath(from, to, { start: last, points, tolerance: 1e-6 });
+    const find = (/** @type {import('surfpath').Path | 'straight'} */ begin) =>
+      surfaceNow().shortestPath(from, to, { start: begin, points, tolerance: 1e-6 });
+    // Beside a rim, the last one moved to the new end may leave the surface.
+    const near = find(last);
+    const path = Number.isFinite(near.length) ? near : find('straight');
     if (Number.isFinite(path.length)) state.solved = { ...UNSOLVED, paths: [path], milliseconds: state.solved.milliseconds };
     Object.assign(state, { chosen: 0, moment: 1, moving: true });
   } catch (error) {
@@ -242,7 +258,7 @@ export async function deform(parameters) {
     const resolution = state.surface.kind === 'implicit' ? DRAFT : undefined;
     const draft = await live.ask('draft', { ...question(), definition: surfaceOf(shown), start, resolution });
     if (!draft || built !== builds) return;
-    stage?.setSurface(draft.mesh, endPlaces());
+    look(draft.mesh);
     Object.assign(state, { mesh: draft.mesh, shown, shade: null, moving: true });
     if (draft.path && Number.isFinite(draft.path.length)) state.solved = { ...UNSOLVED, paths: [draft.path] };
   } catch (error) {
@@ -264,7 +280,7 @@ async function refine() {
     if (state.surface?.kind === 'implicit') {
       const mesh = await live.ask('mesh', { definition: surfaceOf(shown) });
       if (!mesh || mine !== turn || built !== builds) return;
-      stage?.setSurface(mesh, endPlaces());
+      look(mesh);
       Object.assign(state, { mesh, shade: null });
     }
   } catch (error) {
@@ -275,6 +291,7 @@ async function refine() {
   stage?.refit();
   repairEnds();
   await solve(false);
+  await fetchEnds();
 }
 
 /** Colours for the surface as the sketch wishes them. */

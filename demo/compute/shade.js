@@ -19,21 +19,23 @@ import { determinantOf, tangentForm, Tensor } from './tensor.js';
  * @returns {Shade | Promise<Shade | null>} null: it was stopped
  */
 export function shade(opened, { colour, from, resolution }, job, surfpath) {
-  if (colour === 'distance') return distances(opened, from, job);
   const mesh = meshOf(opened, resolution, surfpath);
+  if (colour === 'distance') return distances(opened, from, job, mesh);
   return colour === 'curvature'
     ? gaussianCurvature(/** @type {any} */ (opened.drawn), mesh.parameters ?? mesh.positions)
     : stretches(opened, mesh, surfpath);
 }
 
-/** @param {import('./tasks.js').Opened} opened @param {number[]} from @param {import('./slices.js').Job} job */
-function distances({ surface, definition }, from, job) {
+/** @param {import('./tasks.js').Opened} opened @param {number[]} from @param {import('./slices.js').Job} job @param {SurfaceMesh} drawn */
+async function distances({ surface, definition }, from, job, { twins = [] }) {
   if (surface.kind === 'metric') throw new RangeError('distances from a point are there only for surfaces in space');
   const along = ['tube', 'sweep'].includes(definition.kind) ? { resolution: 160 } : {};
   const { mesh, distances: rough } = surface.distanceField(from, along);
-  job.report({ shade: rough });
+  const withTwins = (/** @type {Shade} */ shade) => Float64Array.from([...shade, ...twins.map((i) => shade[i])]);
+  job.report({ shade: withTwins(rough) });
   const start = surface.kind === 'implicit' ? surface.project(from, from) : from;
-  return runInSlices(measureDistances(surface, start, mesh, rough), job);
+  const exact = await runInSlices(measureDistances(surface, start, mesh, rough), job);
+  return exact && withTwins(exact);
 }
 
 /** By how much length is multiplied, the mean of all directions. @param {import('./tasks.js').Opened} opened @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */

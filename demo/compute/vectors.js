@@ -15,3 +15,6 @@ export const unit = (a) => {
   const length = Math.hypot(a[0], a[1], a[2]) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
 };
+
+/** Whether a place lies in ranges, one a coordinate. @param {ArrayLike<number>} place @param {number[][]} ranges none: it does */
+export const isWithin = (place, ranges) => ranges.every(([low, high], k) => place[k] >= low && place[k] <= high);

@@ -11,12 +11,14 @@ import { chosenPath, onRender, state } from '../state/state.js';
 /** @typedef {import('../stage/scene.js').View} View */
 /** @typedef {{ name: string, type: string, content: BlobPart }} File */
 
+const NO_PLANE = 'A surface f(x, y, z) = 0 has no parameters.';
+
 /** @type {Record<string, (view: View | null) => Promise<File | string> | File | string>} a string: why there is none */
 const EXPORTS = {
   png: (view) => picture(view),
   svg: () => {
     const content = planeFile();
-    return content ? { name: 'plane.svg', type: 'image/svg+xml', content } : 'This surface has no parameters.';
+    return content ? { name: 'plane.svg', type: 'image/svg+xml', content } : NO_PLANE;
   },
   csv: () => {
     const path = chosenPath();
@@ -48,9 +50,13 @@ export function startExports(view) {
     save(made);
     tell(`Saved ${made.name}.`);
   });
-  // Once something is changed, it is not what was copied or saved.
-  onRender(({ sketch }) => {
+  const plane = /** @type {HTMLButtonElement} */ (find('exports').querySelector('[data-export=svg]'));
+  const { title } = plane;
+  onRender(({ sketch, surface }) => {
+    // Once something is changed, it is not what was copied or saved.
     if (sketch !== wordsOf) tell(null);
+    plane.disabled = surface?.domain === null;
+    plane.title = plane.disabled ? NO_PLANE : title;
   });
 }
 

@@ -4,8 +4,8 @@ import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { runsOf } from '../compute/legs.js';
-import { chooseEnds, letterOf } from '../state/ends.js';
-import { MOST_POINTS, MOST_VIA } from '../state/sketch.js';
+import { chooseEnds, letterOf, onto } from '../state/ends.js';
+import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatNumber } from './words.js';
 
@@ -14,6 +14,8 @@ import { formatNumber } from './words.js';
 const LISTED = /** @type {const} */ (['algorithm', 'start']);
 /** What the number inputs were built for. */
 let built = '';
+/** The points as the inputs have them, and what they were found for: an implicit surface has one beside what was written. */
+const written = /** @type {{ point: number[], shown: unknown, place: number[] }[]} */ ([]);
 
 export function startPathCard() {
   for (const name of LISTED) find(name).addEventListener('change', (event) => change({ [name]: choiceOf(event) }));
@@ -23,8 +25,11 @@ export function startPathCard() {
   for (const name of /** @type {const} */ (['angle', 'reach']))
     find(name).addEventListener('input', ({ target }) => change({ [name]: /** @type {HTMLInputElement} */ (target).valueAsNumber }));
   find('ends').addEventListener('input', ({ target }) => typeEnd(/** @type {HTMLInputElement} */ (target)));
+  // Once the focus is where it goes.
+  find('ends').addEventListener('focusout', () => setTimeout(() => renderEnds(state)));
   find('random-ends').addEventListener('click', () => {
-    if (state.surface && state.mesh) change({ ends: chooseEnds(state.surface, state.mesh), via: [] }, `random ${performance.now()}`);
+    if (state.surface && state.mesh)
+      change({ ends: chooseEnds(state.surface, state.mesh, state.seen), via: [] }, `random ${performance.now()}`);
   });
   find('swap-ends').addEventListener('click', () =>
     change({ ends: [...state.sketch.ends].reverse(), via: [...state.sketch.via].reverse() }),
@@ -56,8 +61,8 @@ function changePoints({ target }) {
 function typeEnd({ name, valueAsNumber }) {
   const [, row, coordinate] = name.split('-').map(Number);
   const { ends, via } = state.sketch;
-  const replace = (/** @type {number[][]} */ list, /** @type {number} */ at) =>
-    list.map((point, i) => (i === at ? point.map((x, k) => (k === coordinate ? valueAsNumber : x)) : point));
+  const typed = written[row].place.map((x, k) => (k === coordinate ? valueAsNumber : x));
+  const replace = (/** @type {number[][]} */ list, /** @type {number} */ at) => list.map((point, i) => (i === at ? typed : point));
   change(row < 2 ? { ends: replace(ends, row) } : { via: replace(via, row - 2) }, `type ${name}`);
 }
 
@@ -127,7 +132,7 @@ function renderPathCard(state) {
   }
   const reason = whyNoVia(state);
   Object.assign(find('add-via'), { disabled: reason !== null, title: reason ?? '' });
-  renderEnds(sketch);
+  renderEnds(state);
   for (const input of find('ends').querySelectorAll('[aria-invalid]')) input.removeAttribute('aria-invalid');
   say(find('ends-problem'), endProblem?.message ?? null);
   if (endProblem && endProblem.end >= 0)
@@ -143,8 +148,20 @@ function showTolerance(select, tolerance) {
   select.value = value;
 }
 
-/** @param {State['sketch']} sketch */
-function renderEnds({ kind, ends, via, task }) {
+/** A point as its row shows it: on the surface that is seen, unless it is just being written. @param {State} state @param {number} row @param {number[]} point */
+function placeOfRow({ drawn, shown, building, sketch }, row, point) {
+  const last = written[row];
+  const isHere = document.getElementById(`end-${row}-0`)?.closest('.end')?.contains(document.activeElement);
+  if (last?.point === point && (isHere || last.shown === shown)) return last.place;
+  const isKnown = drawn && shown && !isHere && !building && shown.kind === sketch.kind;
+  const place = (isKnown && onto(drawn, surfaceOf(shown), point)) || point;
+  written[row] = { point, shown: isKnown ? shown : null, place };
+  return place;
+}
+
+/** @param {State} state */
+function renderEnds(state) {
+  const { kind, ends, via, task } = state.sketch;
   const points = [...ends, ...via];
   const wanted = `${kind} ${points.length} ${task === 'trace'}`;
   if (built !== wanted) {
@@ -153,12 +170,13 @@ function renderEnds({ kind, ends, via, task }) {
     if (task === 'trace') rows.splice(1, 1);
     find('ends').replaceChildren(...rows);
   }
-  for (const [row, point] of points.entries())
-    for (const [i, x] of point.entries()) {
+  for (const [row, point] of points.entries()) {
+    for (const [i, x] of placeOfRow(state, row, point).entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
       // What is being written is the number itself, and stays as it is written.
       if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
     }
+  }
 }
 
 /** @param {import('surfpath').Path[]} paths @param {number} chosen */

@@ -92,7 +92,10 @@ function listenForEscape(element) {
     // A drag is one change.
     if (state.sketch !== grabbed) forget();
     element.releasePointerCapture(pointer);
+    element.blur();
   });
+  // The ring of the focus is for keys.
+  element.addEventListener('lostpointercapture', ({ pointerType }) => pointerType === 'touch' && element.blur());
 }
 
 /** The handle that comes before another one on the way from A to B: the tab key follows it. @param {number} index */

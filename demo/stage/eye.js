@@ -2,7 +2,7 @@
 
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView, shareOfView, withoutSpikes } from './fit.js';
+import { fitView, pointsWithin, rangesWithoutSpikes, shareOfView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
@@ -12,6 +12,10 @@ const MARGIN = 0.1;
 const LEAST_MARGIN = 44;
 /** Share of the view below which a surface is too small to be seen well. */
 const TINY = 0.35;
+/** By how much a surface may grow or shrink, and move, in parts of its distance, before a view that nobody has turned follows it. */
+const [GROWTH, SHIFT] = [1.15, 0.04];
+/** How much farther than the surface without its spikes these are drawn. */
+const DEEP = 200;
 
 /** @typedef {{ top: number, bottom: number }} Covered CSS pixels at the edges of the view that other things stand over */
 
@@ -25,7 +29,8 @@ export class Eye {
   /** What must fit into the view. @type {import('./fit.js').Points | null} */ #points = null;
   #size = { width: 1, height: 1 };
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
-  /** Whether the reader has turned the view: then it is not ours to change. */
+  /** Whether the reader has pressed the view, and turned it: then it is not ours to change. */
+  #held = false;
   #touched = false;
   /** Where the surface was then. */
   #seen = new Sphere();
@@ -35,27 +40,42 @@ export class Eye {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
-    this.controls.addEventListener('change', onChange);
     this.controls.addEventListener('start', () => {
-      this.#touched = true;
+      this.#held = true;
+    });
+    this.controls.addEventListener('change', () => {
+      onChange();
+      if (!this.#held) return;
+      [this.#held, this.#touched] = [false, true];
       this.#seen.copy(this.#bounds);
     });
   }
 
-  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that must be seen, x y z each */
+  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that should be seen, x y z each @returns what is seen along each axis, from and to */
   setSurface(geometry, ends) {
     this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     const all = geometry.getAttribute('position');
-    const bulk = withoutSpikes(all, ends);
+    const ranges = rangesWithoutSpikes(all, ends);
+    const bulk = pointsWithin(all, ranges, ends);
     this.#points = bulk ?? all;
     if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);
     else this.#bounds.copy(this.#whole);
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
+    return ranges;
   }
 
-  /** Looks at the whole surface again, from the same side, if it has outgrown the view, left it, or become tiny in it; but not because of what the reader left out. */
+  /**
+   * Looks at the whole surface again, from the same side, if it is noticeably larger, smaller or elsewhere; once the reader has turned the view, only if it has
+   * outgrown it, left it, or become tiny in it, and not because of what the reader left out.
+   */
   refit() {
     if (!this.#points || this.#isAsLeft()) return;
+    if (!this.#touched) {
+      const { target, distance } = this.#plan(this.#towards());
+      const growth = distance / this.camera.position.distanceTo(this.controls.target);
+      const isOff = growth > GROWTH || growth < 1 / GROWTH || target.distanceTo(this.controls.target) > SHIFT * distance;
+      return isOff && this.#fit(this.#towards());
+    }
     this.camera.updateMatrixWorld();
     const { reach, extent } = shareOfView(this.#points, this.camera.matrixWorldInverse, this.#slopes(0));
     if (reach > 1 || extent < TINY) this.#fit(this.#towards());
@@ -103,27 +123,33 @@ export class Eye {
     return [slope * (width - margin), slope * (height - top - bottom - margin)];
   }
 
+  /** Where all of the surface just fits. @param {Vector3} towards the camera, unit length */
+  #plan(towards) {
+    const { width, height } = this.#size;
+    const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
+    return fitView(/** @type {import('./fit.js').Points} */ (this.#points), this.#bounds.center, towards, this.camera.up, slopes);
+  }
+
   /** @param {Vector3} towards the camera, unit length */
   #fit(towards) {
     if (!this.#points) return;
-    const { width, height } = this.#size;
-    const { center, radius } = this.#bounds;
-    const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
-    const { target, distance } = fitView(this.#points, center, towards, this.camera.up, slopes);
+    const { radius } = this.#bounds;
+    const { target, distance } = this.#plan(towards);
     Object.assign(this.controls, { minDistance: 0.15 * radius, maxDistance: 20 * radius });
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);
     this.controls.update();
-    this.#touched = false;
+    this.#held = this.#touched = false;
   }
 
   /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */
   update() {
     this.controls.update();
     const { center, radius } = this.#whole;
-    const distance = this.camera.position.distanceTo(center);
+    const { position } = this.camera;
+    const distance = position.distanceTo(center);
     this.camera.near = Math.max(distance - 1.6 * radius, 0.01 * this.#bounds.radius);
-    this.camera.far = distance + 1.6 * radius;
+    this.camera.far = Math.min(distance + 1.6 * radius, position.distanceTo(this.#bounds.center) + DEEP * this.#bounds.radius);
     this.camera.updateProjectionMatrix();
   }
 }

@@ -112,7 +112,7 @@ export class View {
   setSurface(mesh, ends) {
     this.#surface.setMesh(mesh);
     this.#compile();
-    this.#eye.setSurface(this.#surface.geometry, ends);
+    return this.#eye.setSurface(this.#surface.geometry, ends);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */

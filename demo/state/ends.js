@@ -1,6 +1,7 @@
 /** The ends of a path and the points on its way: what is wrong with them, and where to put them instead. */
 
 import { coordinates } from './definition.js';
+import { isWithin } from '../compute/vectors.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
@@ -94,14 +95,21 @@ export function describeMoved(before, now) {
     : `${names[0]} was moved: there is no surface where it was.`;
 }
 
+/** That an end cannot be seen; null: all can. @param {number[][]} places of the ends @param {number[][]} seen from and to along each axis */
+export const describeFar = (places, seen) =>
+  places.every((place) => isWithin(place, seen))
+    ? null
+    : 'An end lies far outside what is seen: type other numbers, or take ends at random.';
+
 /**
  * Two points of the surface at random, not too near to each other, that a path was found between, unless twenty pairs have none.
- * @param {Surface} surface @param {SurfaceMesh} mesh
+ * @param {Surface} surface @param {SurfaceMesh} mesh @param {number[][]} [seen] from and to along each axis
  * @returns {number[][]}
  */
-export function chooseEnds(surface, mesh) {
-  let ends = randomPair(surface, mesh);
-  for (let i = 0; i < 20 && !isJoined(surface, ends); i++) ends = randomPair(surface, mesh);
+export function chooseEnds(surface, mesh, seen = []) {
+  const vertices = mesh.indices.filter((i) => isWithin(mesh.positions.subarray(3 * i, 3 * i + 3), seen));
+  let ends = randomPair(surface, mesh, vertices);
+  for (let i = 0; i < 20 && !isJoined(surface, ends); i++) ends = randomPair(surface, mesh, vertices);
   return ends;
 }
 
@@ -114,9 +122,9 @@ function isJoined(surface, ends) {
   }
 }
 
-/** The farthest but one of six random pairs. @param {Surface} surface @param {SurfaceMesh} mesh */
-function randomPair(surface, mesh) {
-  const pick = () => mesh.indices[Math.floor(Math.random() * mesh.indices.length)];
+/** The farthest but one of six random pairs. @param {Surface} surface @param {SurfaceMesh} mesh @param {Uint32Array} vertices to choose from */
+function randomPair(surface, mesh, vertices) {
+  const pick = () => vertices[Math.floor(Math.random() * vertices.length)];
   const gap = (/** @type {number[]} */ [a, b]) =>
     Math.hypot(...[0, 1, 2].map((k) => mesh.positions[3 * a + k] - mesh.positions[3 * b + k]));
   const pairs = Array.from({ length: 6 }, () => [pick(), pick()]).sort((one, other) => gap(one) - gap(other));

@@ -18,6 +18,7 @@ export const state = {
   /** What is drawn of it: the surface, or the plane of a metric. @type {import('surfpath').Surface | null} */ drawn: null,
   /** The metric that is not that of space, to draw it. @type {import('../compute/gauge.js').Gauge | null} */ gauge: null,
   /** @type {import('../compute/drawable.js').SurfaceMesh | null} */ mesh: null,
+  /** What the view shows of it along x, y and z, from and to: not all of a spike. @type {number[][]} */ seen: [],
   /** @type {import('./definition.js').Problem | null} */ problem: null,
   /** @type {import('./ends.js').EndProblem | null} */ endProblem: null,
   /** What the reader is told once: the link that was opened is none, an end had to be moved. @type {string | null} */ note: null,

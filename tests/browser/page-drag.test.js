@@ -62,6 +62,23 @@ test('by mouse: the path follows during the drag, the camera stays', async () =>
   assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
 });
 
+test('beside a rim the path follows, too', async () => {
+  await openEntry(page, 'own-graph');
+  await page.fill('#field-z', 'sqrt(1-x^2-y^2)');
+  await page.waitForTimeout(300);
+  await settled(page);
+  const before = await length();
+  const [x, y] = await middleOf('#handle-B');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= 12; step++) await page.mouse.move(x - 13 * step, y + 6 * step);
+  await nextFrame(page);
+  assert.notEqual(await length(), before);
+  await page.mouse.up();
+  await page.waitForTimeout(250);
+  await settled(page);
+});
+
 test('Escape puts back what is dragged, and what the hand does then moves nothing', async () => {
   await openEntry(page, 'saddle');
   const start = await ends();
@@ -85,10 +102,9 @@ test('Escape puts back what is dragged, and what the hand does then moves nothin
   assert.equal(await page.isDisabled('#redo'), true);
 });
 
-test('by finger, on an implicit surface', async () => {
-  await openEntry(page, 'ellipsoid');
-  const before = await length();
-  const [x, y] = await middleOf('#handle-A');
+/** A finger on a handle, and what it does next. @param {string} handle */
+async function fingerOn(handle) {
+  const [x, y] = await middleOf(handle);
   const session = await browser.context.newCDPSession(page);
   const touch = (/** @type {string} */ type, /** @type {number} */ step) =>
     session.send('Input.dispatchTouchEvent', {
@@ -96,6 +112,27 @@ test('by finger, on an implicit surface', async () => {
       touchPoints: type === 'touchEnd' ? [] : [{ x: x + 7 * step, y: y + 2 * step }],
     });
   await touch('touchStart', 0);
+  return touch;
+}
+
+test('by finger, Escape and the end of a drag leave no ring', async () => {
+  await openEntry(page, 'ellipsoid');
+  for (const key of ['Escape', '']) {
+    const touch = await fingerOn('#handle-A');
+    for (let step = 1; step <= 3; step++) await touch('touchMove', step);
+    if (key) await page.keyboard.press(key);
+    await touch('touchMove', 4);
+    await touch('touchEnd', 4);
+    await nextFrame(page);
+    assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'BODY', key);
+  }
+  await settled(page);
+});
+
+test('by finger, on an implicit surface', async () => {
+  await openEntry(page, 'ellipsoid');
+  const before = await length();
+  const touch = await fingerOn('#handle-A');
   for (let step = 1; step <= 6; step++) await touch('touchMove', step);
   await touch('touchEnd', 6);
   await page.waitForTimeout(250);
@@ -103,6 +140,32 @@ test('by finger, on an implicit surface', async () => {
   assert.notEqual(await length(), before);
   assert.equal(await page.getAttribute('#status', 'data-status'), 'converged');
   assert.equal(await page.evaluate(() => document.scrollingElement?.scrollTop), 0, 'the page does not scroll');
+});
+
+test('written beside an implicit surface, an end stays as it is written until its fields are left, then is said where it is', async () => {
+  await openEntry(page, 'sphere');
+  const written = () => Promise.all([0, 1, 2].map(async (i) => Number(await page.inputValue(`#end-0-${i}`))));
+  const away = (/** @type {number[]} */ place) => Math.abs(Math.hypot(...place) - Math.hypot(...radius));
+  const radius = await written();
+  for (const [i, share] of [1.02, 0.97, 1.03].entries()) await page.fill(`#end-0-${i}`, (share * radius[i] + 0.01).toFixed(3));
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.deepEqual(
+    await written(),
+    [1.02, 0.97, 1.03].map((share, i) => Number((share * radius[i] + 0.01).toFixed(3))),
+  );
+  assert.ok(away(await written()) > 1e-3, String(await written()));
+  const found = await length();
+  await page.focus('#points');
+  await page.waitForTimeout(100);
+  assert.ok(away(await written()) < 5e-5, String(await written()));
+  // One coordinate more goes with the others as they are read.
+  const [, y, z] = await written();
+  await page.fill('#end-0-0', '0.2');
+  assert.deepEqual(await written(), [0.2, y, z]);
+  await page.waitForTimeout(300);
+  await settled(page);
+  assert.notEqual(await length(), found);
 });
 
 test('by keys, and back by undo', async () => {

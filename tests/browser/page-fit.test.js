@@ -92,9 +92,21 @@ describe('sizes and themes', () => {
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
-  test('a phone on its side has the whole legend', async () => {
+  /** In how many rows elements stand. @param {string} selector */
+  const rowsOf = (selector) => page.$$eval(selector, (all) => new Set(all.map((one) => one.getBoundingClientRect().top)).size);
+
+  test('on a narrow phone the legend is two lines', async () => {
+    await page.setViewportSize({ width: 360, height: 640 });
+    await openEntry(page, 'parametricTorus');
+    assert.equal(await rowsOf('#legend li'), 2);
+  });
+
+  test('a phone on its side has the whole legend, and the kinds of surfaces in two rows', async () => {
     await page.setViewportSize({ width: 844, height: 390 });
     await openEntry(page, 'parametricTorus');
+    assert.equal(await rowsOf('#kinds label'), 2);
+    const cut = await page.$$eval('#kinds span', (all) => all.filter((one) => one.scrollWidth > one.clientWidth).length);
+    assert.equal(cut, 0);
     assert.deepEqual(await page.$$eval('#legend li', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.textContent)), [
       'Shortest path',
       'Straight start',

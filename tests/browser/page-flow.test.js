@@ -50,7 +50,17 @@ describe('changes that overtake each other', () => {
     assert.ok(Math.abs(Math.hypot(x, y, z) - 0.2) < 0.01, `A is at ${[x, y, z]}`);
   });
 
-  test('and so are those where it has no value', async () => {
+  test('so are those that a slider has', async () => {
+    await openEntry(page, 'sphere');
+    await page.fill('#value-r', '0.2');
+    await page.waitForTimeout(500);
+    await settled(page);
+    assert.equal(await status(), 'converged', await text('#advice'));
+    assert.match(await text('#advice'), /moved/);
+    assert.equal(await page.locator('.surfpath-handle').count(), 2);
+  });
+
+  test('and those where it has no value', async () => {
     await openEntry(page, 'own-graph');
     await page.fill('#field-z', 'sqrt(4-x^2-y^2)');
     await page.waitForTimeout(300);

@@ -117,6 +117,18 @@ describe('the view follows a surface that changes its size', () => {
     }
   });
 
+  test('to where it has moved, though the view was pressed; but not for a little', async () => {
+    await doing(() => page.fill('#field-z', 'c*x*y'));
+    await page.mouse.click(300, 120);
+    const camera = () => page.evaluate(() => /** @type {any} */ (window).surfpathView.camera.position.z);
+    const before = await camera();
+    await doing(() => page.fill('#field-z', '1.02*c*x*y'));
+    assert.ok(Math.abs((await camera()) - before) < 1e-6);
+    await doing(() => page.fill('#field-z', 'c*x*y+3'));
+    assert.ok(Math.abs((await camera()) - before - 3) < 0.5, `${before} ${await camera()}`);
+    await doing(() => page.fill('#field-z', '0.1*c*x*y'));
+  });
+
   test('by ranges, little by little', async () => {
     for (const bound of [3.2, 4, 5.2, 6.8, 9, 12]) await doing(() => page.fill('#field-x-to', String(bound)));
     assert.ok(await isFitted(), String(await reach()));

@@ -233,6 +233,17 @@ describe('exports', () => {
     assert.equal(points.split(' ').length, 66);
   });
 
+  test('no SVG where there is no plane, with the reason', async () => {
+    const button = page.locator('[data-export=svg]');
+    assert.equal(await button.isDisabled(), false);
+    await openEntry(page, 'ellipsoid');
+    assert.equal(await button.isDisabled(), true);
+    assert.match((await button.getAttribute('title')) ?? '', /no parameters/);
+    await openEntry(page, 'parametricTorus');
+    assert.equal(await button.isDisabled(), false);
+    assert.match((await button.getAttribute('title')) ?? '', /plane/);
+  });
+
   test('GLTF: surface and path', async () => {
     const { meshes, nodes, accessors, buffers, asset } = JSON.parse((await take('gltf')).toString());
     assert.equal(asset.version, '2.0');

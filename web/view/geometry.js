@@ -52,17 +52,19 @@ function gridLength(positions, side, step, across) {
   return sum / side;
 }
 
-/** How many cells between parameter lines in both directions make them about square. @param {Float64Array} positions of a square grid */
-function countCells(positions) {
-  const side = Math.round(Math.sqrt(positions.length / 3));
+/** Vertices a side of a mesh that begins with a square grid. @param {Float64Array} parameters */
+const sideOf = (parameters) => parameters.findIndex((x, i) => i % 2 === 1 && x !== parameters[1]) >> 1;
+
+/** How many cells between parameter lines in both directions make them about square. @param {Float64Array} positions of a square grid @param {number} side */
+function countCells(positions, side) {
   const lengths = [gridLength(positions, side, 1, side), gridLength(positions, side, side, 1)];
   const longer = Math.max(...lengths) || 1;
   return lengths.map((length) => Math.max(4, 2 * Math.round((CELLS * length) / longer / 2)));
 }
 
-/** The parameters as shares of their ranges. @param {Float64Array} parameters of a grid, its corners first and last */
-function textureCoordinates(parameters) {
-  const [low, high] = [parameters.subarray(0, 2), parameters.subarray(-2)];
+/** The parameters as shares of their ranges. @param {Float64Array} parameters of a square grid @param {number} side */
+function textureCoordinates(parameters, side) {
+  const [low, high] = [parameters.subarray(0, 2), parameters.subarray(2 * side * side - 2)];
   return Float32Array.from(parameters, (x, i) => (x - low[i & 1]) / (high[i & 1] - low[i & 1]));
 }
 
@@ -106,8 +108,9 @@ export function surfaceGeometry(surface, options = {}) {
   geometry.setIndex(new BufferAttribute(drawableTriangles(mesh), 1));
   geometry.computeBoundingSphere();
   if (mesh.parameters) {
-    geometry.setAttribute('uv', new BufferAttribute(textureCoordinates(mesh.parameters), 2));
-    geometry.userData.cells = countCells(mesh.positions);
+    const side = sideOf(mesh.parameters);
+    geometry.setAttribute('uv', new BufferAttribute(textureCoordinates(mesh.parameters, side), 2));
+    geometry.userData.cells = countCells(mesh.positions, side);
   }
   const size = geometry.boundingSphere?.radius || 1;
   const measured = measure(surface, mesh, field?.distances, colour, size);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BufferAttribute, Matrix4, PerspectiveCamera, Vector3 } from 'three';
-import { fitView, shareOfView, withoutSpikes } from '../../../demo/stage/fit.js';
+import { fitView, pointsWithin, rangesWithoutSpikes, shareOfView } from '../../../demo/stage/fit.js';
 
 const SLOPES = [0.4, 0.3];
 const CUBE = new BufferAttribute(Float32Array.from([-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].flatMap((z) => [x, y, z])))), 3);
@@ -49,6 +49,9 @@ const graphOf = (z) =>
     3,
   );
 
+/** @param {import('three').BufferAttribute} points @param {number[][]} [ends] */
+const withoutSpikes = (points, ends) => pointsWithin(points, rangesWithoutSpikes(points, ends), ends);
+
 test('spikes beside a pole are not looked at, all of what is only steep is', () => {
   for (const [low, high, z] of /** @type {[number, number, (x: number, y: number) => number][]} */ ([
     [-5, 5, (x) => 1 / x],
@@ -63,11 +66,34 @@ test('spikes beside a pole are not looked at, all of what is only steep is', () 
   }
   for (const z of /** @type {((x: number, y: number) => number)[]} */ ([
     (x, y) => 60 * x * y,
-    (x) => 100 * x ** 3,
-    (x) => Math.exp(3 * x),
+    (x) => 2 * x ** 3,
+    (x) => 1000 * x,
+    (x) => Math.exp(x),
     (x, y) => 3 * Math.exp(-4 * (x * x + y * y)),
   ]))
     assert.equal(withoutSpikes(graphOf(z)), null, String(z));
+});
+
+test('of what is so steep that all of it would be a thread, the part is looked at that is as high as wide', () => {
+  for (const z of /** @type {((x: number, y: number) => number)[]} */ ([
+    (x) => Math.exp(x ** 4),
+    (x, y) => Math.exp(x ** 4 + y ** 4),
+    (x) => Math.exp(5 * x),
+    (x) => x ** 9,
+  ])) {
+    const points = withoutSpikes(graphOf(z), [[2, 0, z(2, 0)]]);
+    assert.ok(points, String(z));
+    const heights = Array.from({ length: points.count }, (_, i) => points.getZ(i));
+    assert.ok(Math.max(...heights) - Math.min(...heights) <= 4.9 && points.count > 0.15 * 50 * 50, `${z}: ${points.count}`);
+  }
+});
+
+test('spikes may be along two axes', () => {
+  const points = graphOf((x) => x);
+  for (let i = 0; i < points.count; i++) points.setXY(i, Math.tan(0.64 * points.getX(i)), Math.tan(0.64 * points.getY(i)));
+  const ranges = rangesWithoutSpikes(points);
+  for (const [low, high] of ranges.slice(0, 2)) assert.ok(high - low > 10 && high - low < 40, `${low} … ${high}`);
+  assert.deepEqual(ranges[2], [-Infinity, Infinity]);
 });
 
 test('but where an end of the path is on one, it is seen', () => {
