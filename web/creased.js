@@ -33,6 +33,8 @@ const [ROUNDING, TOGETHER] = [1e-13, 1e-6];
 const SAME = 1e-9;
 /** A polyline is longer or shorter than what lies under it by no more than this part. */
 const ROUGH = 0.02;
+/** And a way through the graph, whose edges may cross a jump, by this. */
+const COARSE = 0.12;
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
 
@@ -54,17 +56,19 @@ function findFrom(field, ends, options, start) {
   const budget = { steps: MOST_NEWTON };
   /** @type {Path | null} */
   let best = null;
+  const { paths, distance } = sketch(field, ends, start);
   let missed = Infinity;
-  for (const path of sketch(field, ends, start)) {
+  for (const path of paths) {
     if (best && path.length * (1 - ROUGH) > best.length) break;
     const found = follow({ field, sides, ends, budget }, path.parameters ?? path.points, options);
     if (found?.converged && !(best && best.length <= found.length)) best = found;
     if (!found?.converged) missed = Math.min(missed, path.length);
   }
   /* A shorter way that could not be followed, along a crease, say, leaves it open what is the shortest. */
-  return best && missed * (1 + ROUGH) < best.length
-    ? { ...best, status: 'stalled', converged: false, lengthError: Math.max(best.lengthError, best.length - missed) }
-    : best;
+  const isOpen = best && Math.min(missed * (1 + ROUGH), distance * (1 + COARSE)) < best.length;
+  if (!best || !isOpen) return best;
+  const lengthError = Math.max(best.lengthError, best.length - (1 - ROUGH) * Math.min(missed, distance));
+  return { ...best, status: 'stalled', converged: false, lengthError };
 }
 
 /** The path that a polyline leads to. @param {Question} question @param {Float64Array} line @param {SolveOptions} options @returns {Path | null} */
@@ -141,9 +145,11 @@ function cut(sides, line, width) {
     if (at < TOGETHER) leg.signs = [...signs];
     if (at < TOGETHER || at > last - TOGETHER) continue;
     const place = placeAt(at);
-    const active = isBent(sides, before, signs, place);
-    if (active === null) return null;
-    if (!active) continue;
+    /* Higher derivatives alone may jump: then the sides part beyond it. */
+    const beyond = placeAt(0.5 * (at + (events[e + 1]?.at ?? last)));
+    const bends = [place, beyond].map((there) => isBent(sides, before, signs, there));
+    if (bends.includes(null)) return null;
+    if (!bends.includes(true)) continue;
     goOn(at);
     leg.line.push(...place);
     route.legs.push({ signs: leg.signs, line: Float64Array.from(leg.line), length: 0 });
@@ -252,14 +258,20 @@ function fit({ field, sides, ends, budget }, { legs, joints }) {
     const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
     const directions = joints.map((joint, j) => direction(sides, { ...joint, place: places[j] }));
     const moved = (/** @type {number} */ j, /** @type {number} */ by) =>
-      settle(sides, joints[j], places[j].map((x, i) => x + by * directions[j][i]));
+      settle(
+        sides,
+        joints[j],
+        places[j].map((x, i) => x + by * directions[j][i]),
+      );
     const n = joints.length;
     const slope = new Array(n).fill(0);
     const matrix = slope.map(() => new Array(n).fill(0));
     for (const [i, leg] of now.entries()) {
       const [a, b] = [i - 1, i];
-      const at = (/** @type {number} */ j, /** @type {number} */ s, /** @type {number[]} */ end) => (s && j >= 0 && j < n ? moved(j, s * DIFFERENCE * least[j]) : end);
-      const lengthAt = (/** @type {number} */ s, /** @type {number} */ t) => solve(leg, at(a, s, all[i]), at(b, t, all[i + 1]))?.length ?? Number.NaN;
+      const at = (/** @type {number} */ j, /** @type {number} */ s, /** @type {number[]} */ end) =>
+        s && j >= 0 && j < n ? moved(j, s * DIFFERENCE * least[j]) : end;
+      const lengthAt = (/** @type {number} */ s, /** @type {number} */ t) =>
+        solve(leg, at(a, s, all[i]), at(b, t, all[i + 1]))?.length ?? Number.NaN;
       const [p, m] = a >= 0 ? [lengthAt(1, 0), lengthAt(-1, 0)] : [0, 0];
       const [q, k] = b < n ? [lengthAt(0, 1), lengthAt(0, -1)] : [0, 0];
       if (a >= 0) {
@@ -272,8 +284,7 @@ function fit({ field, sides, ends, budget }, { legs, joints }) {
         slope[b] += (q - k) / (2 * h);
         matrix[b][b] += (q - 2 * leg.length + k) / (h * h);
       }
-      if (a >= 0 && b < n)
-        matrix[a][b] = matrix[b][a] = (lengthAt(1, 1) - p - q + leg.length) / (DIFFERENCE ** 2 * least[a] * least[b]);
+      if (a >= 0 && b < n) matrix[a][b] = matrix[b][a] = (lengthAt(1, 1) - p - q + leg.length) / (DIFFERENCE ** 2 * least[a] * least[b]);
     }
     const down = descend(matrix, slope);
     if (!down) return null;
@@ -291,7 +302,8 @@ function fit({ field, sides, ends, budget }, { legs, joints }) {
     }
     if (!next) return null;
     now = next;
-    if (gain <= ENOUGH * before) return down.shifted ? null : { legs: now, joints: joints.map((joint, j) => ({ ...joint, place: places[j] })) };
+    if (gain <= ENOUGH * before)
+      return down.shifted ? null : { legs: now, joints: joints.map((joint, j) => ({ ...joint, place: places[j] })) };
   }
   return { legs: now, joints };
 }

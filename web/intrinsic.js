@@ -80,7 +80,13 @@ function isGood(field, { converged, parameters, points, length }, { tolerance })
  */
 export function findPath(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
-  if (creased) return creased;
+  if (creased?.converged) return creased;
+  const smooth = findSmooth(field, ends, options, start);
+  return creased && !(smooth.converged && smooth.length < creased.length) ? creased : smooth;
+}
+
+/** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
+function findSmooth(field, ends, options, start) {
   const path = findIn(field, ends, options, start);
   const again = instead(field, path, options);
   if (!again) return path;

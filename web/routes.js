@@ -112,11 +112,15 @@ export function findGlobal(field, ends, options, most) {
 /**
  * Polylines near where paths between two ends may lead, shortest first: relaxed, if that does not fail; not further than is needed to tell which way they lead.
  * @param {Field} field @param {number[][]} ends @param {import('./pieces.js').Start} start
- * @returns {Path[]}
+ * @returns {{ paths: Path[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
 export function sketch(field, ends, start) {
+  let distance = Infinity;
   const options = { ...ROUGHLY, points: SKETCHED };
-  const relax = (/** @type {import('./candidates.js').Problem} */ problem, /** @type {import('./candidates.js').Start} */ { to, start: given }) => {
+  const relax = (
+    /** @type {import('./candidates.js').Problem} */ problem,
+    /** @type {import('./candidates.js').Start} */ { to, start: given },
+  ) => {
     const path = problem.solve(to, given, options);
     if (path.length >= 0 || !given) return path;
     const line = Float64Array.from(given);
@@ -128,10 +132,11 @@ export function sketch(field, ends, start) {
       ? pose(field, ends, (problem) => {
           const straight = problem.domain ? [] : [{ to: problem.to, start: null, ...solved(problem.solve(problem.to, null, options)) }];
           const [found] = findStarts(problem, false, straight[0]);
+          distance = found?.distance ?? Infinity;
           return [...straight.map(({ path }) => path), ...(found?.starts ?? []).map((one) => relax(problem, one))];
         })
       : [poseNear(field, ends, start)].map(({ solve, finish }) => finish(solve(options)));
-  return distinct(paths.filter(({ length }) => length >= 0).map((path) => ({ path }))).map(({ path }) => path);
+  return { paths: distinct(paths.filter(({ length }) => length >= 0).map((path) => ({ path }))).map(({ path }) => path), distance };
 }
 
 /** @param {RawPath} path */

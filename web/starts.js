@@ -23,16 +23,16 @@ const FINE = 2;
  * Starts: the straight lines to the nearest lifts of the end, and the ways through the first graph that joins the ends; then, for who goes on as these came to nothing, those through
  * finer ones. The last status says why there are none of these.
  * @param {Problem} problem @param {boolean} isAll @param {Tried | undefined} straight the straight start, where there is no rectangle: it is none of the answer's
- * @returns {Generator<{ starts: Start[], status: number }, void>}
+ * @returns {Generator<{ starts: Start[], status: number, distance?: number }, void>} distance: of the shortest way through the graph
  */
 export function* findStarts(problem, isAll, straight) {
   const { from, to, domain, isPlain } = problem;
   /** @type {Start[]} */
   const starts = domain ? neighbours(domain, to, from).map((end) => ({ to: end, start: null })) : [];
   if (straight && isBadEnd(problem, straight.path.status)) return yield { starts, status: OFF_SURFACE };
-  const along = (/** @type {Looked} */ { candidates, status }) => {
+  const along = (/** @type {Looked} */ { candidates, status, distance }) => {
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-from.length)), start });
-    return { starts: starts.splice(0), status };
+    return { starts: starts.splice(0), status, distance };
   };
   const known = straight && holds(straight) ? straight.path.length : 0;
   let status = OFF_SURFACE;

@@ -123,3 +123,91 @@ for (const f of [
     }
     assert.ok(converged >= 40);
   });
+
+test('a fold is as long as unfolded, there and back, in batches and near a given start, seed 3', () => {
+  const fold = surfpath.graph({ z: 'max(0, x)', x: [-2, 2], y: [-2, 2] });
+  const random = createRandom(3);
+  const flat = (/** @type {number[]} */ [x, y]) => [x > 0 ? x * Math.SQRT2 : x, y];
+  for (let i = 0; i < 100; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(-2, 2), random.between(-2, 2)]);
+    const [a, b] = [flat(from), flat(to)];
+    const exact = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    const path = fold.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, unfolded ${exact}`);
+    assert.deepEqual(Array.from(path.parameters?.subarray(0, 2) ?? []), from);
+    assert.deepEqual(Array.from(path.parameters?.subarray(-2) ?? []), to);
+    assert.equal(fold.shortestPath(to, from).length, path.length);
+    assert.equal(fold.lengths([...from, ...to])[0], path.length);
+    if (i % 10 === 0) assert.ok(Math.abs(fold.shortestPath(from, to, { start: path }).length / exact - 1) <= 1e-9);
+  }
+  fold.dispose();
+});
+
+test('a density that jumps: paths are refracted by the law of Snell; where one along the jump is shorter by an eighth none is called converged, seed 5', () => {
+  const halves = surfpath.graph({
+    z: 0,
+    x: [-2, 2],
+    y: [-2, 2],
+    density: 'inside + (outside - inside)*(1 + sign(x))/2',
+    parameters: { inside: 1, outside: 3 },
+  });
+  const random = createRandom(5);
+  for (let i = 0; i < 60; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(-2, 2), random.between(-2, 2)]);
+    const path = halves.shortestPath(from, to);
+    const [left, right] = [from, to].sort((a, b) => a[0] - b[0]);
+    let exact = Number.NaN;
+    if (left[0] < 0 && right[0] > 0) {
+      const by = (/** @type {number} */ y) => Math.hypot(left[0], y - left[1]) + 3 * Math.hypot(right[0], y - right[1]);
+      let [low, high] = [Math.min(left[1], right[1]), Math.max(left[1], right[1])];
+      for (let k = 0; k < 200; k++) {
+        const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
+        if (by(a) < by(b)) high = b;
+        else low = a;
+      }
+      exact = by(low);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+    } else if (left[0] > 0) {
+      /* Straight, or along the jump, left and joined at the critical angle. */
+      const apart = Math.abs(left[1] - right[1]);
+      const along = apart - (left[0] + right[0]) / Math.sqrt(8);
+      const straight = 3 * Math.hypot(left[0] - right[0], apart);
+      exact = along > 0 ? Math.min(straight, (3 * (left[0] + right[0])) / Math.sqrt(8 / 9) + along) : straight;
+    } else exact = Math.hypot(left[0] - right[0], left[1] - right[1]);
+    const isRight = Math.abs(path.length - exact) <= 1e-9 * exact || (left[0] > 0 && path.length < 1.13 * exact);
+    assert.ok(
+      isRight || (path.status === 'stalled' && Math.abs(path.length - exact) <= path.lengthError),
+      `${from} to ${to}: ${path.status} ${path.length} ± ${path.lengthError}, exact ${exact}`,
+    );
+  }
+  halves.set({ outside: 1 });
+  assert.ok(Math.abs(halves.shortestPath([-1, -1], [1, 1]).length - Math.sqrt(8)) <= 1e-12);
+  halves.dispose();
+});
+
+test('on a cube, a body of formulas joined by max, paths are as long as on its net, seed 3', () => {
+  const cube = surfpath.implicit({
+    f: 'max(abs(x), abs(y), abs(z)) - 1',
+    bounds: [
+      [-1.5, 1.5],
+      [-1.5, 1.5],
+      [-1.5, 1.5],
+    ],
+  });
+  const random = createRandom(3);
+  const place = () => random.between(-1, 1);
+  for (let i = 0; i < 40; i++) {
+    const [from, to] = [
+      [place(), place(), 1],
+      [1, place(), place()],
+    ];
+    /* Straight over the edge between both faces, or over a third face, on either side. */
+    const nets = [-1, 1].map((side) => Math.hypot(2 - side * to[1] - from[0], 2 - to[2] - side * from[1]));
+    const exact = Math.min(Math.hypot(2 - from[0] - to[2], from[1] - to[1]), ...nets);
+    const path = cube.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, on the net ${exact}`);
+  }
+  cube.dispose();
+});

@@ -6,7 +6,8 @@
 
 /** Takes down where formulas have creases, or writes them for given sides of these. */
 export class Creases {
-  /** What vanishes on each crease: its node, one for each `abs`, `sign` and pair of `min` or `max`, in the order in which formulas are read. @type {number[]} */ nodes = [];
+  /** What vanishes on each crease: its node, one for each `abs`, `sign` and pair of `min` or `max`, in the order in which formulas are read. @type {number[]} */ nodes =
+    [];
   #sides;
 
   /** @param {readonly number[] | null} [sides] of each of them, 1 or −1: the sign of what vanishes there; null: formulas stay as they are */
