@@ -43,16 +43,20 @@ const ENOUGH = 1e-13;
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null}
  */
 export function findCreased(field, ends, options, start) {
-  if (!field.sides || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations) return null;
-  if (start !== null && start !== 'global') return findFrom(field, ends, options, start);
+  const { domain, pieces } = field;
+  const isWhole = pieces.length === 0 && !domain?.turn;
+  if (!field.sides || !isWhole || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations)
+    return null;
+  const sides = field.sides();
+  if (!sides) return null;
   /* As everywhere: exchanged ends give the same path. */
-  const path = isAfter(ends[0], ends[1]) ? findFrom(field, [ends[1], ends[0]], options, start) : findFrom(field, ends, options, start);
-  return path && isAfter(ends[0], ends[1]) ? placed(field.domain, reverse(path), ends[0]) : path;
+  const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
+  const path = findFrom(field, sides, isTurned ? [ends[1], ends[0]] : ends, options, start);
+  return path && isTurned ? placed(domain, reverse(path), ends[0]) : path;
 }
 
-/** @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null} */
-function findFrom(field, ends, options, start) {
-  const sides = /** @type {() => Sides} */ (field.sides)();
+/** @param {Field} field @param {Sides} sides @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null} */
+function findFrom(field, sides, ends, options, start) {
   const budget = { steps: MOST_NEWTON };
   /** @type {Path | null} */
   let best = null;

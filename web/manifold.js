@@ -135,20 +135,25 @@ export class Manifold {
     };
   }
 
+  /** The sides of its creases; null: there is no room for what tells them. */
   #findSides() {
     this.#wake();
-    this.#sides ??= new Sides({
-      kind: this.kind,
-      measure: this.#measure,
-      shape: this.#shape,
-      reference: this.#reference,
-      parameters: this.parameters,
-      solver: this.#solver,
-      write: (shape, measured, code) => {
-        this.#writeRecords(shape, [{ installed: measured, code }], this.domain);
-        return measured ?? shape;
-      },
-    });
+    try {
+      this.#sides ??= new Sides({
+        kind: this.kind,
+        measure: this.#measure,
+        shape: this.#shape,
+        reference: this.#reference,
+        parameters: this.parameters,
+        solver: this.#solver,
+        write: (shape, measured, code) => {
+          this.#writeRecords(shape, [{ installed: measured, code }], this.domain);
+          return measured ?? shape;
+        },
+      });
+    } catch {
+      /* No memory, or more than a module may hold. */
+    }
     return this.#sides;
   }
 

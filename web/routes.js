@@ -31,7 +31,7 @@ import { gap } from './vector.js';
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('./domain.js').Domain | null} domain
  * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
- * @property {(() => import('./sides.js').Sides) | null} sides of its creases; null: it has none, or is a part of another
+ * @property {(() => import('./sides.js').Sides | null) | null} sides of its creases; null: it has none, or is a part of another, or there is no room for them
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points

@@ -66,10 +66,17 @@ export class Sides {
     return split(this.#given.solver.evaluate(this.#vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
   }
 
-  /** The surface on these sides of its creases; null: there are too many. @param {number[]} signs @returns {Side | null} */
+  /** The surface on these sides of its creases; null: there are too many, or there is no room. @param {number[]} signs @returns {Side | null} */
   on(signs) {
     const key = signs.join();
-    if (!this.#known.has(key) && this.#known.size < MOST_SIDES) this.#known.set(key, this.#make(signs));
+    if (!this.#known.has(key) && this.#known.size < MOST_SIDES) {
+      try {
+        this.#known.set(key, this.#make(signs));
+      } catch {
+        /* No memory: it goes without. */
+        return null;
+      }
+    }
     return this.#known.get(key)?.side ?? null;
   }
 
