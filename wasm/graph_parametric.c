@@ -286,7 +286,8 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     write_vertices(&grid);
     if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
     /* On slopes ways along them are few among 32. */
-    int is_wide = !sp_builder_resolves(builder) && builder->edge_capacity >= WIDE_EDGES * graph->vertex_count;
+    int is_wide = !sp_builder_resolves(builder) && grid.cells[0] > WIDE_REACH && grid.cells[1] > WIDE_REACH &&
+                  builder->edge_capacity / WIDE_EDGES >= graph->vertex_count;
     if (is_wide) builder->bent = 0;
     return !is_wide || join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

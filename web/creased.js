@@ -21,6 +21,8 @@ import { isAfter, poseNear, sketch } from './routes.js';
 const [PARTS, MOST_JOINTS] = [4, 12];
 /** Legs while joints move: so exact, over so many points. */
 const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
+/** In the end they are looked at in so many points, whether they cross more. */
+const SEEN = 255;
 /** Differences are taken over this part of the shorter leg; steps are at most this part of it. */
 const [DIFFERENCE, FARTHEST] = [1e-4, 0.5];
 /** So often joints are moved, so often a step halved, and legs that leave their sides cut anew. */
@@ -83,29 +85,47 @@ function follow(question, line, options) {
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const fitted = fit(question, route);
     if (!fitted) return null;
-    if (fitted.legs.every((leg) => stays(sides, leg, width))) return write(question, fitted, options);
-    route = cut(sides, concatenate(fitted.legs, width), width);
+    const seen = lookAt(question, fitted);
+    if (!seen) return null;
+    if (seen.every((leg) => stays(sides, leg, width))) return write(question, fitted, options);
+    route = cut(sides, concatenate(seen, width), width, 1);
   }
   return null;
+}
+
+/** The legs at so many places that what they cross between two of them is told by three. @param {Question} question @param {Route} route @returns {Leg[] | null} */
+function lookAt(question, { legs, joints }) {
+  const places = [question.ends[0], ...joints.map(({ place }) => place), question.ends[1]];
+  const seen = legs.flatMap((leg, i) => solveLeg(question, leg, places[i], places[i + 1], { ...LEG, points: SEEN }) ?? []);
+  return seen.length === legs.length ? seen : null;
+}
+
+/** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
+function solveLeg({ field, sides, budget }, leg, from, to, options) {
+  const side = sides.on(leg.signs);
+  if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
+  const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(options);
+  budget.steps -= 1 + path.iterations;
+  return holds({ path }) ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
 }
 
 /** The lines of all legs. @param {Leg[]} legs @param {number} width */
 const concatenate = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i) => Array.from(i ? line.subarray(width) : line)));
 
-/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width */
-function divide(line, width) {
-  const places = new Float64Array((line.length - width) * PARTS + width);
+/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
+function divide(line, width, parts) {
+  const places = new Float64Array((line.length - width) * parts + width);
   for (let k = 0; k < places.length; k++) {
-    const at = Math.floor(k / width) / PARTS;
+    const at = Math.floor(k / width) / parts;
     const i = width * Math.floor(at) + (k % width);
     places[k] = line[i] + (at % 1) * ((line[i + width] ?? 0) - line[i]);
   }
   return places;
 }
 
-/** Cuts a polyline where it crosses creases at which the surface, or what measures length, bends. @param {Sides} sides @param {Float64Array} line @param {number} width @returns {Route | null} */
-function cut(sides, line, width) {
-  const places = divide(line, width);
+/** Cuts a polyline where it crosses creases at which the surface, or what measures length, bends. @param {Sides} sides @param {Float64Array} line @param {number} width @param {number} [parts] of each chord @returns {Route | null} */
+function cut(sides, line, width, parts = PARTS) {
+  const places = divide(line, width, parts);
   const last = places.length / width - 1;
   const measured = sides.measure(places);
   const size = Math.max(...line.map(Math.abs));
@@ -121,6 +141,8 @@ function cut(sides, line, width) {
   for (let i = 0; i <= last; i++)
     for (const crease of creases) {
       const sign = signAt(i, crease);
+      if (sign && sign === now[crease] && i > 0 && i < last)
+        for (const at of dips(measured[i - 1][crease], measured[i][crease], measured[i + 1][crease])) events.push({ at: i + at, crease });
       if (!sign || sign === now[crease]) continue;
       now[crease] = sign;
       const [before, after] = [measured[i - 1][crease], measured[i][crease]];
@@ -166,6 +188,18 @@ function cut(sides, line, width) {
   return route.joints.length > MOST_JOINTS ? null : route;
 }
 
+/** Where the parabola through three numbers of one sign, side by side, has the other: from and to, from the middle one, or nothing. @param {number} before @param {number} here @param {number} after */
+function dips(before, here, after) {
+  const [bend, slope] = [0.5 * (before - 2 * here + after), 0.5 * (after - before)];
+  const squared = slope * slope - 4 * bend * here;
+  if (!(before * here > 0 && here * after > 0 && bend * here > 0 && squared > 0 && Math.abs(slope) < 2 * Math.abs(bend))) return [];
+  const reach = Math.sqrt(squared);
+  const roots = [(-slope - reach) / (2 * bend), (-slope + reach) / (2 * bend)].sort((a, b) => a - b);
+  /* Between two places it is seen from the nearer one alone. */
+  const middle = -slope / (2 * bend);
+  return middle >= -0.5 && middle < 0.5 ? roots : [];
+}
+
 /** Whether two sides are different surfaces at a place; null: there are too many. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
 function isBent(sides, before, after, place) {
   const [a, b] = [sides.on(before), sides.on(after)];
@@ -177,7 +211,7 @@ function isBent(sides, before, after, place) {
 
 /** Whether a leg crosses nothing between its ends. @param {Sides} sides @param {Leg} leg @param {number} width */
 function stays(sides, { line, signs }, width) {
-  const route = cut(sides, line, width);
+  const route = cut(sides, line, width, 1);
   const middle = width * Math.floor(line.length / width / 2);
   return route?.legs.length === 1 && isBent(sides, signs, route.legs[0].signs, Array.from(line.subarray(middle, middle + width))) === false;
 }
@@ -226,16 +260,11 @@ function direction(sides, { crease, signs, place }) {
  * Moves the joints until the path is shortest; null: that leads nowhere.
  * @param {Question} question @param {Route} route @returns {Route | null}
  */
-function fit({ field, sides, ends, budget }, { legs, joints }) {
+function fit(question, { legs, joints }) {
+  const { field, sides, ends } = question;
   const width = ends[0].length;
-  /** A leg between two places. @param {Leg} leg @param {number[]} from @param {number[]} to @returns {Leg | null} */
-  const solve = (leg, from, to) => {
-    const side = sides.on(leg.signs);
-    if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
-    const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(LEG);
-    budget.steps -= 1 + path.iterations;
-    return holds({ path }) ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
-  };
+  const solve = (/** @type {Leg} */ leg, /** @type {number[]} */ from, /** @type {number[]} */ to) =>
+    solveLeg(question, leg, from, to, LEG);
   const solveAll = (/** @type {number[][]} */ places) => {
     const all = [ends[0], ...places, ends[1]];
     const solved = [];
