@@ -85,7 +85,7 @@ function follow(question, line, options) {
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const fitted = fit(question, route);
     if (!fitted) return null;
-    const seen = lookAt(question, fitted);
+    const seen = solveAll(question, fitted, { ...LEG, points: SEEN });
     if (!seen) return null;
     if (seen.every((leg) => stays(sides, leg, width))) return write(question, fitted, options);
     route = cut(sides, concatenate(seen, width), width, 1);
@@ -93,12 +93,21 @@ function follow(question, line, options) {
   return null;
 }
 
-/** The legs at so many places that what they cross between two of them is told by three. @param {Question} question @param {Route} route @returns {Leg[] | null} */
-function lookAt(question, { legs, joints }) {
-  const places = [question.ends[0], ...joints.map(({ place }) => place), question.ends[1]];
-  const seen = legs.flatMap((leg, i) => solveLeg(question, leg, places[i], places[i + 1], { ...LEG, points: SEEN }) ?? []);
-  return seen.length === legs.length ? seen : null;
+/** All legs, over these joints; null: one does not hold. @param {Question} question @param {Route} route @param {SolveOptions} [options] @returns {Leg[] | null} */
+function solveAll(question, { legs, joints }, options = LEG) {
+  const places = placesOf(question, joints);
+  /** @type {Leg[]} */
+  const solved = [];
+  for (const [i, leg] of legs.entries()) {
+    const one = solveLeg(question, leg, places[i], places[i + 1], options);
+    if (!one) return null;
+    solved.push(one);
+  }
+  return solved;
 }
+
+/** Where legs begin and end. @param {Question} question @param {Joint[]} joints */
+const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }) => place), ends[1]];
 
 /** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
 function solveLeg({ field, sides, budget }, leg, from, to, options) {
@@ -256,89 +265,84 @@ function direction(sides, { crease, signs, place }) {
   return t.map((x) => x / Math.hypot(...t));
 }
 
-/**
- * Moves the joints until the path is shortest; null: that leads nowhere.
- * @param {Question} question @param {Route} route @returns {Route | null}
- */
-function fit(question, { legs, joints }) {
-  const { field, sides, ends } = question;
-  const width = ends[0].length;
-  const solve = (/** @type {Leg} */ leg, /** @type {number[]} */ from, /** @type {number[]} */ to) =>
-    solveLeg(question, leg, from, to, LEG);
-  const solveAll = (/** @type {number[][]} */ places) => {
-    const all = [ends[0], ...places, ends[1]];
-    const solved = [];
-    for (const [i, leg] of now.entries()) {
-      const one = solve(leg, all[i], all[i + 1]);
-      if (!one) return null;
-      solved.push(one);
-    }
-    return solved;
-  };
-  const { domain } = field;
-  const isInside = (/** @type {number[]} */ place) =>
-    !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
-  const total = (/** @type {Leg[]} */ of) => of.reduce((sum, { length }) => sum + length, 0);
-  let now = legs;
-  let places = joints.map((joint) => settle(sides, joint, joint.place));
-  const first = solveAll(places);
-  if (!first) return null;
-  now = first;
-  for (let step = 0; joints.length > 0; step++) {
+/** Moves the joints until the path is shortest; null: that leads nowhere. @param {Question} question @param {Route} route @returns {Route | null} */
+function fit(question, route) {
+  const joints = route.joints.map((joint) => ({ ...joint, place: settle(question.sides, joint, joint.place) }));
+  const legs = solveAll(question, { legs: route.legs, joints });
+  let now = legs && { legs, joints };
+  for (let step = 0; now && joints.length > 0; step++) {
     if (step === MOST_STEPS) return null;
-    const all = [ends[0], ...places, ends[1]];
-    const spans = now.map(({ line }) => span(line, width));
-    const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
-    const directions = joints.map((joint, j) => direction(sides, { ...joint, place: places[j] }));
-    const moved = (/** @type {number} */ j, /** @type {number} */ by) =>
-      settle(
-        sides,
-        joints[j],
-        places[j].map((x, i) => x + by * directions[j][i]),
-      );
-    const n = joints.length;
-    const slope = new Array(n).fill(0);
-    const matrix = slope.map(() => new Array(n).fill(0));
-    for (const [i, leg] of now.entries()) {
-      const [a, b] = [i - 1, i];
-      const at = (/** @type {number} */ j, /** @type {number} */ s, /** @type {number[]} */ end) =>
-        s && j >= 0 && j < n ? moved(j, s * DIFFERENCE * least[j]) : end;
-      const lengthAt = (/** @type {number} */ s, /** @type {number} */ t) =>
-        solve(leg, at(a, s, all[i]), at(b, t, all[i + 1]))?.length ?? Number.NaN;
-      const [p, m] = a >= 0 ? [lengthAt(1, 0), lengthAt(-1, 0)] : [0, 0];
-      const [q, k] = b < n ? [lengthAt(0, 1), lengthAt(0, -1)] : [0, 0];
-      if (a >= 0) {
-        const h = DIFFERENCE * least[a];
-        slope[a] += (p - m) / (2 * h);
-        matrix[a][a] += (p - 2 * leg.length + m) / (h * h);
-      }
-      if (b < n) {
-        const h = DIFFERENCE * least[b];
-        slope[b] += (q - k) / (2 * h);
-        matrix[b][b] += (q - 2 * leg.length + k) / (h * h);
-      }
-      if (a >= 0 && b < n) matrix[a][b] = matrix[b][a] = (lengthAt(1, 1) - p - q + leg.length) / (DIFFERENCE ** 2 * least[a] * least[b]);
-    }
-    const down = descend(matrix, slope);
-    if (!down) return null;
-    const gain = -0.5 * down.step.reduce((sum, x, j) => sum + x * slope[j], 0);
-    const before = total(now);
-    let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
-    let next = null;
-    for (let halving = 0; halving < MOST_HALVINGS && !next; halving++, factor /= 2) {
-      const tried = joints.map((_, j) => moved(j, factor * down.step[j]));
-      const solved = tried.every(isInside) ? solveAll(tried) : null;
-      if (solved && total(solved) <= before * (1 + ENOUGH)) {
-        next = solved;
-        places = tried;
-      }
-    }
+    const next = improve(question, now);
     if (!next) return null;
-    now = next;
-    if (gain <= ENOUGH * before)
-      return down.shifted ? null : { legs: now, joints: joints.map((joint, j) => ({ ...joint, place: places[j] })) };
+    if (next.isLast) return next.isMinimum ? next.route : null;
+    now = next.route;
   }
-  return { legs: now, joints };
+  return now;
+}
+
+/** How long all legs are. @param {Leg[]} legs */
+const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);
+
+/**
+ * One step of Newton for the joints; null: none makes the path shorter.
+ * @param {Question} question @param {Route} route
+ * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
+ */
+function improve(question, { legs, joints }) {
+  const { sides, ends } = question;
+  const spans = legs.map(({ line }) => span(line, ends[0].length));
+  const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+  const directions = joints.map((joint) => direction(sides, joint));
+  const moved = (/** @type {number} */ j, /** @type {number} */ by) => {
+    const { place } = joints[j];
+    const there = place.map((x, i) => x + by * directions[j][i]);
+    return settle(sides, joints[j], there);
+  };
+  const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
+  const down = descend(matrix, slope);
+  if (!down) return null;
+  const gain = -0.5 * down.step.reduce((sum, x, j) => sum + x * slope[j], 0);
+  const before = lengthOf(legs);
+  let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
+  for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
+    const tried = joints.map((joint, j) => ({ ...joint, place: moved(j, factor * down.step[j]) }));
+    const solved = tried.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs, joints: tried }) : null;
+    if (solved && lengthOf(solved) <= before * (1 + ENOUGH))
+      return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isMinimum: !down.shifted };
+  }
+  return null;
+}
+
+/** @param {Question} question @param {number[]} place */
+const isInside = ({ field: { domain } }, place) =>
+  !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+
+/**
+ * First and second derivatives of the length by where the joints lie on their creases: by differences, of each leg by its own ends.
+ * @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {(j: number, by: number) => number[]} moved a joint's place, moved
+ */
+function differentiate(question, { legs, joints }, least, moved) {
+  const count = joints.length;
+  const places = placesOf(question, joints);
+  /** @type {number[]} */
+  const slope = new Array(count).fill(0);
+  const matrix = slope.map(() => /** @type {number[]} */ (new Array(count).fill(0)));
+  const steps = least.map((length) => DIFFERENCE * length);
+  for (const [i, leg] of legs.entries()) {
+    const placeOf = (/** @type {number} */ j, /** @type {number} */ by) => (by ? moved(j, by * steps[j]) : places[j + 1]);
+    const lengthAt = (/** @type {number} */ from, /** @type {number} */ to) =>
+      solveLeg(question, leg, placeOf(i - 1, from), placeOf(i, to), LEG)?.length ?? Number.NaN;
+    const add = (/** @type {number} */ j, /** @type {number} */ on, /** @type {number} */ back) => {
+      slope[j] += (on - back) / (2 * steps[j]);
+      matrix[j][j] += (on - 2 * leg.length + back) / steps[j] ** 2;
+    };
+    const from = i > 0 ? lengthAt(1, 0) : 0;
+    const to = i < count ? lengthAt(0, 1) : 0;
+    if (i > 0) add(i - 1, from, lengthAt(-1, 0));
+    if (i < count) add(i, to, lengthAt(0, -1));
+    if (i > 0 && i < count) matrix[i - 1][i] = matrix[i][i - 1] = (lengthAt(1, 1) - from - to + leg.length) / (steps[i - 1] * steps[i]);
+  }
+  return { slope, matrix };
 }
 
 /** How long a polyline is in its coordinates. @param {Float64Array} line @param {number} width */
@@ -383,8 +387,9 @@ function descend(matrix, slope) {
 }
 
 /** @param {Question} question @param {Route} route @param {SolveOptions} options @returns {Path} */
-function write({ field, sides, ends }, { legs, joints }, options) {
-  const places = [ends[0], ...joints.map(({ place }) => place), ends[1]];
+function write(question, { legs, joints }, options) {
+  const { field, sides } = question;
+  const places = placesOf(question, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
     const { run } = /** @type {import('./sides.js').Side} */ (sides.on(legs[k].signs));
     const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
