@@ -262,7 +262,8 @@ function direction(sides, { crease, signs, place }) {
   const g = place.map((_, j) => measured[sides.count * (1 + j) + crease]);
   const [, f] = place.length === 3 ? implicit(sides, signs, place) : [0, []];
   const t = f.length ? [f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0]] : [-g[1], g[0]];
-  return t.map((x) => x / Math.hypot(...t));
+  const size = Math.sqrt(t.reduce((sum, x) => sum + x * x, 0));
+  return t.map((x) => x / size);
 }
 
 /** Moves the joints until the path is shortest; null: that leads nowhere. @param {Question} question @param {Route} route @returns {Route | null} */
