@@ -7,7 +7,7 @@
 #include "scalar.h"
 #include <string.h>
 
-enum { REACH = 3, WIDE_REACH = 5, WIDE_EDGES = 80, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
+enum { REACH = 3, WIDE_REACH = 5, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
 /* A pole: the samples of an edge of the rectangle vary by less than this part of what lies beside it: the surface may be far larger
  * elsewhere, or infinite. A curve where the normal vanishes: after the
@@ -287,7 +287,7 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
     /* On slopes ways along them are few among 32. */
     int is_wide = !sp_builder_resolves(builder) && grid.cells[0] > WIDE_REACH && grid.cells[1] > WIDE_REACH &&
-                  builder->edge_capacity / WIDE_EDGES >= graph->vertex_count;
+                  builder->edge_capacity / SP_WIDE_EDGES >= graph->vertex_count;
     if (is_wide) builder->bent = 0;
     return !is_wide || join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

@@ -65,7 +65,7 @@ function findFrom(field, sides, ends, options, start) {
   const { paths, distance } = sketch(field, ends, start);
   let missed = Infinity;
   for (const path of paths) {
-    if (best && path.length * (1 - ROUGH) > best.length) break;
+    if (best && path.length * (1 - ROUGH) > best.length) continue;
     const found = follow({ field, sides, ends, budget }, path.parameters ?? path.points, options);
     if (found?.converged && !(best && best.length <= found.length)) best = found;
     if (!found?.converged) missed = Math.min(missed, path.length);

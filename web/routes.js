@@ -115,32 +115,31 @@ export function findGlobal(field, ends, options, most) {
  * @returns {{ paths: Path[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
 export function sketch(field, ends, start) {
-  let distance = Infinity;
   const options = { ...ROUGHLY, points: SKETCHED };
-  const relax = (
-    /** @type {import('./candidates.js').Problem} */ problem,
-    /** @type {import('./candidates.js').Start} */ { to, start: given },
-  ) => {
-    const path = problem.solve(to, given, options);
-    if (path.length >= 0 || !given) return path;
-    const line = Float64Array.from(given);
-    return { ...path, length: Infinity, points: line, parameters: problem.domain && line };
-  };
+  let distance = Infinity;
   /** @type {any[]} */
-  const paths =
-    start === 'global'
-      ? pose(field, ends, (problem) => {
-          const straight = problem.domain ? [] : [{ to: problem.to, start: null, ...solved(problem.solve(problem.to, null, options)) }];
-          const [found] = findStarts(problem, false, straight[0]);
-          distance = found?.distance ?? Infinity;
-          return [...straight.map(({ path }) => path), ...(found?.starts ?? []).map((one) => relax(problem, one))];
-        })
-      : [poseNear(field, ends, start)].map(({ solve, finish }) => finish(solve(options)));
-  return { paths: distinct(paths.filter(({ length }) => length >= 0).map((path) => ({ path }))).map(({ path }) => path), distance };
+  let paths;
+  if (start === 'global')
+    paths = pose(field, ends, (problem) => {
+      const relax = (/** @type {import('./candidates.js').Start} */ { to, start: given }) => {
+        const path = problem.solve(to, given, options);
+        if (path.length >= 0 || !given) return path;
+        const line = Float64Array.from(given);
+        return { ...path, length: Infinity, lengthError: 0, points: line, parameters: problem.domain && line };
+      };
+      const straight = { to: problem.to, start: null };
+      const path = problem.domain ? null : relax(straight);
+      const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
+      distance = found?.distance ?? Infinity;
+      return [...(path ? [path] : []), ...(found?.starts ?? []).map(relax)];
+    });
+  else {
+    const { solve, finish } = poseNear(field, ends, start);
+    paths = [finish(solve(options))];
+  }
+  const known = paths.filter(({ length }) => length >= 0).map((path) => ({ path }));
+  return { paths: distinct(known).map(({ path }) => path), distance };
 }
-
-/** @param {RawPath} path */
-const solved = (path) => ({ path, coarse: path });
 
 /**
  * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.

@@ -9,7 +9,6 @@ import { SHAPE } from './kind.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 
 /** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
-/** @typedef {import('./runtime/heap.js').SurfaceRecord} SurfaceRecord */
 /**
  * @typedef {object} Given a surface, for the present values of its parameters
  * @property {'parametric' | 'implicit' | 'metric'} kind
@@ -24,7 +23,6 @@ import { compileMetric, METRIC, nodesOf } from './metric.js';
  * @typedef {object} Side
  * @property {<T>(call: import('./routes.js').Call<T>) => T} run
  * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
- * @property {(places: ArrayLike<number>) => number[][]} values without derivatives
  */
 
 /** So many sides are kept: who needs more has a surface of facets. */
@@ -97,20 +95,25 @@ export class Sides {
     });
     const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, sided());
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
-    const installed = modules.map(({ module, data, dataBytes }) => solver.install(module, data, dataBytes));
+    /** @type {Installed[]} */
+    const installed = [];
+    try {
+      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
+    } catch (error) {
+      for (const slots of installed) solver.remove(slots);
+      throw error;
+    }
     const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
-    /* Values, then first and second derivatives. */
-    const orders = 1 + variables.length + (variables.length * (variables.length + 1)) / 2;
-    const evaluate = (/** @type {ArrayLike<number>} */ places, /** @type {number} */ parts) => {
-      const count = places.length / variables.length;
-      const jets = modules.map(({ jet }, i) => split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count));
-      return jets[0].map((_, k) => jets.flatMap((of) => of[k].slice(0, of[k].length / parts)));
-    };
     /** @type {Side} */
     const side = {
       run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
-      jets: (places) => evaluate(places, 1),
-      values: (places) => evaluate(places, orders),
+      jets: (places) => {
+        const count = places.length / variables.length;
+        const jets = modules.map(({ jet }, i) =>
+          split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count),
+        );
+        return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
+      },
     };
     return { side, installed };
   }
