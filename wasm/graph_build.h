@@ -5,7 +5,7 @@
 #include "graph.h"
 #include "vector.h"
 
-enum { SP_GRAPH_BLOCK = 32 }; /* pairs evaluated at once */
+enum { SP_GRAPH_BLOCK = 32 };                     /* pairs evaluated at once */
 enum { SP_USUAL_EDGES = 32, SP_WIDE_EDGES = 80 }; /* of a vertex of a parametric graph: by steps up to 3 and 5 */
 
 struct sp_builder {
