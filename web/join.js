@@ -52,7 +52,7 @@ function joinParameters(pieces, glued) {
  * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
  * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
  */
-function joinPaths(pieces, glued) {
+export function joinPaths(pieces, glued) {
   const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
