@@ -207,12 +207,15 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
 }
 
 /* So far from an end, in parts of the size of things, the gradient of f is not that of a node. */
-static const double BESIDE = 5e-3;
+static const double BESIDE = 5e-3, CORNER = 1e-3;
 
-/* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. */
+/* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. Not
+ * so where there is no normal anywhere. */
 static enum sp_status put_end(const struct sp_surface *surface, double scale, double end[3]) {
     int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, BESIDE * scale);
-    return is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
+    enum sp_status status = is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
+    int is_open = is_node || status == SP_OFF_SURFACE;
+    return is_open && sp_start_is_multiple(surface, end, CORNER * scale) ? SP_SINGULAR_METRIC : status;
 }
 
 /* The stages in order; the first that fails decides. */
