@@ -352,7 +352,7 @@ double sp_refine_bytes(void) {
 /* What chords are wrong by in length, and whether they may be trusted. */
 static double check_chords(const struct sp_newton *newton, const struct climbed *chords, enum sp_status *status) {
     struct sp_chord_sums sums = {0, 0};
-    *status = sp_check_chords(&newton->system.line, newton->scale, &sums);
+    *status = sp_check_chords(&newton->system, newton->scale, &sums);
     return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
 }
 

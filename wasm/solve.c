@@ -244,7 +244,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         status = refined.outcome.status;
     }
     if (status < 0) return status;
-    status = arcs.count == 0 ? sp_check_chords(line, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
+    status = arcs.count == 0 ? sp_check_chords(&newton.system, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
