@@ -172,6 +172,23 @@ test('with a density: as E, F and G with it', () => {
   assert.ok(count >= 5, `${count} converged`);
 });
 
+test('through a coin of 1:100: no chord of the body, but a path around its rim, with its error', () => {
+  const surface = surfpath.parametric({ x: 'cos(u)*cos(v)', y: 'sin(u)*cos(v)', z: 'sin(v)/100', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  for (const start of /** @type {const} */ (['global', 'straight'])) {
+    const path = surface.shortestPath([0, Math.acos(0.3)], [Math.atan2(0.2, -0.3), -Math.acos(Math.hypot(0.2, 0.3))], { start });
+    assert.ok(['converged', 'tolerance-not-met'].includes(path.status), path.status);
+    /* Of a plate, the way from (0.3, 0) by the best point of the rim to (-0.3, 0.2). */
+    const flat = Math.min(
+      ...Array.from({ length: 6000 }, (_, i) => {
+        const [x, y] = [Math.cos(i / 900), Math.sin(i / 900)];
+        return Math.hypot(x - 0.3, y) + Math.hypot(x + 0.3, y - 0.2);
+      }),
+    );
+    assert.ok(path.length > flat && path.length < flat + 2e-3, `${start}: ${path.length}, of a plate ${flat}`);
+    assert.ok(path.lengthError < 1e-5, `${path.lengthError}`);
+  }
+});
+
 test('who allows few steps learns where they end', () => {
   const surface = surfpath.parametric(PINCHED[1].surface);
   const [from, to] = [
