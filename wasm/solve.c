@@ -84,9 +84,10 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
 }
 
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric; each the larger of |X_k| and
- * of what the rounding of the unknowns is a part of, |q_a B_ak|. */
+ * of what the rounding of the unknowns is a part of, |q_a B_ak|, around a pole that of the coordinate across its edge. */
 static double size_of(const struct sp_polyline *line) {
     const struct sp_nodes *nodes = &line->nodes;
+    sp_pair least = sp_splat(line->surface->kind == SP_PARAMETRIC ? sp_polar_offset(line->surface) : 0);
     int32_t components = line->kind->components;
     sp_pair t[SP_METRIC_COMPONENTS], at[3];
     for (int32_t c = 0; c < components; c++)
@@ -94,7 +95,7 @@ static double size_of(const struct sp_polyline *line) {
     for (int k = 0; k < 3; k++) {
         at[k] = sp_absolute(nodes->charts[SP_CHART_X + k]);
         for (int a = 0; a < 2; a++)
-            at[k] = sp_larger(at[k], sp_absolute(nodes->places[a] * nodes->charts[SP_CHART_1 + 3 * a + k]));
+            at[k] = sp_larger(at[k], sp_larger(least, sp_absolute(nodes->places[a])) * sp_absolute(nodes->charts[SP_CHART_1 + 3 * a + k]));
     }
     sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
     return size[0] > size[1] ? size[0] : size[1];
