@@ -73,6 +73,9 @@ function isGood(field, path, { tolerance }) {
   return path.converged && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
 }
 
+/** Whether a path is one, if not to the tolerance. @param {Path} path */
+const isRoughlyKnown = ({ status, length, lengthError }) => ON_SURFACE.includes(status) && lengthError < length;
+
 /** Whether the surface is not torn under a path. @param {Field} field @param {Path} path */
 function isWhole(field, { parameters }) {
   if (!parameters) return false;
@@ -98,19 +101,19 @@ function findSmooth(field, ends, options, start) {
   const again = instead(field, path, options);
   if (!again) return path;
   const own = findIn(again.field, ends, compared(again.options), start);
-  /* One that is known only roughly is better than none, or than a jump. */
-  const isRough =
-    field.isPlain && ON_SURFACE.includes(own.status) && !(path.length >= 0 && path.status !== 'stalled') && isWhole(field, own);
+  /* One that is known only roughly is better than none, or than what is longer. */
+  const isRough = field.isPlain && isRoughlyKnown(own) && isWhole(field, own);
   if (!isRough && !isGood(field, own, options)) return path;
   /* Chords that stall may have jumped, and are as long as the line through their nodes; any other path is one on the surface. */
   const mayJump = path.status === 'stalled' && !path.crossesSingularity;
-  if (!mayJump && own.length > mostOf(path)) return path;
+  const [length, most] = isRough ? [mostOf(own), path.length] : [own.length, mostOf(path)];
+  if (!mayJump && length > most) return path;
   const line =
     mayJump &&
     field.isPlain &&
     (start === 'global' || isRough) &&
     (isCompared(options) ? path : findIn(field, ends, compared(options), start)).parameters;
-  if (line && (isRough ? mostOf(own) : own.length) > measure(field, line).length) return path;
+  if (line && length > measure(field, line).length) return path;
   return isCompared(options) ? own : findIn(again.field, ends, again.options, start);
 }
 

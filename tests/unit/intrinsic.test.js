@@ -189,6 +189,25 @@ test('through a coin of 1:100: no chord of the body, but a path around its rim, 
   }
 });
 
+test('over a strip folded many times: as unfolded, whatever chords stall on', () => {
+  const surface = surfpath.parametric({ x: 'u/50 + 0.5sin(u)', y: '0.02cos(u)', z: 'v', u: [0, 40], v: [-1, 1] });
+  const between = (/** @type {number} */ from, /** @type {number} */ to) => {
+    const step = (to - from) / 20000;
+    let sum = 0;
+    for (let i = 0; i < 20000; i++) {
+      const u = from + (i + 0.5) * step;
+      sum += step * Math.hypot(0.02 + 0.5 * Math.cos(u), 0.02 * Math.sin(u));
+    }
+    return sum;
+  };
+  for (const [from, to] of randomPairs(surface, 86, 8)) {
+    const path = surface.shortestPath(from, to);
+    const truth = Math.hypot(between(from[0], to[0]), to[1] - from[1]);
+    assert.notEqual(path.status, 'stalled', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length / truth - 1) < 1e-5, `${from} to ${to}: ${path.length}, not ${truth}`);
+  }
+});
+
 test('who allows few steps learns where they end', () => {
   const surface = surfpath.parametric(PINCHED[1].surface);
   const [from, to] = [
