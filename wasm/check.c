@@ -70,7 +70,8 @@ static inline __attribute__((always_inline)) void measure(const struct chord_pai
 }
 
 /* Chords that are not plainly in order are looked at one by one. */
-enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, struct sp_chord_sums *sums) {
+enum sp_status sp_check_chords(const struct sp_system *system, double scale, struct sp_chord_sums *sums) {
+    const struct sp_polyline *line = &system->line;
     enum sp_status worst = SP_CONVERGED;
     int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
     sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, weight_from, weight_to = lengths;
@@ -85,7 +86,7 @@ enum sp_status sp_check_chords(const struct sp_polyline *line, double scale, str
                                  : is_plain_parametric(&pair, line->nodes.places + 2 * k);
         for (int lane = 0; lane < 2 && sp_any(~plain); lane++) {
             if (plain[lane]) continue;
-            enum sp_status status = sp_chord_check(line, lane ? line->fold.inner - k : k, scale);
+            enum sp_status status = sp_chord_check(system, lane ? line->fold.inner - k : k, scale);
             if (status < 0) return status;
             if (status > worst) worst = status;
         }

@@ -2,6 +2,7 @@
 #include "chord.h"
 #include "metric.h"
 #include "normal.h"
+#include "sample.h"
 #include "scalar.h"
 #include <string.h>
 
@@ -12,7 +13,7 @@ static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2;
 static const double BRANCH_SAGITTA = 0.5, STILL = 1e-3;
 /* Beyond a crease, and on it, where the derivatives of max and its like are means of both sides. */
 static const double NEAR_CREASE = 1e-6, SMOOTH_COSINE = 0.9;
-enum { BISECTIONS = 60 };
+enum { BISECTIONS = 60, PARTS = 8 };
 
 /* Two neighbouring nodes, scalar: their places, positions and normals. */
 struct chord {
@@ -105,9 +106,32 @@ static int is_degenerate(const struct sp_polyline *line, int32_t i, const struct
     return i > 0 && !(dot(chord->normal[0], chord->normal[0]) > SP_CHORD_DEGENERATE * e * g);
 }
 
+/* Elements are not straight between their nodes: whether the path itself stays by a chord, which it does not where it jumps, or the surface
+ * is torn. Where a coordinate moves like the cube of the length (cbrt) the segment does not say. */
+static int follows(const struct sp_system *system, int32_t i, const struct chord *chord, double length, double scale) {
+    const struct sp_surface *surface = system->line.surface;
+    if (system->elements.reference.degree == 1 || !surface->value) return 0;
+    double from = sp_sample_parameter(&system->elements, i), step = (sp_sample_parameter(&system->elements, i + 1) - from) / PARTS;
+    double at[3][3], place[3], along = 0;
+    memcpy(at[0], chord->at[0], sizeof at[0]);
+    for (int k = 1; k <= PARTS; k++) {
+        sp_sample_place(system, from + k * step, place);
+        if (!sp_sample_point(surface, scale, place, at[2 - k % 2], NULL)) return 0;
+        along += distance_between(at[2 - k % 2], at[k % 2 ? 0 : 1]);
+        if (k % 2) continue;
+        double half[3], part = distance_between(at[0], at[2]);
+        for (int j = 0; j < 3; j++)
+            half[j] = 0.5 * (at[0][j] + at[2][j]);
+        if (!(distance_between(half, at[1]) <= LARGEST_SAGITTA * part + 1e-12 * scale)) return 0;
+        memcpy(at[0], at[2], sizeof at[0]);
+    }
+    return along <= LARGEST_STRETCH * length + 1e-12 * scale;
+}
+
 /* The middle of the parameter segment must be near the middle of the chord, and the segment about as long as the chord: else it goes around
  * somewhere. */
-static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i, const struct chord *chord, double scale) {
+static enum sp_status check_parametric(const struct sp_system *system, int32_t i, const struct chord *chord, double scale) {
+    const struct sp_polyline *line = &system->line;
     if (is_degenerate(line, i, chord)) return SP_SINGULAR_METRIC;
     const double(*normal)[3] = chord->normal;
     int at_pole =
@@ -130,12 +154,13 @@ static enum sp_status check_parametric(const struct sp_polyline *line, int32_t i
     if (i == line->fold.inner) last = mid;
     double along = (first + 4 * mid + last) / 6;
     if (!is_finite(distance_between(half, middle))) return SP_NOT_FINITE;
-    if (distance_between(half, middle) > sagitta * length + rounding || along > LARGEST_STRETCH * length + rounding) return SP_STALLED;
-    return SP_CONVERGED;
+    if (distance_between(half, middle) <= sagitta * length + rounding && along <= LARGEST_STRETCH * length + rounding) return SP_CONVERGED;
+    return follows(system, i, chord, length, scale) ? SP_CONVERGED : SP_STALLED;
 }
 
-enum sp_status sp_chord_check(const struct sp_polyline *line, int32_t i, double scale) {
+enum sp_status sp_chord_check(const struct sp_system *system, int32_t i, double scale) {
+    const struct sp_polyline *line = &system->line;
     struct chord chord;
     read_node(line, i, &chord, 0), read_node(line, i + 1, &chord, 1);
-    return line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(line, i, &chord, scale);
+    return line->surface->kind == SP_IMPLICIT ? check_implicit(line, &chord, scale) : check_parametric(system, i, &chord, scale);
 }

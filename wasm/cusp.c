@@ -183,7 +183,7 @@ static struct sp_refined cross(struct sp_newton *newton, const struct sp_options
 
 int sp_cusp_divides(const struct sp_newton *newton) {
     const struct sp_polyline *line = &newton->system.line;
-    return sp_normal_turns(line, 0) % 2 == 1 && sp_check_chords(line, newton->scale, NULL) == SP_SINGULAR_METRIC;
+    return sp_normal_turns(line, 0) % 2 == 1 && sp_check_chords(&newton->system, newton->scale, NULL) == SP_SINGULAR_METRIC;
 }
 
 /* Solves a bridge found roughly: SP_CONVERGED, SP_TOLERANCE_NOT_MET, SP_ITERATION_LIMIT or SP_SINGULAR_METRIC. */

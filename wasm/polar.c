@@ -2,16 +2,19 @@
 #include "polar.h"
 #include "functions.h"
 #include "metric.h"
+#include "scalar.h"
 
 /* Of the first path: what is near a pole is small. */
 enum { POINTS = 129 };
 /* Radians: ends half a turn apart may be more than that to rounding, and by as much as a smooth surface may seem not to be one. */
 static const double TURN = 6.28318530717958647693, SLACK = 1e-5;
 /* Of the ends' distances: nearer than that derivatives lose more to rounding than they change, those of a tensor, divided by squares,
- * sooner. Of the range: what rounding leads outside. */
-static const double LEAST = 1e-8, LEAST_OF_TENSOR = 1e-5, INSIDE = 1e-12;
+ * sooner. Of the range: what rounding leads outside. Of the edge's coordinate: from there on its rounding does not spoil a tensor. */
+static const double LEAST = 1e-8, LEAST_OF_TENSOR = 1e-5, INSIDE = 1e-12, QUIET = 2e-8, MOST_QUIET = 1e3;
 
 static const struct sp_polar *polar_of(const struct sp_surface *surface) { return (const struct sp_polar *)surface; }
+
+double sp_polar_offset(const struct sp_surface *surface) { return surface->metric >= SP_POLAR ? absolute(polar_of(surface)->edge) : 0; }
 
 /* u v at the distance r from the pole, in the direction `angle`, from the middle. */
 static void place_at(const struct sp_polar *polar, sp_pair r, sp_pair angle, sp_pair place[2]) {
@@ -137,6 +140,7 @@ int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, cons
         polar->least += (surface->metric == SP_TENSOR ? LEAST_OF_TENSOR : LEAST) * polar->side * (end[across] - edge);
         polar->surface.lower[j] = -open, polar->surface.upper[j] = open;
     }
+    if (surface->metric == SP_TENSOR) polar->least = larger(polar->least, smaller(QUIET * absolute(edge), MOST_QUIET * polar->least));
     return 1;
 }
 

@@ -23,6 +23,9 @@ struct sp_polar {
 int sp_polar_make(struct sp_polar *polar, const struct sp_surface *surface, const struct sp_request *request, struct sp_arena *arena,
                   struct sp_request *moved);
 
+/* What distances from the pole are added to, if the surface is such a chart: they are rounded beside it. */
+double sp_polar_offset(const struct sp_surface *surface);
+
 /* Places over u and v from those over p and q. */
 void sp_polar_leave(const struct sp_polar *polar, int32_t pair_count, const sp_pair *places, sp_pair *left);
 

@@ -210,7 +210,10 @@ static int lowest_rung(const uint8_t (*ladder)[2], int rungs, int32_t nodes) {
 
 /* What a path at rest that is smooth has none of: E/L^2 - 1, the variance of its speed. A crease inside an element, or beside the nodes,
  * leaves both sides with speeds of their own. Times the length, what it may be too long by. */
-static double unevenness(const struct climbed *climbed) { return larger(climbed->outcome.energy / climbed->length - climbed->length, 0); }
+static double unevenness(const struct climbed *climbed) {
+    double length = climbed->length;
+    return smaller(larger(climbed->outcome.energy / length - length, 0), length);
+}
 
 /* By how much the path's velocity changes at each node, in parts of itself: by how many radians it turns, about, where its speed is even,
  * as it is without a density; and the node's parameter. Returns the sum of the turns. */
@@ -349,7 +352,7 @@ double sp_refine_bytes(void) {
 /* What chords are wrong by in length, and whether they may be trusted. */
 static double check_chords(const struct sp_newton *newton, const struct climbed *chords, enum sp_status *status) {
     struct sp_chord_sums sums = {0, 0};
-    *status = sp_check_chords(&newton->system.line, newton->scale, &sums);
+    *status = sp_check_chords(&newton->system, newton->scale, &sums);
     return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
 }
 

@@ -84,9 +84,10 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
 }
 
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric; each the larger of |X_k| and
- * of what the rounding of the unknowns is a part of, |q_a B_ak|. */
+ * of what the rounding of the unknowns is a part of, |q_a B_ak|, around a pole that of the coordinate across its edge. */
 static double size_of(const struct sp_polyline *line) {
     const struct sp_nodes *nodes = &line->nodes;
+    sp_pair least = sp_splat(line->surface->kind == SP_PARAMETRIC ? sp_polar_offset(line->surface) : 0);
     int32_t components = line->kind->components;
     sp_pair t[SP_METRIC_COMPONENTS], at[3];
     for (int32_t c = 0; c < components; c++)
@@ -94,7 +95,7 @@ static double size_of(const struct sp_polyline *line) {
     for (int k = 0; k < 3; k++) {
         at[k] = sp_absolute(nodes->charts[SP_CHART_X + k]);
         for (int a = 0; a < 2; a++)
-            at[k] = sp_larger(at[k], sp_absolute(nodes->places[a] * nodes->charts[SP_CHART_1 + 3 * a + k]));
+            at[k] = sp_larger(at[k], sp_larger(least, sp_absolute(nodes->places[a])) * sp_absolute(nodes->charts[SP_CHART_1 + 3 * a + k]));
     }
     sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
     return size[0] > size[1] ? size[0] : size[1];
@@ -207,12 +208,15 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
 }
 
 /* So far from an end, in parts of the size of things, the gradient of f is not that of a node. */
-static const double BESIDE = 5e-3;
+static const double BESIDE = 5e-3, CORNER = 1e-3;
 
-/* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. */
+/* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. Not
+ * so where there is no normal anywhere. */
 static enum sp_status put_end(const struct sp_surface *surface, double scale, double end[3]) {
     int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, BESIDE * scale);
-    return is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
+    enum sp_status status = is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
+    int is_open = is_node || status == SP_OFF_SURFACE;
+    return is_open && sp_start_is_multiple(surface, end, CORNER * scale) ? SP_SINGULAR_METRIC : status;
 }
 
 /* The stages in order; the first that fails decides. */
@@ -241,7 +245,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         status = refined.outcome.status;
     }
     if (status < 0) return status;
-    status = arcs.count == 0 ? sp_check_chords(line, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
+    status = arcs.count == 0 ? sp_check_chords(&newton.system, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);

@@ -47,6 +47,23 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     return SP_CONVERGED;
 }
 
+/* Twelve steps to a zero of a square divide its gradient by 2^12, to one of a third power by 130^2. */
+static const double VANISHED = 1e-3;
+
+int sp_start_is_multiple(const struct sp_surface *surface, const double place[3], double near) {
+    for (int corner = 0; corner < 4; corner++) {
+        sp_pair beside[3], before[SP_IMPLICIT_VALUES], after[SP_IMPLICIT_VALUES];
+        for (int j = 0; j < 3; j++)
+            beside[j] = place[j] + (sp_pair){-near, near} * (corner >> j & 1 ? 2 + j : -2 - j);
+        surface->value(1, beside, before);
+        sp_implicit_settle(surface, 1, beside, near);
+        surface->value(1, beside, after);
+        struct sp_vector from = sp_load(before + 1), to = sp_load(after + 1);
+        if (sp_any(~(sp_dot(to, to) < VANISHED * VANISHED * sp_dot(from, from)))) return 0;
+    }
+    return 1;
+}
+
 static void straight_line(const struct sp_polyline *line, const double from[3], const double to[3]) {
     int32_t last = line->fold.inner + 1, dimension = line->kind->dimension;
     sp_pair *place = line->nodes.places;

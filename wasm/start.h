@@ -11,6 +11,10 @@ double sp_start_scale(const struct sp_surface *surface, const struct sp_request 
 /* Implicit: moves a given point onto the surface, at most a tenth of `scale` away. Parametric: checks that it is finite. */
 enum sp_status sp_start_end(const struct sp_surface *surface, double scale, double point[3]);
 
+/* Implicit: whether f vanishes like a square or a higher power all over its zeros: the gradient does on the way from eight places `near`
+ * one to them, of which some lead beside a node. */
+int sp_start_is_multiple(const struct sp_surface *surface, const double place[3], double near);
+
 /* Fills line->nodes.places with n nodes between the ends: along the straight line of the places (implicit: of space, put onto the surface),
  * or along request->start, resampled by length. `from` and `to` are the ends already put onto the surface. Needs arena for start_count
  * points. */

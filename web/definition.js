@@ -53,15 +53,48 @@ export function checkExpressions(caller, name, value, count) {
   for (const [i, one] of value.entries()) checkExpression(caller, `${name}[${i}]`, one);
 }
 
-/** Fields that a definition may do without. Others are ignored, except where they look like one of these misspelt: its absence would go unnoticed. */
-const OPTIONAL = ['periodic', 'parameters', 'density', 'metric', 'bounds', 'reference'];
+/** Names that the optional fields have elsewhere, in small letters and without what stands between them. @type {Record<string, string[]>} */
+const SYNONYMS = {
+  periodic: ['period', 'periods', 'closed', 'cyclic', 'wrap'],
+  parameters: ['params', 'param', 'constants', 'variables', 'args'],
+  density: ['weight', 'weights', 'rho', 'ρ', 'cost'],
+  metric: ['tensor', 'metrictensor'],
+  bounds: ['bbox', 'box', 'boundingbox', 'aabb', 'extent', 'extents', 'limits', 'domain'],
+  reference: ['up', 'upvector'],
+};
 
-/** @param {string} caller @param {object} definition @param {string[]} required */
-function checkSpelling(caller, definition, required) {
+/** What to tell those who give such a field to a kind that has none. @type {Record<string, string>} */
+const ELSEWHERE = {
+  periodic: 'an implicit surface closes where its formula does',
+  bounds: 'the ranges of its parameters bound it',
+  reference: 'tube and sweep do',
+};
+
+/** Fields that a definition may do without; of density and metric `readMeasure` has more to say. @param {string} kind */
+const optionalOf = (kind) => [
+  ...['parameters', 'density', 'metric', kind === 'implicit' ? 'bounds' : 'periodic'],
+  ...(kind === 'tube' || kind === 'sweep' ? ['reference'] : []),
+];
+
+/** @param {string} name @param {string} field */
+function isLike(name, field) {
+  const letters = name.slice(0, 12).toLowerCase();
+  const synonym = letters.replace(/[^\p{L}]/gu, '');
+  return SYNONYMS[field].includes(synonym) || editDistance(letters, field) <= (field.length > 6 ? 2 : 1);
+}
+
+/**
+ * Other fields are ignored, as a title or a source is, but not where they look like one that the kind may have and this definition has not, or are known to other
+ * kinds alone: its absence would go unnoticed.
+ * @param {string} kind @param {any} definition @param {string[]} required
+ */
+function checkSpelling(kind, definition, required) {
+  const optional = optionalOf(kind);
   for (const [name, value] of Object.entries(definition)) {
-    if (value === undefined || required.includes(name) || OPTIONAL.includes(name)) continue;
-    const meant = OPTIONAL.find((field) => editDistance(name.slice(0, 12).toLowerCase(), field) <= (field.length > 6 ? 2 : 1));
-    if (meant) throw new TypeError(`${caller}: the definition has no field '${name.slice(0, 12)}'; did you mean ${meant}?`);
+    if (value === undefined || required.includes(name) || optional.includes(name)) continue;
+    if (Object.hasOwn(ELSEWHERE, name)) throw new TypeError(`${kind}: the definition takes no ${name}; ${ELSEWHERE[name]}`);
+    const meant = optional.find((field) => definition[field] === undefined && isLike(name, field));
+    if (meant) throw new TypeError(`${kind}: the definition has no field '${name.slice(0, 12)}'; did you mean ${meant}?`);
   }
 }
 

@@ -83,7 +83,7 @@ export class Surfpath {
   }
 
   /**
-   * A surface from plain data: an entry of the gallery, say. Fields that its kind does not know are ignored.
+   * A surface from plain data: an entry of the gallery, say. Fields that its kind does not know are ignored, but not what looks like one of its own.
    * @param {AnyDefinition} definition
    */
   surface(definition) {

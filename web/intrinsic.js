@@ -18,6 +18,8 @@ import { dot, gap } from './vector.js';
 const STEPS = 100;
 /** Statuses of paths that may be none because of how they were measured; under a density or a metric the last two are its own, as a rule. */
 const ASTRAY = ['stalled', 'singular-metric', 'iteration-limit', 'tolerance-not-met'];
+/** Statuses of those that lead over the surface, but are not solved to the tolerance. */
+const ON_SURFACE = ['iteration-limit', 'tolerance-not-met'];
 /** Lines are measured from node to node in so many parts, each by Gauss's rule: at these places. */
 const PARTS = 32;
 const PLACES = [-1, 0, 1].map((side) => 0.5 + side * Math.sqrt(0.15));
@@ -66,11 +68,19 @@ function instead({ own, graphs, isPlain }, path, options) {
 const isCompared = (options) => options.points === compared(options).points && !options.record;
 
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
-function isGood(field, { converged, parameters, points, length }, { tolerance }) {
-  if (!converged || !parameters) return false;
-  const size = Math.max(...points.subarray(0, 3).map(Math.abs));
-  const line = measure(field, parameters);
-  return ROUNDING * size <= tolerance * length && line.chords <= (1 + TORN) * line.length;
+function isGood(field, path, { tolerance }) {
+  const size = Math.max(...path.points.subarray(0, 3).map(Math.abs));
+  return path.converged && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
+}
+
+/** Whether a path is one, if not to the tolerance. @param {Path} path */
+const isRoughlyKnown = ({ status, length, lengthError }) => ON_SURFACE.includes(status) && lengthError < length;
+
+/** Whether the surface is not torn under a path. @param {Field} field @param {Path} path */
+function isWhole(field, { parameters }) {
+  if (!parameters) return false;
+  const { length, chords } = measure(field, parameters);
+  return chords <= (1 + TORN) * length;
 }
 
 /**
@@ -91,16 +101,19 @@ function findSmooth(field, ends, options, start) {
   const again = instead(field, path, options);
   if (!again) return path;
   const own = findIn(again.field, ends, compared(again.options), start);
-  if (!isGood(field, own, options)) return path;
+  /* One that is known only roughly is better than none, or than what is longer. */
+  const isRough = field.isPlain && isRoughlyKnown(own) && isWhole(field, own);
+  if (!isRough && !isGood(field, own, options)) return path;
   /* Chords that stall may have jumped, and are as long as the line through their nodes; any other path is one on the surface. */
   const mayJump = path.status === 'stalled' && !path.crossesSingularity;
-  if (!mayJump && own.length > mostOf(path)) return path;
+  const [length, most] = isRough ? [mostOf(own), path.length] : [own.length, mostOf(path)];
+  if (!mayJump && length > most) return path;
   const line =
     mayJump &&
     field.isPlain &&
-    start === 'global' &&
+    (start === 'global' || isRough) &&
     (isCompared(options) ? path : findIn(field, ends, compared(options), start)).parameters;
-  if (line && own.length > measure(field, line).length) return path;
+  if (line && length > measure(field, line).length) return path;
   return isCompared(options) ? own : findIn(again.field, ends, again.options, start);
 }
 

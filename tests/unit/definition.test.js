@@ -43,6 +43,10 @@ describe('definitions', () => {
     ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
     ['a field misspelt', { ...gallery.saddle, densty: '1 + u' }, TypeError, /has no field 'densty'; did you mean density\?/],
     ['a field in capitals', { ...gallery.saddle, Parameters: { a: 1 } }, TypeError, /did you mean parameters\?/],
+    ['a density by another name', { ...gallery.saddle, weight: '1 + u' }, TypeError, /has no field 'weight'; did you mean density\?/],
+    ['parameters cut short', { ...gallery.saddle, params: { a: 1 } }, TypeError, /has no field 'params'; did you mean parameters\?/],
+    ['bounds', { ...gallery.saddle, bounds: [] }, TypeError, /takes no bounds; the ranges of its parameters bound it/],
+    ['a reference', { ...gallery.saddle, reference: [0, 0, 1] }, TypeError, /takes no reference; tube and sweep do/],
     ['a density that is no formula', { ...gallery.saddle, density: null }, TypeError, /parametric: density must be/],
     ['a metric without G', { ...gallery.saddle, metric: { E: 1, F: 0 } }, TypeError, /metric must be \{ E, F, G \}; G is missing/],
   ];
@@ -60,6 +64,35 @@ describe('definitions', () => {
     ]);
     refuses(() => surfpath.implicit({ f, bounds: reversed }), RangeError, /bounds\[1\] must be two numbers, the smaller first/);
     refuses(() => surfpath.implicit(anything({})), TypeError, /f is missing/);
+  });
+
+  test('implicit refuses bounds by another name, and what closes parametric surfaces', () => {
+    const f = 'x^2+y^2+z^2-1';
+    for (const name of ['bbox', 'box', 'box3', 'boundingBox', 'bounding_box', 'Limits', 'bound'])
+      refuses(
+        () => surfpath.implicit(anything({ f, [name]: 1 })),
+        TypeError,
+        /implicit: the definition has no field '.*'; did you mean bounds\?/,
+      );
+    refuses(() => surfpath.implicit(anything({ f, periodic: 'auto' })), TypeError, /takes no periodic; an implicit surface closes where/);
+  });
+
+  test('what people keep with a definition is no mistake', () => {
+    const notes = {
+      title: 'A ball',
+      name: 'ball',
+      id: 7,
+      formula: 'x² + y² + z² = 1',
+      source: 'me',
+      camera: [1, 0, 0],
+      from: [],
+      to: [],
+      points: [],
+      colour: 'red',
+    };
+    const bounds = gallery.torus.bounds;
+    surfpath.implicit(anything({ f: 'x^2+y^2+z^2-1', bounds, box: 'what is drawn', ...notes })).dispose();
+    surfpath.parametric(anything({ ...gallery.saddle, ...notes, weight: undefined })).dispose();
   });
 
   test('surface refuses kinds that do not exist', () => {

@@ -128,3 +128,12 @@ describe('the open data, at other tolerances', () => {
     });
   }
 });
+
+test('where a surface is torn an error says that nothing is known of the length, and no more', () => {
+  for (const z of ['floor(3x)', 'floor(x + y)', 'x - floor(x)'])
+    for (const start of /** @type {const} */ (['global', 'straight'])) {
+      const path = surfpath.graph({ z, x: [-1, 1], y: [-1, 1] }).shortestPath([-0.9, -0.3], [0.8, 0.4], { start });
+      assert.equal(path.status, 'stalled', z);
+      assert.ok(path.lengthError > 0.1 * path.length && path.lengthError <= path.length, `${z}: ${path.length} ± ${path.lengthError}`);
+    }
+});

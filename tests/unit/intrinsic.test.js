@@ -172,6 +172,42 @@ test('with a density: as E, F and G with it', () => {
   assert.ok(count >= 5, `${count} converged`);
 });
 
+test('through a coin of 1:100: no chord of the body, but a path around its rim, with its error', () => {
+  const surface = surfpath.parametric({ x: 'cos(u)*cos(v)', y: 'sin(u)*cos(v)', z: 'sin(v)/100', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  for (const start of /** @type {const} */ (['global', 'straight'])) {
+    const path = surface.shortestPath([0, Math.acos(0.3)], [Math.atan2(0.2, -0.3), -Math.acos(Math.hypot(0.2, 0.3))], { start });
+    assert.ok(['converged', 'tolerance-not-met'].includes(path.status), path.status);
+    /* Of a plate, the way from (0.3, 0) by the best point of the rim to (-0.3, 0.2). */
+    const flat = Math.min(
+      ...Array.from({ length: 6000 }, (_, i) => {
+        const [x, y] = [Math.cos(i / 900), Math.sin(i / 900)];
+        return Math.hypot(x - 0.3, y) + Math.hypot(x + 0.3, y - 0.2);
+      }),
+    );
+    assert.ok(path.length > flat && path.length < flat + 2e-3, `${start}: ${path.length}, of a plate ${flat}`);
+    assert.ok(path.lengthError < 1e-5, `${path.lengthError}`);
+  }
+});
+
+test('over a strip folded many times: as unfolded, whatever chords stall on', () => {
+  const surface = surfpath.parametric({ x: 'u/50 + 0.5sin(u)', y: '0.02cos(u)', z: 'v', u: [0, 40], v: [-1, 1] });
+  const between = (/** @type {number} */ from, /** @type {number} */ to) => {
+    const step = (to - from) / 20000;
+    let sum = 0;
+    for (let i = 0; i < 20000; i++) {
+      const u = from + (i + 0.5) * step;
+      sum += step * Math.hypot(0.02 + 0.5 * Math.cos(u), 0.02 * Math.sin(u));
+    }
+    return sum;
+  };
+  for (const [from, to] of randomPairs(surface, 86, 8)) {
+    const path = surface.shortestPath(from, to);
+    const truth = Math.hypot(between(from[0], to[0]), to[1] - from[1]);
+    assert.notEqual(path.status, 'stalled', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length / truth - 1) < 1e-5, `${from} to ${to}: ${path.length}, not ${truth}`);
+  }
+});
+
 test('who allows few steps learns where they end', () => {
   const surface = surfpath.parametric(PINCHED[1].surface);
   const [from, to] = [

@@ -131,6 +131,36 @@ describe('a double cone', () => {
   });
 });
 
+describe('where f is a square, or a higher power, there is no normal', () => {
+  for (const f of ['(x^2+y^2+z^2-1)^2', '(x^2+y^2+z^2-1)^3', '1e9*(x^2+y^2+z^2-1)^4'])
+    for (const bounds of [undefined, within(1.5)])
+      test(`${f}, ${bounds ? 'within' : 'without'} bounds`, () => {
+        const surface = surfpath.implicit({ f, bounds });
+        const start = /** @type {const} */ ('straight');
+        for (const options of [undefined, { start }, { algorithm: /** @type {const} */ ('polyline') }])
+          for (const from of [
+            [1, 0, 0],
+            [0.6, 0.48, 0.64],
+            [1.01, 0, 0],
+          ])
+            assert.equal(surface.shortestPath(from, [0, -0.6, 0.8], options).status, 'singular-metric', `${from}`);
+        assert.equal(surface.trace([1, 0, 0], [0, 1, 0], 1).status, 'singular-metric');
+      });
+
+  test('but not on the middle of a heart, in an edge or a pinch point: there paths end', () => {
+    const heart = '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3';
+    for (const [f, from, to] of /** @type {[string, number[], number[]][]} */ ([
+      [heart, [1, 0, 0], [-1, 0, 0]],
+      [heart, [0, -2 / 3, 0], [-1, 0, 0]],
+      ['z^2 - x^3', [0, 0.5, 0], [1, 0, 1]],
+      ['x^2 - y^2*z', [0, 0, 0], [1, 1, 1]],
+      ['x^2 + y^2 - z^3', [0, 0, 0], [1, 0, 1]],
+      ['x*y*z', [0, 0, 0], [1, 0, 1]],
+    ]))
+      assert.equal(surfpath.implicit({ f, bounds: within(2) }).shortestPath(from, to).status, 'converged', `${f}, from ${from}`);
+  });
+});
+
 /** All points with these coordinates, in all orders and with all signs. @param {number[][]} points */
 const turns = (points) =>
   points.flatMap(([x, y, z]) =>

@@ -208,3 +208,30 @@ test('a line, which no second coordinate moves along, has no edges that are poin
   };
   assert.deepEqual(findPoles({ jets, metrics: () => [], tensors: null }, { lower: [0, 0], upper: [1, 1] }), []);
 });
+
+test('past the pole of a metric globe, however near: what the coordinate across leaves is known, and in few steps', () => {
+  for (const edge of [0, -Math.PI / 2, 1000]) {
+    const globe = surfpath.metric({
+      E: 'sin(v - p)^2',
+      F: 0,
+      G: 1,
+      u: [0, '2pi'],
+      v: ['p', 'p + 2'],
+      parameters: { p: edge },
+      periodic: { u: true },
+    });
+    for (const height of [1e-2, 1e-4, 1e-6, 1e-8])
+      for (const angle of [Math.PI, 3.1, 2]) {
+        const [a, b] = [edge + height, edge + 1.3 * height];
+        const path = globe.shortestPath([0.5, a], [0.5 + angle, b]);
+        /* Haversines, of the distances as they are rounded. */
+        const [p, q] = [a - edge, b - edge];
+        const squared = Math.sin((p - q) / 2) ** 2 + Math.sin(p) * Math.sin(q) * Math.sin(angle / 2) ** 2;
+        const truth = 2 * Math.asin(Math.sqrt(squared));
+        const what = `${height} from the pole at ${edge}, ${angle} apart: ${path.length}, not ${truth}`;
+        assert.equal(path.status, 'converged', what);
+        assert.ok(Math.abs(path.length - truth) <= path.lengthError + 3e-16 * truth, what);
+        assert.ok(path.iterations <= 30, `${path.iterations} steps`);
+      }
+  }
+});

@@ -30,6 +30,37 @@ test('a landscape with slopes of 2.6: every path converges, to the length that p
   assert.ok(told > 20, `${told} that touch no edge`);
 });
 
+test('across a line where a formula has no derivative, but the surface a tangent plane: as unrolled, seed 3', () => {
+  const random = createRandom(3);
+  const point = () => [random.between(-1, 1), random.between(-1, 1)];
+  /* By Simpson's rule over z, on which x = z^3 depends smoothly. */
+  const along = (/** @type {number} */ x) => {
+    const parts = 2000;
+    const step = Math.cbrt(x) / parts;
+    let sum = 0;
+    for (let i = 0; i <= 2 * parts; i++) sum += (i % (2 * parts) ? 2 + 2 * (i % 2) : 1) * Math.sqrt(1 + 9 * ((i * step) / 2) ** 4);
+    return (sum * step) / 6;
+  };
+  const surface = surfpath.graph({ z: 'cbrt(x)', x: [-1, 1], y: [-1, 1] });
+  for (let i = 0; i < 40; i++) {
+    const [from, to] = [point(), point()];
+    const truth = Math.hypot(along(to[0]) - along(from[0]), to[1] - from[1]);
+    for (const start of /** @type {const} */ (['global', 'straight'])) {
+      const path = surface.shortestPath(from, to, { start });
+      assert.equal(path.status, 'converged', `${from} to ${to}, ${start}`);
+      assert.ok(Math.abs(path.length / truth - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${truth}`);
+    }
+  }
+});
+
+test('where it is torn no path converges across', () => {
+  for (const z of ['atan(1/x)', 'x + floor(2x + 2y)/5']) {
+    const surface = surfpath.graph({ z, x: [-1, 1], y: [-1, 1] });
+    for (const start of /** @type {const} */ (['global', 'straight']))
+      assert.equal(surface.shortestPath([-0.6, -0.32], [0.5, 0.41], { start }).converged, false, `${z}, ${start}`);
+  }
+});
+
 test('a torus whose density has waves: paths that speed up and slow down along them, as long as polylines extrapolate to, seed 3', () => {
   const [x, y] = ['(3 + cos(v))*cos(u)', '(3 + cos(v))*sin(u)'];
   const density = '1.5 + sin(7x)*cos(7y)';
