@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
+import { askAcross, randomCreases, SURFACES } from '../accuracy/measure/creases.js';
 import { askAbout } from '../accuracy/measure/random-pairs.js';
 import { pointSource } from '../bench/pairs.js';
 import { createRandom } from '../helpers/random.js';
@@ -42,4 +43,21 @@ describe(`random pairs, seed ${SEED}`, () => {
       surface.dispose();
     });
   }
+});
+
+describe(`random pairs across creases, seed ${SEED}: as long as unfolded, or as the shortest crossings of circles, or as what bent starts lead to`, () => {
+  /** @param {import('../accuracy/measure/creases.js').Creased} creased @param {ReturnType<typeof createRandom>} random */
+  const check = (creased, random) => {
+    const surface = surfpath.surface(creased.definition);
+    const answers = askAcross(creased, surface, random, PAIRS);
+    const of = (/** @type {string} */ verdict) => answers.filter((answer) => answer.verdict === verdict);
+    assert.deepEqual([...of('wrong'), ...of('longer')], []);
+    assert.ok(of('right').length > PAIRS / 2, `only ${of('right').length} converge`);
+    surface.dispose();
+  };
+  for (const [name, make] of Object.entries(SURFACES)) test(name, () => check(make(), createRandom(SEED)));
+  test('two creases, a wave', () => {
+    const random = createRandom(SEED);
+    for (let k = 0; k < 4; k++) check(randomCreases(random), random);
+  });
 });

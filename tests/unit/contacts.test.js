@@ -96,6 +96,7 @@ test('long strips, from edge to edge: where a path ends on an edge which it leav
     { z: '0.3sin(2x+y)', long: 20, low: 0, high: 5 },
     { z: '0.2sin(x)', density: '1+0.3cos(2x+y)', long: 10, low: 0, high: 4 },
   ];
+  let open = 0;
   for (const { z, density, long, low, high } of strips) {
     const strip = surfpath.graph({ z, density, x: [0, long], y: [low, high] });
     const end = () => [random.between(0, long), random.between(0, 1) < 0.5 ? low : high];
@@ -109,14 +110,17 @@ test('long strips, from edge to edge: where a path ends on an edge which it leav
     for (const [from, to] of pairs) {
       const path = strip.shortestPath(from, to);
       const what = `${z} from ${from} to ${to}: ${path.status} ${path.length}`;
-      assert.ok(path.converged || (path.status === 'tolerance-not-met' && path.lengthError < 0.05 * path.length), what);
+      assert.ok(path.converged || path.status === 'tolerance-not-met', what);
       const chords = strip.shortestPath(from, to, { algorithm: 'polyline', points: 1999, start: path });
-      if (!path.converged || !chords.converged) continue;
-      assert.ok(
-        Math.abs(chords.length + chords.lengthError - path.length) <= 4 * chords.lengthError + 1e-6 * path.length,
-        `${what}, chords ${chords.length}`,
-      );
+      const apart = Math.abs(chords.length + chords.lengthError - path.length);
+      if (!path.converged) {
+        open++;
+        /* Measured: 6e-4 at most, five times what a polyline of 8,000 points says. */
+        assert.ok(chords.converged && path.lengthError < 1e-3 * path.length, what);
+        assert.ok(apart <= path.lengthError + chords.lengthError, `${what} ± ${path.lengthError}, chords ${chords.length}`);
+      } else if (chords.converged) assert.ok(apart <= 4 * chords.lengthError + 1e-6 * path.length, `${what}, chords ${chords.length}`);
     }
     strip.dispose();
   }
+  assert.ok(open <= 4, `${open} of 164 are not solved to the tolerance`);
 });
