@@ -11,6 +11,7 @@ import { isInside, LEG, lengthOf, placesOf, solveAll, solveLeg, span } from './l
 import { placed } from './pieces.js';
 import { isAfter, poseNear, sketch } from './routes.js';
 import { graze, land, survey, writeShore } from './shores.js';
+import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */
@@ -35,12 +36,18 @@ const ROUGH = 0.02;
 const COARSE = 0.12;
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
+/** A path is the straight line in space if it is longer by no more than this part. */
+const STRAIGHT = 1e-9;
+/** A shore is no longer than this many times what was guessed. */
+const LONGER = 2;
+/** Polylines follow creases that are nearer to them than these parts of their length, tried in turn; 0: they follow none. */
+const SHORES = [0.01, 0.04, 0];
 /** Legs that meet a shore are at rest where the sine of their angle is off by so little; differences of it are taken over this part of the shorter leg. */
 const [GRAZING, BALANCE] = [1e-7, 1e-3];
 
 /**
- * The shortest path near a start, or of all that are found; null: no path was found that is one.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null}
+ * The shortest path near a start, or of all that are found, which is `converged` or null; and what no path is shorter than that is: beyond it a shorter way was seen.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {{ path: Path | null, most: number } | null} null: there are no creases
  */
 export function findCreased(field, ends, options, start) {
   const { domain, pieces } = field;
@@ -51,11 +58,11 @@ export function findCreased(field, ends, options, start) {
   if (!sides) return null;
   /* As everywhere: exchanged ends give the same path. */
   const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
-  const path = findFrom(field, sides, isTurned ? [ends[1], ends[0]] : ends, options, start);
-  return path && isTurned ? placed(domain, reverse(path), ends[0]) : path;
+  const { path, most } = findFrom(field, sides, isTurned ? [ends[1], ends[0]] : ends, options, start);
+  return { path: path && isTurned ? placed(domain, reverse(path), ends[0]) : path, most };
 }
 
-/** @param {Field} field @param {Sides} sides @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null} */
+/** @param {Field} field @param {Sides} sides @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start */
 function findFrom(field, sides, ends, options, start) {
   const question = { field, sides, ends, budget: { steps: MOST_NEWTON } };
   /** @type {Route | null} */
@@ -65,34 +72,33 @@ function findFrom(field, sides, ends, options, start) {
   for (const path of paths) {
     if (best && path.length * (1 - ROUGH) > lengthOf(best.legs)) continue;
     const line = path.parameters ?? path.points;
-    const found = follow(question, line, true) ?? follow(question, line, false);
+    const found = SHORES.reduce((/** @type {Route | null} */ known, near) => known ?? follow(question, line, near), null);
     if (found) best = shorter(best, found);
     else missed = Math.min(missed, path.length);
   }
-  const path = best && write(question, best, options);
-  /* A shorter way that could not be followed leaves it open what is the shortest. */
-  const isOpen = path?.converged && Math.min(missed * (1 + ROUGH), distance * (1 + COARSE)) < path.length;
-  if (!path?.converged || !isOpen) return path?.converged ? path : null;
-  const lengthError = Math.max(path.lengthError, path.length - (1 - ROUGH) * Math.min(missed, distance));
-  return { ...path, status: 'stalled', converged: false, lengthError };
+  const path = best && write({ ...question, budget: { steps: MOST_NEWTON } }, best, options);
+  /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
+  const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
+  const most = isUnseen ? gap(ends[0], ends[1]) * (1 + STRAIGHT) : Math.min(missed * (1 + ROUGH), distance * (1 + COARSE));
+  return { path: path?.converged ? path : null, most };
 }
 
 /** @param {Route | null} one @param {Route} other */
 const shorter = (one, other) => (one && lengthOf(one.legs) <= lengthOf(other.legs) ? one : other);
 
-/** The path that a polyline leads to; null: none that holds. @param {Question} question @param {Float64Array} line @param {boolean} shores whether it may follow creases @returns {Route | null} */
-function follow(question, line, shores) {
+/** The path that a polyline leads to; null: none that holds. @param {Question} question @param {Float64Array} line @param {number} near it follows creases that are nearer than this part of its length @returns {Route | null} */
+function follow(question, line, near) {
   const { sides, ends } = question;
   const width = ends[0].length;
-  let route = cut(sides, line, width, { shores });
-  if (shores && !route?.legs.some(({ shore }) => shore)) return null;
+  let route = cut(sides, line, width, { near });
+  if (near && !route?.legs.some(({ shore }) => shore)) return null;
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const fitted = fit(question, route);
     if (!fitted) return null;
     const seen = solveAll(question, fitted, { ...LEG, points: SEEN });
     if (!seen) return null;
     if (seen.every((leg) => leg.shore || stays(sides, leg, width))) return fitted;
-    route = cut(sides, concatenate(seen, width), width, { parts: 1, shores });
+    route = cut(sides, concatenate(seen, width), width, { parts: 1, near });
   }
   return null;
 }
@@ -150,7 +156,9 @@ function balance(question, route) {
   const places = placesOf(question, now.joints);
   const legs = now.legs.map((leg, i) => {
     const surveyed = leg.shore && survey(question, leg, places[i], places[i + 1]);
-    return surveyed ? { ...leg, length: surveyed.length, line: Float64Array.from(surveyed.places.flat()) } : leg;
+    /* Joints that have passed each other are joined the long way round. */
+    const isWay = surveyed && span(surveyed.places.flat(), width) <= LONGER * span(leg.line, width);
+    return isWay ? { ...leg, length: surveyed.length, line: Float64Array.from(surveyed.places.flat()) } : leg;
   });
   return legs.some(({ shore, length }) => shore && !(length > 0)) ? null : { ...now, legs };
 }

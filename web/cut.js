@@ -14,8 +14,8 @@ const [PARTS, MOST_JOINTS] = [4, 12];
 const TOGETHER = 1e-6;
 /** Sides are the same surface where derivatives are, to this part of them. */
 const SAME = 1e-9;
-/** A polyline follows a crease while it is nearer to it than this part of its length, if that is this part of it, or it crosses it twice. */
-const [NEAR, LONG] = [0.01, 0.08];
+/** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
+const LONG = 0.08;
 
 /** What a polyline passes, looked at in parts of its chords. */
 class Survey {
@@ -43,7 +43,7 @@ class Survey {
 
   /** The first sign from a place on; 0: none. @param {number} i @param {number} k */
   signFrom(i, k) {
-    for (; i <= this.last; i++) if (this.signAt(i, k)) return this.signAt(i, k);
+    for (i = Math.ceil(i); i <= this.last; i++) if (this.signAt(i, k)) return this.signAt(i, k);
     return 0;
   }
 
@@ -81,13 +81,13 @@ function divide(line, width, parts) {
 
 /**
  * Cuts a polyline where it crosses creases at which the surface, or what measures length, bends.
- * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, shores?: boolean }} [how] parts of each chord; shores: where it follows a crease that is a leg of its own
+ * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, near?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own
  * @returns {Route | null}
  */
-export function cut(sides, line, width, { parts = PARTS, shores = false } = {}) {
+export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
   const survey = new Survey(sides, line, width, parts);
   const { last, creases } = survey;
-  const runs = shores ? runsOf(survey) : [];
+  const runs = near ? runsOf(survey, near) : [];
   const signs = creases.map((k) => survey.signFrom(0, k) || 1);
   const events = [
     ...crossings(survey, signs).filter(({ at }) => !runs.some(({ from, to }) => at > from - 1 && at < to + 1)),
@@ -158,8 +158,8 @@ function crossings(survey, signs) {
   return events;
 }
 
-/** Where a polyline follows creases, one at a time. @param {Survey} survey @returns {Run[]} */
-function runsOf(survey) {
+/** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @returns {Run[]} */
+function runsOf(survey, near) {
   const { sides, places, width, last, measured } = survey;
   const total = span(places, width);
   /** @type {(Run & { length: number })[]} */
@@ -169,7 +169,7 @@ function runsOf(survey) {
       const from = i;
       while (
         i <= last &&
-        Math.abs(measured[i][crease]) <= NEAR * total * Math.sqrt(survey.slopes(i, crease).reduce((sum, x) => sum + x * x, 0))
+        Math.abs(measured[i][crease]) <= near * total * Math.sqrt(survey.slopes(i, crease).reduce((sum, x) => sum + x * x, 0))
       )
         i++;
       if (i - from < 2) continue;

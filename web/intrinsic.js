@@ -83,6 +83,9 @@ function isWhole(field, { parameters }) {
   return chords <= (1 + TORN) * length;
 }
 
+/** @param {Path} path @param {Path | null | undefined} creased */
+const shorter = (path, creased) => (creased && !(path.converged && path.length < creased.length) ? creased : path);
+
 /**
  * The path between two ends.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start
@@ -90,9 +93,10 @@ function isWhole(field, { parameters }) {
  */
 export function findPath(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
-  if (creased?.converged) return creased;
-  const smooth = findSmooth(field, ends, options, start);
-  return creased && !(smooth.converged && smooth.length < creased.length) ? creased : smooth;
+  const path =
+    creased?.path && creased.path.length <= creased.most ? creased.path : shorter(findSmooth(field, ends, options, start), creased?.path);
+  if (!creased || !path.converged || path.length <= creased.most) return path;
+  return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };
 }
 
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
