@@ -9,6 +9,8 @@ enum { REACH = 2, FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP =
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
+/* A centre is moved to a face of its cell, or beyond by rounding: surfaces may lie in planes of cells. */
+static const double WITHIN = 1 + 1e-9;
 
 /* Cells that share a face, but not a sheet, are joined at this many times their chord: across a crease, but not while there is another way.
  */
@@ -231,7 +233,7 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
                   distance_between(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
         double moved = position[c] - center[c];
-        if (!settled || 2 * moved > cells->width[c] || -2 * moved > cells->width[c]) cells->list[vertex].faces = 0;
+        if (!settled || 2 * moved > WITHIN * cells->width[c] || -2 * moved > WITHIN * cells->width[c]) cells->list[vertex].faces = 0;
         graph->normals[3 * (size_t)vertex + (size_t)c] = (float)(settled ? gradient[c] / length : 0);
         if (!settled) position[c] = center[c];
     }
