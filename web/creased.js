@@ -36,6 +36,8 @@ const ROUGH = 0.02;
 const COARSE = 0.12;
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
+/** The surface is torn where its sides are farther apart than this part of how large coordinates are. */
+const TORN = 1e-9;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 /** A shore is no longer than this many times what was guessed. */
@@ -109,6 +111,7 @@ const concatenate = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i
 /** Moves the joints until the path is shortest; null: that leads nowhere. @param {Question} question @param {Route} route @returns {Route | null} */
 function fit(question, route) {
   const joints = route.joints.map((joint) => ({ ...joint, place: settle(question.sides, joint, joint.place) }));
+  if (joints.some((joint, j) => isTorn(question.sides, joint, route.legs[j + 1]))) return null;
   const legs = solveAll(question, { legs: route.legs, joints });
   let now = legs && { legs, joints };
   if (now?.legs.some(({ shore }) => shore)) return balance(question, now);
@@ -120,6 +123,15 @@ function fit(question, route) {
     now = next.route;
   }
   return now;
+}
+
+/** Whether the sides of a crease are in different places in space: what leads over a step is no path. @param {Sides} sides @param {Joint} joint @param {Leg} next */
+function isTorn(sides, { crease, signs, place }, next) {
+  if (place.length === 3) return false;
+  const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
+  const [[one], [other]] = [sides.on(signs)?.jets(place) ?? [[]], sides.on(beyond)?.jets(place) ?? [[]]];
+  const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));
+  return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
 }
 
 /** How long the free legs beside a joint are in their coordinates, the shorter one. @param {Route} route @param {number} width */
@@ -152,7 +164,7 @@ function balance(question, route) {
     if (!next) return null;
     [now, off] = [next.route, next.off];
   }
-  if (!off) return null;
+  if (!off || !isShortest(question, now, off)) return null;
   const places = placesOf(question, now.joints);
   const legs = now.legs.map((leg, i) => {
     const surveyed = leg.shore && survey(question, leg, places[i], places[i + 1]);
@@ -171,39 +183,15 @@ const largest = (numbers) => Math.max(...numbers.map(Math.abs));
  * @param {Question} question @param {Route} route @param {number[]} off
  */
 function rebalance(question, { legs, joints }, off) {
-  const { sides, ends } = question;
-  const least = leastBeside({ legs, joints }, ends[0].length);
-  const ways = joints.map((joint) => directions(sides, joint, joint.place).along);
-  const moved = (/** @type {number[]} */ by) => {
-    const there = joints.map((joint, j) =>
-      by[j]
-        ? {
-            ...joint,
-            place: settle(
-              sides,
-              joint,
-              joint.place.map((x, i) => x + by[j] * ways[j][i]),
-            ),
-          }
-        : joint,
-    );
-    const isGood = there.every(({ place }) => isInside(question, place));
-    const solved = isGood && solveAll(question, { legs, joints: there });
-    const route = solved ? { legs: solved, joints: there } : null;
-    const offThere = route && offs(question, route);
-    return route && offThere && { route, off: offThere };
-  };
-  /** @type {number[][]} */
-  const columns = [];
-  for (let j = 0; j < joints.length; j++) {
-    const by = BALANCE * least[j];
-    const there = moved(joints.map((_, k) => (k === j ? by : 0))) ?? moved(joints.map((_, k) => (k === j ? -by : 0)));
-    if (!there) return null;
-    const back = there.route.joints[j].place.every((x, i) => (x - joints[j].place[i]) * ways[j][i] <= 0);
-    columns.push(there.off.map((x, k) => (x - off[k]) / (back ? -by : by)));
-  }
+  const least = leastBeside({ legs, joints }, question.ends[0].length);
+  const moved = (/** @type {number[]} */ by) => shift(question, { legs, joints }, by);
+  const differ = (/** @type {number} */ j, /** @type {number} */ by) =>
+    moved(joints.map((_, k) => (k === j ? by : 0)))?.off.map((x, k) => (x - off[k]) / by);
+  /* At an edge of the rectangle there may be nothing on one side. */
+  const columns = joints.map((_, j) => differ(j, BALANCE * least[j]) ?? differ(j, -BALANCE * least[j]));
+  const matrix = joints.map((_, i) => columns.map((column) => column?.[i] ?? Number.NaN));
   const step = solveLinear(
-    joints.map((_, i) => joints.map((_, j) => columns[j][i])),
+    matrix,
     off.map((x) => -x),
   );
   if (!step?.every(Number.isFinite)) return null;
@@ -213,6 +201,35 @@ function rebalance(question, { legs, joints }, off) {
     if (tried && largest(tried.off) < largest(off)) return tried;
   }
   return null;
+}
+
+/** Joints moved along their creases, by so much each, and what is off there; null: legs do not hold. @param {Question} question @param {Route} route @param {number[]} by */
+function shift(question, { legs, joints }, by) {
+  const there = joints.map((joint, j) => {
+    const { along } = directions(question.sides, joint, joint.place);
+    const place = joint.place.map((x, i) => x + by[j] * along[i]);
+    return by[j] ? { ...joint, place: settle(question.sides, joint, place) } : joint;
+  });
+  const isGood = there.every(({ place }) => isInside(question, place));
+  const solved = isGood && solveAll(question, { legs, joints: there });
+  const route = solved ? { legs: solved, joints: there } : null;
+  const off = route && offs(question, route);
+  return route && off && { route, off };
+}
+
+/** Whether joints farther along their shores are met at smaller angles: else the path is longest there. @param {Question} question @param {Route} route @param {number[]} off */
+function isShortest(question, route, off) {
+  const { legs, joints } = route;
+  const least = leastBeside(route, question.ends[0].length);
+  return joints.every((_, j) => {
+    const into = legs[j + 1].shore?.sense ?? -(legs[j].shore?.sense ?? 0);
+    const there = shift(
+      question,
+      route,
+      joints.map((_, k) => (k === j ? into * BALANCE * least[j] : 0)),
+    );
+    return there && there.off[j] >= off[j] - GRAZING;
+  });
 }
 
 /** How far from right the legs meet at each joint, as sines. null: that is not known. @param {Question} question @param {Route} route @returns {number[] | null} */

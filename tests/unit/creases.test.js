@@ -54,6 +54,10 @@ test('a step, where the surface is torn: no path across it converges', () => {
   assert.equal(stairs.shortestPath([0.1, -0.5], [0.4, 0.5]).status, 'converged');
   for (const to of [0.6, -0.2, -0.9]) assert.notEqual(stairs.shortestPath([0.1, -0.5], [to, 0.5]).status, 'converged');
   stairs.dispose();
+  const cliff = surfpath.graph({ z: 'sign(x)', x: [-1, 1], y: [-1, 1] });
+  assert.notEqual(cliff.shortestPath([-0.5, 0.1], [0.5, 0.3]).status, 'converged');
+  assert.equal(cliff.shortestPath([0.1, 0.1], [0.5, 0.3]).status, 'converged');
+  cliff.dispose();
 });
 
 test('the error of a polyline that crosses a crease is not that of a smooth one', () => {
