@@ -111,7 +111,7 @@ const concatenate = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i
 /** Moves the joints until the path is shortest; null: that leads nowhere. @param {Question} question @param {Route} route @returns {Route | null} */
 function fit(question, route) {
   const joints = route.joints.map((joint) => ({ ...joint, place: settle(question.sides, joint, joint.place) }));
-  if (joints.some((joint, j) => isTorn(question.sides, joint, route.legs[j + 1]))) return null;
+  if (joints.some((joint, j) => isTorn(question, joint, route.legs[j + 1]))) return null;
   const legs = solveAll(question, { legs: route.legs, joints });
   let now = legs && { legs, joints };
   if (now?.legs.some(({ shore }) => shore)) return balance(question, now);
@@ -125,9 +125,10 @@ function fit(question, route) {
   return now;
 }
 
-/** Whether the sides of a crease are in different places in space: what leads over a step is no path. @param {Sides} sides @param {Joint} joint @param {Leg} next */
-function isTorn(sides, { crease, signs, place }, next) {
-  if (place.length === 3) return false;
+/** Whether the sides of a crease are in different places in space: what leads over a step is no path. @param {Question} question @param {Joint} joint @param {Leg} next */
+function isTorn({ field, sides }, { crease, signs, place }, next) {
+  /* E, F and G, and a density, may jump. */
+  if (!field.positions) return false;
   const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
   const [[one], [other]] = [sides.on(signs)?.jets(place) ?? [[]], sides.on(beyond)?.jets(place) ?? [[]]];
   const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));

@@ -184,7 +184,7 @@ function runsOf(survey, near) {
         i > last && survey.signAt(last, crease) ? last - lead : i - 1,
       ];
       const signs = survey.creases.map((k) => survey.signFrom(from, k) || 1);
-      const [middle] = [Math.floor((from + i) / 2)];
+      const middle = Math.floor((from + i) / 2);
       const isOther = isBent(
         sides,
         signs,

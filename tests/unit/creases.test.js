@@ -187,6 +187,18 @@ test('a density that jumps: paths are refracted by the law of Snell, or follow t
   halves.dispose();
 });
 
+test('E, F and G may jump, positions may not: a metric is refracted as a density is', () => {
+  const density = surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1], density: '2 + sign(x)' });
+  const scale = '(2 + sign(u))^2';
+  const metric = surfpath.metric({ E: scale, F: 0, G: scale, u: [-1, 1], v: [-1, 1] });
+  const one = density.shortestPath([-0.6, -0.5], [0.5, 0.7]);
+  const other = metric.shortestPath([-0.6, -0.5], [0.5, 0.7]);
+  assert.deepEqual([one.status, other.status], ['converged', 'converged']);
+  assert.ok(Math.abs(one.length - other.length) <= 1e-9 * one.length, `${one.length} and ${other.length}`);
+  density.dispose();
+  metric.dispose();
+});
+
 test('a lake is walked round: straight to the shore, along it, and straight on; there and back, with the points that were asked for, seed 7', () => {
   const lake = surfpath.graph({ z: 0, x: [-2, 2], y: [-2, 2], density: '3 - 2*sign(x^2 + y^2 - 1)' });
   const random = createRandom(7);
