@@ -18,7 +18,7 @@ const SAME = 1e-9;
 const LONG = 0.08;
 
 /** What a polyline passes, looked at in parts of its chords. */
-class Survey {
+export class Survey {
   /** @param {Sides} sides @param {Float64Array} line @param {number} width @param {number} parts of each chord */
   constructor(sides, line, width, parts) {
     this.sides = sides;
@@ -52,7 +52,7 @@ class Survey {
     let sum = 0;
     for (let i = from; i < to; i++) {
       const [here, next] = [this.placeAt(i), this.placeAt(i + 1)];
-      const { along } = directions(this.sides, { crease, signs }, here);
+      const { along } = directions(this.sides, { crease, signs }, here, this.slopes(i, crease));
       sum += along.reduce((total, x, j) => total + x * (next[j] - here[j]), 0);
     }
     return Math.sign(sum) || 1;
@@ -119,7 +119,7 @@ export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
       if (at === 0) leg.shore = { crease, sense: run.sense, isFold: false };
       if (at === 0 || at === last) continue;
       finish(at, place);
-      route.joints.push({ crease, signs: before, place });
+      route.joints.push({ crease, signs: isEnd ? [...signs] : before, place });
       leg = begin(at, place, isEnd ? null : { crease, sense: run.sense, isFold: false });
       continue;
     }
@@ -177,11 +177,12 @@ function runsOf(survey, near) {
       const length = span(part, width);
       const changes = Array.from({ length: i - 1 - from }, (_, j) => measured[from + j][crease] * measured[from + j + 1][crease] < 0);
       if (length < LONG * total && changes.filter(Boolean).length < 2) continue;
-      /* What begins beside a crease, not on it, comes to it. */
+      /* What begins beside a crease, not on it, comes to it: where it is crossed, or later. */
       const lead = (i - 1 - from) / 8;
+      const [first, final] = [changes.indexOf(true), changes.lastIndexOf(true)];
       const [start, end] = [
-        from === 0 && survey.signAt(0, crease) ? lead : from,
-        i > last && survey.signAt(last, crease) ? last - lead : i - 1,
+        from === 0 && survey.signAt(0, crease) ? (first < 0 ? lead : Math.min(lead, first + 0.5)) : from,
+        i > last && survey.signAt(last, crease) ? (final < 0 ? last - lead : Math.max(last - lead, from + final + 0.5)) : i - 1,
       ];
       const signs = survey.creases.map((k) => survey.signFrom(from, k) || 1);
       const middle = Math.floor((from + i) / 2);
@@ -210,6 +211,10 @@ function dips(before, here, after) {
   return middle >= -0.5 && middle < 0.5 ? roots : [];
 }
 
+/** Whether two sides are the same surface at a place. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
+export const isSame = (sides, before, after, place) =>
+  before.every((sign, k) => sign === after[k]) || isBent(sides, before, after, place) === false;
+
 /** Whether two sides are different surfaces at a place; null: there are too many. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
 function isBent(sides, before, after, place) {
   const [a, b] = [sides.on(before), sides.on(after)];
@@ -219,9 +224,16 @@ function isBent(sides, before, after, place) {
   return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
 }
 
-/** Whether a leg crosses nothing between its ends. @param {Sides} sides @param {Leg} leg @param {number} width */
-export function stays(sides, { line, signs }, width) {
-  const route = cut(sides, line, width, { parts: 1 });
-  const middle = width * Math.floor(line.length / width / 2);
-  return route?.legs.length === 1 && isBent(sides, signs, route.legs[0].signs, Array.from(line.subarray(middle, middle + width))) === false;
+/**
+ * A leg in the parts that lie on one side of all creases each; null: it lies on one side, its own.
+ * @param {Sides} sides @param {Leg} leg @param {number} width @returns {Route | null}
+ */
+export function leavings(sides, leg, width) {
+  const route = cut(sides, leg.line, width, { parts: 1 });
+  const isOwn = (/** @type {Leg} */ { signs, line }) => {
+    const middle = width * Math.floor(line.length / width / 2);
+    return isBent(sides, leg.signs, signs, Array.from(line.subarray(middle, middle + width))) === false;
+  };
+  if (route?.legs.length === 1 && isOwn(route.legs[0])) return null;
+  return route && { ...route, legs: route.legs.map((part) => (isOwn(part) ? { ...part, signs: leg.signs } : part)) };
 }

@@ -112,29 +112,33 @@ export function findGlobal(field, ends, options, most) {
 /**
  * Polylines near where paths between two ends may lead, shortest first: relaxed, if that does not fail; not further than is needed to tell which way they lead.
  * @param {Field} field @param {number[][]} ends @param {import('./pieces.js').Start} start
+ * @param {(lines: ArrayLike<number>[]) => Field['run']} smooth the surface on which they are relaxed, by where they lead
  * @returns {{ paths: Path[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
-export function sketch(field, ends, start) {
+export function sketch(field, ends, start, smooth) {
   const options = { ...ROUGHLY, points: SKETCHED };
   let distance = Infinity;
   /** @type {any[]} */
   let paths;
   if (start === 'global')
     paths = pose(field, ends, (problem) => {
-      const relax = (/** @type {import('./candidates.js').Start} */ { to, start: given }) => {
-        const path = problem.solve(to, given, options);
-        if (path.length >= 0 || !given) return path;
-        const line = Float64Array.from(given);
-        return { ...path, length: Infinity, lengthError: 0, points: line, parameters: problem.domain && line };
-      };
+      const { from, domain } = problem;
+      const path = domain ? null : problem.solve(problem.to, null, options);
       const straight = { to: problem.to, start: null };
-      const path = problem.domain ? null : relax(straight);
       const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
       distance = found?.distance ?? Infinity;
-      return [...(path ? [path] : []), ...(found?.starts ?? []).map(relax)];
+      const starts = [...(path ? [straight] : []), ...(found?.starts ?? [])];
+      const run = smooth(starts.map(({ to, start: given }) => given ?? [...from, ...to]));
+      return starts.map(({ to, start: given }) => {
+        const rounded = run((heap, record) => heap.solve(record, { kind: field.kind, from, to, start: given }, options));
+        const relaxed = holds({ path: rounded }) ? rounded : problem.solve(to, given, options);
+        if (relaxed.length >= 0 || !given) return relaxed;
+        const line = Float64Array.from(given);
+        return { ...relaxed, length: Infinity, lengthError: 0, points: line, parameters: domain && line };
+      });
     });
   else {
-    const { solve, finish } = poseNear(field, ends, start);
+    const { solve, finish } = poseNear({ ...field, run: smooth([start ?? ends.flat()]) }, ends, start);
     paths = [finish(solve(options))];
   }
   const known = paths.filter(({ length }) => length >= 0).map((path) => ({ path }));

@@ -1,6 +1,6 @@
 /** Legs along creases: a shore that is walked because what lies beyond it is dear, or because the surface bends away from it on both sides. */
 
-import { directions, ground, settle, walk } from './crease.js';
+import { directions, ground, settle, slopeAt, walk } from './crease.js';
 import { joinPaths, thinned } from './join.js';
 import { isInside, LEG, solveLeg } from './legs.js';
 import { poseNear } from './routes.js';
@@ -20,7 +20,7 @@ const [HALVINGS, EXACT] = [5, 1e-11];
 const LEAVES = 1e-9;
 
 /** The length of what is straight between two places on a side; NaN: it does not hold. @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
-const distance = (question, signs, from, to) => near(question, signs, from, to)?.length ?? Number.NaN;
+export const distance = (question, signs, from, to) => near(question, signs, from, to)?.length ?? Number.NaN;
 
 /** @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
 const near = (question, signs, from, to) =>
@@ -52,7 +52,7 @@ export function graze(question, leg, ends, end, beside, step) {
   const { crease, sense, isFold } = /** @type {Shore} */ (beside.shore);
   const on = { crease, signs: leg.signs };
   const place = ends[end];
-  const { along, across } = directions(sides, on, place);
+  const { along, across } = directions(sides, on, place, slopeAt(sides, { crease, signs: beside.signs }, place));
   const t = along.map((x) => (end ? sense : -sense) * x);
   const n = across.map((x) => leg.signs[crease] * x);
   const at = (/** @type {number} */ a, /** @type {number} */ b) => ground(sides, on, shift(shift(place, t, a * step), n, b * step));
@@ -80,7 +80,8 @@ export function survey(question, leg, from, to) {
   const { sides } = question;
   const { crease, sense, isFold } = /** @type {Shore} */ (leg.shore);
   const on = { crease, signs: leg.signs };
-  const places = walk(sides, on, from, to, sense);
+  const edges = walk(sides, on, from, to, sense);
+  const places = edges?.length === 1 ? edges[0].places : null;
   if (!places?.every((place) => isInside(question, place))) return null;
   const bends = isFold ? [leg.signs, leg.signs.map((sign, k) => (k === crease ? -sign : sign))] : [leg.signs];
   if (!bends.every((signs) => places.slice(1).every((place, i) => isBulging(question, { crease, signs }, places[i], place)))) return null;
@@ -117,7 +118,7 @@ const between = (sides, on, from, to, part) =>
         );
 
 /** Whether what is straight between two places on a crease lies beyond it, or on it. @param {Question} question @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to */
-function isBulging(question, { crease, signs }, from, to) {
+export function isBulging(question, { crease, signs }, from, to) {
   const leg = near(question, signs, from, to);
   if (!leg) return false;
   const width = from.length;

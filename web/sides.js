@@ -1,6 +1,6 @@
 /**
- * The sides of a surface: its formulas written for one side of each of their creases, smooth, and beyond these, too. Compiled and installed when somebody asks for them.
- * Knows nothing of paths.
+ * The sides of a surface: its formulas written for one side of each of their creases, smooth, and beyond these, too; and with all creases rounded. Compiled and installed when
+ * somebody asks for them. Knows nothing of paths.
  */
 
 import { compile } from './expression/compile.js';
@@ -23,6 +23,7 @@ import { compileMetric, METRIC, nodesOf } from './metric.js';
  * @typedef {object} Side
  * @property {<T>(call: import('./routes.js').Call<T>) => T} run
  * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
+ * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
  */
 
 /** So many sides are kept: who needs more has a surface of facets. */
@@ -37,16 +38,25 @@ export class Sides {
 
   /** @param {Given} given */
   constructor(given) {
-    const { kind, measure, shape, reference, parameters, solver } = given;
+    const { solver } = given;
     this.#given = given;
     const creases = new Creases();
-    const { module, data, dataBytes } = compile({
+    const { module, data, dataBytes } = this.#compileVanishing(creases, () => {
+      const nodes = [...new Set(creases.nodes)];
+      this.#which = creases.nodes.map((node) => nodes.indexOf(node));
+      this.count = nodes.length;
+      return nodes;
+    });
+    this.#vanishing = solver.install(module, data, dataBytes);
+  }
+
+  /** @param {Creases} creases that take down or choose @param {() => number[]} nodes what vanishes, once formulas are read */
+  #compileVanishing(creases, nodes) {
+    const { kind, measure, shape, reference, parameters, solver } = this.#given;
+    return compile({
       outputs: (formulas) => {
         nodesOf(kind, measure, shape, reference, formulas);
-        const nodes = [...new Set(creases.nodes)];
-        this.#which = creases.nodes.map((node) => nodes.indexOf(node));
-        this.count = nodes.length;
-        return nodes;
+        return nodes();
       },
       names: [],
       variables: shape.variables,
@@ -55,34 +65,51 @@ export class Sides {
       apply: solver.apply,
       creases,
     });
-    this.#vanishing = solver.install(module, data, dataBytes);
   }
 
   /** Of each place, of each crease what vanishes there, then its derivatives by the first variable, and so on. @param {ArrayLike<number>} places */
   measure(places) {
+    return this.#measureBy(this.#vanishing, places);
+  }
+
+  /** @param {Installed} vanishing @param {ArrayLike<number>} places */
+  #measureBy(vanishing, places) {
     const width = SHAPE[this.#given.kind].variables.length;
-    return split(this.#given.solver.evaluate(this.#vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
+    return split(this.#given.solver.evaluate(vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
   }
 
   /** The surface on these sides of its creases; null: there are too many, or there is no room. @param {number[]} signs @returns {Side | null} */
   on(signs) {
-    const key = signs.join();
+    const sides = this.#which.map((crease) => signs[crease]);
+    return this.#find(signs.join(), () => new Creases({ sides }))?.side ?? null;
+  }
+
+  /** The surface with its creases rounded: √(g² + w²) in place of |g|. null: there is no room. @param {number[]} widths w of each crease @returns {Side | null} */
+  rounded(widths) {
+    const { solver, parameters } = this.#given;
+    const first = Object.keys(parameters).length;
+    const found = this.#find('rounded', () => new Creases({ widths: this.#which.map((crease) => first + crease) }));
+    for (const { data } of found?.installed ?? []) solver.heap.writeDoubles(data + 8 * first, widths);
+    return found?.side ?? null;
+  }
+
+  /** @param {string} key @param {() => Creases} creases how its formulas are written */
+  #find(key, creases) {
     if (!this.#known.has(key) && this.#known.size < MOST_SIDES) {
       try {
-        this.#known.set(key, this.#make(signs));
+        this.#known.set(key, this.#make(creases));
       } catch {
         /* No memory: it goes without. */
         return null;
       }
     }
-    return this.#known.get(key)?.side ?? null;
+    return this.#known.get(key) ?? null;
   }
 
-  /** @param {number[]} signs */
-  #make(signs) {
+  /** @param {() => Creases} creases */
+  #make(creases) {
     const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
     const { variables, valueOrder } = SHAPE[kind];
-    const sided = () => new Creases(this.#which.map((crease) => signs[crease]));
     const { outputs, names } = shape;
     const compiled = compile({
       outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
@@ -91,9 +118,9 @@ export class Sides {
       parameters,
       apply: solver.apply,
       valueOrder,
-      creases: sided(),
+      creases: creases(),
     });
-    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, sided());
+    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, creases());
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
     /** @type {Installed[]} */
     const installed = [];
@@ -104,6 +131,16 @@ export class Sides {
       throw error;
     }
     const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
+    /** @type {Installed | null} */
+    let vanishing = null;
+    const vanish = () => {
+      const sided = creases();
+      const { module, data, dataBytes } = this.#compileVanishing(sided, () =>
+        Array.from({ length: this.count }, (_, crease) => sided.nodes[this.#which.indexOf(crease)]),
+      );
+      installed.push(solver.install(module, data, dataBytes));
+      return installed[installed.length - 1];
+    };
     /** @type {Side} */
     const side = {
       run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
@@ -113,6 +150,11 @@ export class Sides {
           split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count),
         );
         return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
+      },
+      measure: (places) => {
+        if (this.count === 1) return this.measure(places);
+        vanishing ??= vanish();
+        return this.#measureBy(vanishing, places);
       },
     };
     return { side, installed };

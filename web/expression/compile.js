@@ -28,7 +28,7 @@ const LARGEST_PARAMETER_COUNT = 64;
 /**
  * @typedef {object} Compiled
  * @property {Uint8Array<ArrayBuffer>} module imports env.memory, env.data (i32 constant, address of the data block, a multiple of 16) and the env.sp_… functions it calls; exports `jet` and `value`
- * @property {Float64Array} data what the data block starts with: parameters in the order of their names, then constants
+ * @property {Float64Array} data what the data block starts with: parameters in the order of their names, the widths of creases, then constants
  * @property {number} dataBytes size of the data block with its scratch, a multiple of 16
  * @property {string[]} parameterNames in the order of `data`
  * @property {Graph} graph
@@ -45,7 +45,7 @@ const LARGEST_PARAMETER_COUNT = 64;
  * @param {Record<string, number>} [options.parameters] named constants, changeable in the data block; they hide the constants pi, e and tau
  * @param {0 | 1} [options.valueOrder] whether `value` stores first derivatives too; default: only if there is one output
  * @param {Apply} options.apply folds elementary functions of constants
- * @param {import('./creases.js').Creases} [options.creases] takes down those of the expressions, or says on which side of them they are wanted
+ * @param {import('./creases.js').Creases} [options.creases] takes down those of the expressions, or says on which side of them they are wanted, or that they are rounded
  * @returns {Compiled}
  * @throws {ExpressionError} for an expression or parameter that cannot be used
  * @throws {TypeError} for an expression that is no string or finite number, a parameter that is no finite number
@@ -60,9 +60,10 @@ export function compile({ outputs, names, variables, parameters = {}, valueOrder
       : outputs.map((source, k) => differentiate(graph, read(source, scope, names[k]), variables.length, 2, [], creases));
   const jet = layOut(jets, 2);
   const value = layOut(jets, valueOrder);
-  const counts = { variableCount: variables.length, parameterCount: parameterNames.length };
+  const widths = new Array(creases?.widthCount ?? 0).fill(0);
+  const counts = { variableCount: variables.length, parameterCount: parameterNames.length + widths.length };
   const { module, constants: numbers, dataBytes } = emit(graph, { jet, value }, counts);
-  const data = Float64Array.from([...parameterNames.map((name) => parameters[name]), ...numbers]);
+  const data = Float64Array.from([...parameterNames.map((name) => parameters[name]), ...widths, ...numbers]);
   return { module, data, dataBytes, parameterNames, graph, jet, value };
 }
 

@@ -1,22 +1,33 @@
-/* Where formulas are not smooth: `abs`, `min`, `max` and `sign` change sides where a difference vanishes. Written for one side of each, a formula is smooth, beyond the crease, too. */
+/* Where formulas are not smooth: `abs`, `min`, `max` and `sign` change sides where a difference vanishes. Written for one side of each, a formula is smooth, beyond the crease,
+ * too; with its creases rounded it is smooth everywhere, and another formula beside them. */
 
 /** @typedef {import('./differentiate.js').Calculus} Calculus */
 /** @typedef {import('./differentiate.js').Jet} Jet */
 /** @typedef {import('./graph.js').Graph} Graph */
 
-/** Takes down where formulas have creases, or writes them for given sides of these. */
+/** @typedef {{ sides: readonly number[] } | { widths: readonly number[] }} Way sides: of each crease, 1 or −1: the sign of what vanishes there; widths: the parameter that tells how widely each is rounded */
+
+/** Takes down where formulas have creases, or writes them for given sides of these, or rounded. */
 export class Creases {
   /** What vanishes on each crease: its node, one for each `abs`, `sign` and pair of `min` or `max`, in the order in which formulas are read. @type {number[]} */ nodes =
     [];
-  #sides;
+  /** @type {readonly number[] | undefined} */ #sides;
+  /** @type {readonly number[] | undefined} */ #widths;
 
-  /** @param {readonly number[] | null} [sides] of each of them, 1 or −1: the sign of what vanishes there; null: formulas stay as they are */
-  constructor(sides = null) {
-    this.#sides = sides;
+  /** @param {Way | null} [way] in which formulas are written; null: as they are */
+  constructor(way = null) {
+    if (way && 'sides' in way) this.#sides = way.sides;
+    if (way && 'widths' in way) this.#widths = way.widths;
+  }
+
+  /** How many parameters the widths are. */
+  get widthCount() {
+    return new Set(this.#widths).size;
   }
 
   /** As {@link Calculus.call}. @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
   call(graph, calculus, name, operands) {
+    if (this.#widths) return this.#round(this.#widths, graph, calculus, name, operands);
     const [a] = operands;
     if (name === 'abs' || name === 'sign') {
       const side = this.#pass(a.value);
@@ -29,6 +40,24 @@ export class Creases {
       const side = this.#pass(graph.subtract(one.value, other.value));
       if (!side) return calculus.call(name, [one, other]);
       return side > 0 === (name === 'max') ? one : other;
+    });
+  }
+
+  /** As {@link call}, with √(g² + w²) for |g|. @param {readonly number[]} widths @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
+  #round(widths, graph, calculus, name, operands) {
+    const size = (/** @type {Jet} */ jet) => {
+      this.nodes.push(jet.value);
+      return calculus.call('hypot', [jet, calculus.constant(graph.parameter(widths[this.nodes.length - 1]))]);
+    };
+    const [a] = operands;
+    if (name === 'abs') return size(a);
+    if (name === 'sign') return calculus.call('divide', [a, size(a)]);
+    if (name !== 'min' && name !== 'max') return calculus.call(name, operands);
+    const half = calculus.constant(graph.constant(0.5));
+    return operands.reduce((one, other) => {
+      const gap = size(calculus.call('subtract', [one, other]));
+      const both = calculus.call(name === 'max' ? 'add' : 'subtract', [calculus.call('add', [one, other]), gap]);
+      return calculus.call('multiply', [half, both]);
     });
   }
 

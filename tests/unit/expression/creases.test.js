@@ -21,7 +21,7 @@ const compiled = (source, creases) => compile({ outputs: [source], names: ['f'],
 
 /** f, f_u, f_v, f_uu, f_uv, f_vv on given sides. @param {string} source @param {number[]} sides @param {number[]} point */
 function onSides(source, sides, point) {
-  const { graph, jet } = compiled(source, new Creases(sides));
+  const { graph, jet } = compiled(source, new Creases({ sides }));
   const values = evaluateGraph(graph, point, [], apply);
   return jet.map((id) => values[id]);
 }

@@ -1,0 +1,159 @@
+/** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
+
+import { directions, settle } from './crease.js';
+import { isInside, LEG, placesOf, solveLeg, span } from './legs.js';
+import { solveLinear } from './linear.js';
+import { withoutPassed } from './parts.js';
+import { distance, graze, survey } from './shores.js';
+
+/** @typedef {import('./legs.js').Joint} Joint */
+/** @typedef {import('./legs.js').Leg} Leg */
+/** @typedef {import('./legs.js').Question} Question */
+/** @typedef {import('./legs.js').Route} Route */
+
+/** Legs are right where sines of their angles, or differences of cosines, are off by so little. */
+const GRAZING = 1e-7;
+/** Differences of lengths are taken over this part of the shorter leg, those of angles over the second; steps are at most the third. */
+const [DIFFERENCE, BALANCE, FARTHEST] = [1e-4, 1e-3, 0.5];
+/** So often joints are moved, and so often a step halved; joints that have passed each other for so many steps have no shore between them. */
+const [MOST_STEPS, MOST_HALVINGS, MOST_PASSED] = [30, 12, 3];
+
+/** @typedef {{ legs: Leg[], joints: Joint[], off: number[] }} Balanced a path, and how far from right legs meet at each of its joints */
+
+/** Moves joints until nothing is off, if that is to be had. @param {Question} question @param {Route} route @returns {{ route: Route, isAtRest: boolean }} */
+export function rest(question, route) {
+  let now = weigh(question, route);
+  let passed = 0;
+  for (let step = 0; now && step < MOST_STEPS; step++) {
+    route = now;
+    passed = withoutPassed(now, question.ends[0].length) ? passed + 1 : 0;
+    if (largest(now.off) <= GRAZING) return { route, isAtRest: passed === 0 };
+    if (passed === MOST_PASSED) break;
+    now = rebalance(question, now);
+  }
+  return { route, isAtRest: false };
+}
+
+/** Its shores with their lengths; null: one is none. @param {Question} question @param {Route} route @returns {Route | null} */
+export function surveyAll(question, { legs, joints }) {
+  const places = placesOf(question, joints);
+  const surveyed = legs.map((leg, i) => {
+    if (!leg.shore) return leg;
+    const shore = survey(question, leg, places[i], places[i + 1]);
+    return shore && { ...leg, length: shore.length, line: Float64Array.from(shore.places.flat()) };
+  });
+  return surveyed.includes(null) ? null : { legs: /** @type {Leg[]} */ (surveyed), joints };
+}
+
+/** Whether joints farther along their shores are met at smaller angles, and beyond those that are crossed the length rises: else the path is longest there. @param {Question} question @param {Route} route */
+export function isShortest(question, route) {
+  const now = weigh(question, route);
+  const least = leastBeside(route, question.ends[0].length);
+  return (
+    now !== null &&
+    route.joints.every(({ isCorner }, j) => {
+      const into = route.legs[j + 1].shore?.sense ?? -(route.legs[j].shore?.sense ?? -1);
+      const there = isCorner ? now : shift(question, now, only(j, into * BALANCE * least[j], least.length));
+      return there && there.off[j] >= -2 * GRAZING;
+    })
+  );
+}
+
+/** @param {number} j @param {number} x @param {number} count */
+const only = (j, x, count) => Array.from({ length: count }, (_, k) => (k === j ? x : 0));
+
+/** @param {number[]} numbers */
+const largest = (numbers) => Math.max(...numbers.map(Math.abs));
+
+/** How long the free legs beside a joint are in their coordinates, the shorter one. @param {Route} route @param {number} width */
+function leastBeside({ legs, joints }, width) {
+  const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, width)));
+  return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+}
+
+/** One step of Newton towards joints where nothing is off; null: none leads nearer. @param {Question} question @param {Balanced} now @returns {Balanced | null} */
+function rebalance(question, now) {
+  const { joints, off } = now;
+  const least = leastBeside(now, question.ends[0].length);
+  const loose = [...joints.keys()].filter((j) => !joints[j].isCorner);
+  const differ = (/** @type {number} */ j, /** @type {number} */ by) =>
+    shift(question, now, only(j, by, joints.length))?.off.map((x, k) => (x - off[k]) / by);
+  /* At an edge of the rectangle there may be nothing on one side. */
+  const columns = loose.map((j) => differ(j, BALANCE * least[j]) ?? differ(j, -BALANCE * least[j]));
+  const matrix = loose.map((i) => columns.map((column) => column?.[i] ?? Number.NaN));
+  const right = loose.map((i) => -off[i]);
+  const step = solveLinear(matrix, right);
+  if (!step?.every(Number.isFinite)) return null;
+  let factor = Math.min(1, ...step.map((x, k) => (FARTHEST * least[loose[k]]) / Math.abs(x)));
+  for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
+    const by = joints.map((_, j) => (joints[j].isCorner ? 0 : factor * step[loose.indexOf(j)]));
+    const tried = shift(question, now, by);
+    if (tried && largest(tried.off) < largest(off)) return tried;
+  }
+  return null;
+}
+
+/** Joints moved along their creases, by so much each; null: legs do not hold. @param {Question} question @param {Balanced} now @param {number[]} by @returns {Balanced | null} */
+function shift(question, now, by) {
+  const joints = now.joints.map((joint, j) => {
+    if (!by[j]) return joint;
+    const on = edgeAt(now, j);
+    const { along } = directions(question.sides, on, joint.place);
+    const aim = joint.place.map((x, i) => x + by[j] * along[i]);
+    const place = settle(question.sides, on, aim);
+    return { ...joint, place, moved: (joint.moved ?? 0) + Math.sign(by[j]) * span([...joint.place, ...place], place.length) };
+  });
+  if (!joints.every(({ place }) => isInside(question, place))) return null;
+  return weigh(question, { legs: now.legs, joints }, now);
+}
+
+/** The edge of a crease along which a joint moves: that of the shore beside it. @param {Route} route @param {number} j @returns {import('./crease.js').On} */
+function edgeAt({ legs, joints }, j) {
+  const shore = legs[j].shore ? legs[j] : legs[j + 1].shore ? legs[j + 1] : null;
+  return shore ? { crease: joints[j].crease, signs: shore.signs } : joints[j];
+}
+
+/** A path with its legs solved and weighed; null: one does not hold. @param {Question} question @param {Route} route @param {Balanced} [known] but for where joints are others: what is known need not be solved again @returns {Balanced | null} */
+function weigh(question, route, known) {
+  const { joints } = route;
+  const places = placesOf(question, joints);
+  const isNew = (/** @type {number} */ j) => joints[j] !== known?.joints[j];
+  const isOpen = route.legs.map((_, i) => !known || (i > 0 && isNew(i - 1)) || (i < joints.length && isNew(i)));
+  const legs = route.legs.map((leg, i) => (leg.shore || !isOpen[i] ? leg : solveLeg(question, leg, places[i], places[i + 1], LEG)));
+  if (legs.includes(null)) return null;
+  const solved = { legs: /** @type {Leg[]} */ (legs), joints };
+  const least = leastBeside(solved, places[0].length);
+  const off = joints.map((joint, j) => {
+    if (joint.isCorner) return 0;
+    if (known && !isOpen[j] && !isOpen[j + 1]) return known.off[j];
+    return offAt(question, solved, j, DIFFERENCE * least[j]);
+  });
+  return off.every(Number.isFinite) ? { ...solved, off } : null;
+}
+
+/** How far from right the legs meet at a joint, as a sine. @param {Question} question @param {Route} route @param {number} j @param {number} step of differences */
+function offAt(question, { legs, joints }, j, step) {
+  const places = placesOf(question, joints);
+  const [before, after] = [legs[j], legs[j + 1]];
+  if (before.shore) return graze(question, after, [places[j + 1], places[j + 2]], 0, before, step);
+  if (after.shore) return graze(question, before, [places[j], places[j + 1]], 1, after, step);
+  return snell(question, [before, after], places.slice(j, j + 3), joints[j], step);
+}
+
+/**
+ * How far from right two legs meet on a crease that they cross, by Snell's law: what the length changes by along it, over what that measures.
+ * @param {Question} question @param {Leg[]} legs @param {number[][]} places where they begin, meet and end @param {Joint} joint @param {number} step of differences
+ */
+function snell(question, [before, after], [from, place, to], joint, step) {
+  const { along } = directions(question.sides, joint, place);
+  const [back, on] = [-step, step].map((by) =>
+    settle(
+      question.sides,
+      joint,
+      place.map((x, i) => x + by * along[i]),
+    ),
+  );
+  const lengthAt = (/** @type {number[]} */ at) =>
+    (solveLeg(question, before, from, at, LEG)?.length ?? Number.NaN) + (solveLeg(question, after, at, to, LEG)?.length ?? Number.NaN);
+  return (lengthAt(on) - lengthAt(back)) / Math.max(...[before, after].map(({ signs }) => distance(question, signs, back, on)));
+}

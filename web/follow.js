@@ -1,0 +1,68 @@
+/** From a polyline to the path that it leads to, across creases and along them. */
+
+import { isShortest, rest, surveyAll } from './balance.js';
+import { cut } from './cut.js';
+import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
+import { refract } from './refract.js';
+
+/** @typedef {import('./legs.js').Joint} Joint */
+/** @typedef {import('./legs.js').Leg} Leg */
+/** @typedef {import('./legs.js').Question} Question */
+/** @typedef {import('./legs.js').Route} Route */
+
+/** So often what a path is put together from is changed. */
+const MOST_CUTS = 12;
+/** The surface is torn where its sides are farther apart than this part of how large coordinates are. */
+const TORN = 1e-9;
+
+/**
+ * The path that a polyline leads to; null: none that holds.
+ * @param {Question} question @param {Float64Array} line @param {number} near it follows creases that are nearer than this part of its length @returns {Route | null}
+ */
+export function follow(question, line, near) {
+  const width = question.ends[0].length;
+  const first = cut(question.sides, line, width, { near });
+  const pieces = first && landed(question, first);
+  let route = pieces && join(question, pieces);
+  if (!route || route.joints.some((joint, j) => isTorn(question, joint, /** @type {Route} */ (route).legs[j + 1]))) return null;
+  let isAtRest = false;
+  for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
+    const again = recut(question, route, line, isAtRest);
+    if (!again && isAtRest) return finish(question, route);
+    isAtRest = !again;
+    if (again) route = join(question, again);
+    else {
+      const rested = settleJoints(question, route);
+      if (rested.isAtRest) route = rested.route;
+      else {
+        isAtRest = false;
+        const fewer = withoutPassed(rested.route, width) ?? withoutLeast(rested.route, width);
+        route = fewer && join(question, fewer);
+      }
+    }
+  }
+  return null;
+}
+
+/** @param {Route} route */
+const hasShores = ({ legs, joints }) => legs.some(({ shore }) => shore) || joints.some(({ isCorner }) => isCorner);
+
+/** @param {Question} question @param {Route} route @returns {{ route: Route, isAtRest: boolean }} */
+function settleJoints(question, route) {
+  if (hasShores(route)) return rest(question, route);
+  const rested = refract(question, route);
+  return { route: rested ?? route, isAtRest: !!rested };
+}
+
+/** @param {Question} question @param {Route} route at rest @returns {Route | null} */
+const finish = (question, route) => (!hasShores(route) ? route : isShortest(question, route) ? surveyAll(question, route) : null);
+
+/** Whether the sides of a crease are in different places in space: what leads over a step is no path. @param {Question} question @param {Joint} joint @param {Leg} next */
+function isTorn({ field, sides }, { crease, signs, place }, next) {
+  /* E, F and G, and a density, may jump. */
+  if (!field.positions) return false;
+  const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
+  const [[one], [other]] = [sides.on(signs)?.jets(place) ?? [[]], sides.on(beyond)?.jets(place) ?? [[]]];
+  const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));
+  return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
+}

@@ -1,0 +1,18 @@
+/** Small systems of linear equations. */
+
+/** Solves linear equations by elimination, with pivots; null: they have no one solution. @param {number[][]} matrix @param {number[]} right */
+export function solveLinear(matrix, right) {
+  const rows = matrix.map((row, i) => [...row, right[i]]);
+  for (let i = 0; i < rows.length; i++) {
+    let pivot = i;
+    for (let k = i + 1; k < rows.length; k++) if (Math.abs(rows[k][i]) > Math.abs(rows[pivot][i])) pivot = k;
+    [rows[i], rows[pivot]] = [rows[pivot], rows[i]];
+    if (!rows[i][i]) return null;
+    for (let k = 0; k < rows.length; k++) {
+      if (k === i) continue;
+      const factor = rows[k][i] / rows[i][i];
+      for (let j = i; j <= rows.length; j++) rows[k][j] -= factor * rows[i][j];
+    }
+  }
+  return rows.map((row, i) => row[rows.length] / row[i]);
+}

@@ -1,0 +1,114 @@
+/** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
+
+import { directions, settle } from './crease.js';
+import { isInside, LEG, lengthOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+
+/** @typedef {import('./legs.js').Question} Question */
+/** @typedef {import('./legs.js').Route} Route */
+
+/** Differences are taken over this part of the shorter leg; steps are at most this part of it. */
+const [DIFFERENCE, FARTHEST] = [1e-4, 0.5];
+/** So often joints are moved, and so often a step halved. */
+const [MOST_STEPS, MOST_HALVINGS] = [30, 12];
+/** A step that gains less, in parts of the length, is the last. */
+const ENOUGH = 1e-13;
+
+/** Moves the joints until the path is shortest. @param {Question} question @param {Route} route @returns {Route | null} null: that leads nowhere */
+export function refract(question, route) {
+  let now = route;
+  for (let step = 0; route.joints.length > 0 && step < MOST_STEPS; step++) {
+    const next = improve(question, now);
+    if (!next) return null;
+    if (next.isLast) return next.isMinimum ? next.route : null;
+    now = next.route;
+  }
+  return route.joints.length > 0 ? null : route;
+}
+
+/**
+ * One step of Newton for the joints; null: none makes the path shorter.
+ * @param {Question} question @param {Route} route
+ * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
+ */
+function improve(question, { legs, joints }) {
+  const { sides, ends } = question;
+  const spans = legs.map(({ line }) => span(line, ends[0].length));
+  const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+  const ways = joints.map((joint) => directions(sides, joint, joint.place).along);
+  const moved = (/** @type {number} */ j, /** @type {number} */ by) => {
+    const { place } = joints[j];
+    const there = place.map((x, i) => x + by * ways[j][i]);
+    return settle(sides, joints[j], there);
+  };
+  const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
+  const down = descend(matrix, slope);
+  if (!down) return null;
+  const gain = -0.5 * down.step.reduce((sum, x, j) => sum + x * slope[j], 0);
+  const before = lengthOf(legs);
+  let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
+  for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
+    const tried = joints.map((joint, j) => ({ ...joint, place: moved(j, factor * down.step[j]) }));
+    const solved = tried.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs, joints: tried }) : null;
+    if (solved && lengthOf(solved) <= before * (1 + ENOUGH))
+      return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isMinimum: !down.shifted };
+  }
+  return null;
+}
+
+/**
+ * First and second derivatives of the length by where the joints lie on their creases: by differences, of each leg by its own ends.
+ * @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {(j: number, by: number) => number[]} moved a joint's place, moved
+ */
+function differentiate(question, { legs, joints }, least, moved) {
+  const count = joints.length;
+  const places = placesOf(question, joints);
+  /** @type {number[]} */
+  const slope = new Array(count).fill(0);
+  const matrix = slope.map(() => /** @type {number[]} */ (new Array(count).fill(0)));
+  const steps = least.map((length) => DIFFERENCE * length);
+  for (const [i, leg] of legs.entries()) {
+    const placeOf = (/** @type {number} */ j, /** @type {number} */ by) => (by ? moved(j, by * steps[j]) : places[j + 1]);
+    const lengthAt = (/** @type {number} */ from, /** @type {number} */ to) =>
+      solveLeg(question, leg, placeOf(i - 1, from), placeOf(i, to), LEG)?.length ?? Number.NaN;
+    const add = (/** @type {number} */ j, /** @type {number} */ on, /** @type {number} */ back) => {
+      slope[j] += (on - back) / (2 * steps[j]);
+      matrix[j][j] += (on - 2 * leg.length + back) / steps[j] ** 2;
+    };
+    const from = i > 0 ? lengthAt(1, 0) : 0;
+    const to = i < count ? lengthAt(0, 1) : 0;
+    if (i > 0) add(i - 1, from, lengthAt(-1, 0));
+    if (i < count) add(i, to, lengthAt(0, -1));
+    if (i > 0 && i < count) matrix[i - 1][i] = matrix[i][i - 1] = (lengthAt(1, 1) - from - to + leg.length) / (steps[i - 1] * steps[i]);
+  }
+  return { slope, matrix };
+}
+
+/** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */
+function descend(matrix, slope) {
+  const size = Math.max(...matrix.flat().map(Math.abs));
+  if (!(size > 0 && size < Infinity)) return null;
+  for (let shift = 0; shift <= 4 * size; shift = shift ? 4 * shift : 1e-3 * size) {
+    const factor = matrix.map((row) => row.map(() => 0));
+    const isPositive = matrix.every((row, i) => {
+      for (let j = 0; j <= i; j++) {
+        let sum = row[j] + (i === j ? shift : 0);
+        for (let k = 0; k < j; k++) sum -= factor[i][k] * factor[j][k];
+        if (i === j && !(sum > 1e-9 * size)) return false;
+        factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
+      }
+      return true;
+    });
+    if (!isPositive) continue;
+    const step = slope.map((x) => -x);
+    for (let i = 0; i < step.length; i++) {
+      for (let k = 0; k < i; k++) step[i] -= factor[i][k] * step[k];
+      step[i] /= factor[i][i];
+    }
+    for (let i = step.length - 1; i >= 0; i--) {
+      for (let k = i + 1; k < step.length; k++) step[i] -= factor[k][i] * step[k];
+      step[i] /= factor[i][i];
+    }
+    return { step, shifted: shift > 0 };
+  }
+  return null;
+}
