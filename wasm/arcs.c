@@ -58,28 +58,44 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
 }
 
 /* With c across and t along the edge, L = int sqrt(E c'^2 + 2 F c' + G) dt changes by int (G_c / (2 sqrt G) - (F / sqrt G)_t) dc dt, which
- * is the edge's curvature in the surface times sqrt(EG - F^2). */
-double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]) {
+ * is the edge's curvature in the surface, inwards, times sqrt(EG - F^2). `mixed`: (F / sqrt G)_t. */
+static double curvature_with(const struct sp_surface *surface, const struct sp_arc *arc, double t, double mixed, double *speed) {
     double range = surface->upper[arc->across] - surface->lower[arc->across];
-    double step = (arc->value == surface->lower[arc->across] ? ACROSS : -ACROSS) * range;
+    double step = (arc->value == surface->lower[arc->across] ? ACROSS : -ACROSS) * range, inwards[3];
+    struct beside here = beside_edge(surface, arc, 0, t);
+    for (int32_t i = 1; i <= 2; i++)
+        inwards[i] = root(beside_edge(surface, arc, i * step, t).along);
+    inwards[0] = *speed = root(here.along);
+    double change = (4 * inwards[1] - 3 * inwards[0] - inwards[2]) / (2 * step) - mixed;
+    return (step > 0 ? change : -change) / root(here.along * here.across - here.mixed * here.mixed);
+}
+
+static double mixed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
+    struct beside beside = beside_edge(surface, arc, 0, t);
+    return beside.mixed / root(beside.along);
+}
+
+double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double *across) {
+    struct beside here = beside_edge(surface, arc, 0, t);
+    double by = ACROSS * (surface->upper[arc->across] - surface->lower[arc->across]) * root(here.across / here.along), speed;
+    double mixed = (mixed_at(surface, arc, t + by) - mixed_at(surface, arc, t - by)) / (2 * by);
+    *across = root(here.across);
+    return curvature_with(surface, arc, t, mixed, &speed);
+}
+
+double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]) {
     double by = (arc->ends[1] - arc->ends[0]) / STRETCHES, most = 0, turn = 0, length = 0, from = 0;
-    struct beside last = beside_edge(surface, arc, 0, arc->ends[0]);
+    double last = mixed_at(surface, arc, arc->ends[0]);
     for (int32_t k = 0; k < STRETCHES; k++) {
-        double t = arc->ends[0] + by * (k + 0.5), inwards[3];
-        struct beside next = beside_edge(surface, arc, 0, t + 0.5 * by), here = beside_edge(surface, arc, 0, t);
-        for (int32_t i = 1; i <= 2; i++)
-            inwards[i] = root(beside_edge(surface, arc, i * step, t).along);
-        inwards[0] = root(here.along);
-        double change = (4 * inwards[1] - 3 * inwards[0] - inwards[2]) / (2 * step);
-        change -= (next.mixed / root(next.along) - last.mixed / root(last.along)) / by;
-        double curvature = (step > 0 ? change : -change) / root(here.along * here.across - here.mixed * here.mixed);
+        double t = arc->ends[0] + by * (k + 0.5), next = mixed_at(surface, arc, t + 0.5 * by), speed;
+        double curvature = curvature_with(surface, arc, t, (next - last) / by, &speed);
         last = next;
         if (!(curvature < 0)) {
             turn = length = 0;
             continue;
         }
         if (length == 0) from = t - 0.5 * by;
-        length += inwards[0] * absolute(by), turn += curvature * inwards[0] * absolute(by);
+        length += speed * absolute(by), turn += curvature * speed * absolute(by);
         double gain = turn * turn * length / 24;
         if (gain > most) most = gain, stretch[0] = from, stretch[1] = t + 0.5 * by;
     }

@@ -32,6 +32,10 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
  * / 24. */
 double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]);
 
+/* Curvature of an edge at a place of it, in the surface and in the metric in use: positive where it presses a path onto it. `across`: how
+ * long a unit of the coordinate across it is there. */
+double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double *across);
+
 /* Length of a piece of an edge; NaN if the arena is full. */
 double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena);
 

@@ -1,4 +1,4 @@
-/* Contacts with the walls: where a free arc meets an edge it must be tangent to it, sin(angle) = 0, one equation for one unknown.
+/* Contacts with the walls: where a free arc meets an edge it must be tangent to it, an angle of 0, one equation for one unknown.
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
 #include "contact.h"
 #include "metric.h"
@@ -6,8 +6,15 @@
 #include "scalar.h"
 #include <string.h>
 
-static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
-enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */, SPLITS = 4 };
+static const double DIFFERENCE = 2e-4, RADIAN = 1, BEHIND = 0.5, LEAST_SLANT = 3e-9, LARGEST_SLANT = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
+enum {
+    CONTACT_NODES = 64,
+    CONTACT_ROUNDS = 30,
+    FALLBACK_CHORDS = 256,
+    KEPT = 4 /* one in so many steps, for these */,
+    SPLITS = 4,
+    PATIENCE = 24
+};
 /* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
 static const double BEYOND = 1e-12;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
@@ -25,83 +32,114 @@ int sp_contact_leaves(const struct sp_system *system) {
     return sp_runs_between(system, BEYOND, runs) > 0;
 }
 
-/* Sine of the angle between the path and the edge at both ends: from the force p that holds the end node, which is accurate to the order
- * of the length; across the edge over all of it, (g^-1 p)^c / sqrt(p'g^-1 p g^cc). */
-static void contact_sines(const struct sp_newton *newton, struct sp_piece *piece) {
+/* How much the path slants at both ends against the way along the edge, by twice the tangent of half the angle, which has no other zero
+ * where the path turns back: from the force p that holds the end node, which is accurate to the order of the length; across the edge over
+ * all of it the sine is (g^-1 p)^c / sqrt(p'g^-1 p g^cc), the cosine p_t / sqrt(p'g^-1 p g_tt). */
+static void contact_slants(const struct sp_newton *newton, struct sp_piece *piece) {
     const struct sp_polyline *line = &newton->system.line;
     struct sp_form form = sp_metric_form(line->kind->components, line->nodes.charts, line->nodes.metrics);
     sp_pair p[2];
     sp_system_end_pull(&newton->system, p);
     sp_pair squared = form.g * p[0] * p[0] - 2.0 * form.f * p[0] * p[1] + form.e * p[1] * p[1];
+    sp_pair area = sp_square_root(form.e * form.g - form.f * form.f);
     for (int end = 0; end < 2; end++) {
-        int32_t across = piece->joint[end].across;
-        double along = (across ? form.e : form.g)[end];
+        const struct sp_joint *joint = piece->joint + end;
+        int32_t across = joint->across;
+        double along = (across ? form.e : form.g)[end], whole = root(squared[end] * along);
+        double onwards = (end ? joint->towards : -joint->towards) * area[end] * p[1 - across][end];
         piece->speed[end] = root(along);
-        piece->sine[end] =
-            piece->joint[end].slides ? (along * p[across][end] - form.f[end] * p[1 - across][end]) / root(squared[end] * along) : 0;
+        piece->slant[end] = joint->slides ? 2 * (along * p[across][end] - form.f[end] * p[1 - across][end]) / (whole + onwards) : 0;
     }
 }
 
 /* Solves a piece, keeps it, and measures its angles. */
 static int solve_piece(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
                        struct sp_arena *arena) {
-    if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
-    contact_sines(newton, piece);
+    if (!sp_piece_solve(newton, options, checked, piece, arena) || piece->solved.outcome.active) return 0;
+    contact_slants(newton, piece);
     sp_piece_keep(newton, piece);
     return 1;
 }
 
-static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
-
-/* The most that an end may slide in one step. */
-static double reach_of(const struct sp_piece *piece, int end) {
-    double reach = piece->joint[end].reach;
-    return reach > 0 ? reach : 0.5 * piece->solved.length / piece->speed[end];
+/* The piece with its ends moved: few steps lead there, if any do. */
+static int solve_moved(struct sp_newton *newton, const struct sp_options *options, struct sp_piece *piece, struct sp_arena *arena) {
+    int32_t kept = newton->steps_left > PATIENCE ? newton->steps_left - PATIENCE : 0;
+    newton->steps_left -= kept;
+    int solved = solve_piece(newton, options, 0, piece, arena);
+    newton->steps_left += kept;
+    return solved;
 }
 
-/* Derivatives of both sines with respect to the sliding ends, by differences. */
-static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
+static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
+
+/* The most that an end may slide in one step: half of the arc, and no more than what the edge turns by a radian on; a metric that is small
+ * on the edge may bend it much within little of the arc. */
+static double reach_of(const struct sp_surface *surface, const struct sp_piece *piece, int end) {
+    const struct sp_joint *joint = piece->joint + end;
+    if (joint->reach > 0) return joint->reach;
+    struct sp_arc edge = {.across = joint->across, .value = joint->place[joint->across]};
+    double across, half = 0.5 * piece->solved.length;
+    double curvature = sp_arcs_edge_curvature(surface, &edge, joint->place[1 - joint->across], &across);
+    return (curvature * half > RADIAN ? RADIAN / curvature : half) / piece->speed[end];
+}
+
+/* Derivatives of both slants with respect to the sliding ends, by differences. */
+static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece, const double reach[2],
                             struct sp_arena *arena, double jacobian[2][2]) {
-    double step[2];
-    for (int end = 0; end < 2; end++)
-        step[end] = DIFFERENCE * reach_of(piece, end);
     for (int end = 0; end < 2; end++) {
         jacobian[0][end] = 0, jacobian[1][end] = end == 1;
         if (end == 0) jacobian[0][0] = 1;
         if (!piece->joint[end].slides) continue;
         struct sp_piece moved = *piece;
-        *slide(&moved, end) += step[end];
-        if (!solve_piece(newton, options, 0, &moved, arena)) return 0;
+        double step = DIFFERENCE * reach[end];
+        *slide(&moved, end) += step;
+        if (!solve_moved(newton, options, &moved, arena)) return 0;
         for (int i = 0; i < 2; i++)
-            if (piece->joint[i].slides) jacobian[i][end] = (moved.sine[i] - piece->sine[i]) / step[end];
+            if (piece->joint[i].slides) jacobian[i][end] = (moved.slant[i] - piece->slant[i]) / step;
     }
     return 1;
 }
 
-/* Newton; first on the few elements of a rough solve, where most of the way is gone. */
-static int fit(struct sp_newton *newton, const struct sp_options *options, int wanted, struct sp_piece *piece, struct sp_arena *arena) {
-    double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
-    if (enough < LEAST_SINE) enough = LEAST_SINE;
+/* Newton's step of the ends that slide, each no farther than its reach. Returns 0 where there is none. */
+static int contact_step(struct sp_newton *newton, const struct sp_options *options, const struct sp_surface *walled,
+                        const struct sp_piece *piece, struct sp_arena *arena, double move[2]) {
+    double jacobian[2][2], reach[2];
+    const double *slant = piece->slant;
+    for (int end = 0; end < 2; end++)
+        reach[end] = piece->joint[end].slides ? reach_of(walled, piece, end) : 0;
+    if (!contact_jacobian(newton, options, piece, reach, arena, jacobian)) return 0;
+    double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+    move[0] = -(jacobian[1][1] * slant[0] - jacobian[0][1] * slant[1]) / determinant;
+    move[1] = -(jacobian[0][0] * slant[1] - jacobian[1][0] * slant[0]) / determinant;
+    for (int end = 0; end < 2; end++) {
+        if (!(move[end] - move[end] == 0)) return 0;
+        move[end] = move[end] > reach[end] ? reach[end] : move[end] < -reach[end] ? -reach[end] : move[end];
+    }
+    return 1;
+}
+
+/* Newton; first on the few elements of a rough solve, where most of the way is gone. A step to where no path leads is halved. */
+static int fit(struct sp_newton *newton, const struct sp_surface *walled, const struct sp_options *options, int wanted,
+               struct sp_piece *piece, struct sp_arena *arena) {
+    double enough = smaller(LARGEST_SLANT, 0.1 * root(options->tolerance)), move[2] = {0, 0};
+    if (enough < LEAST_SLANT) enough = LEAST_SLANT;
     struct sp_options now = *options;
     if (now.tolerance < ROUGHLY) now.tolerance = ROUGHLY;
     for (int round = 0, checked = 0; round < CONTACT_ROUNDS; round++) {
-        if (!solve_piece(newton, &now, checked, piece, arena)) return 0;
-        now.tolerance = options->tolerance;
-        int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
-        if (fits && (checked || !wanted)) return 1;
-        checked = fits;
-        if (fits) continue;
-        double jacobian[2][2];
-        if (!contact_jacobian(newton, options, piece, arena, jacobian)) return 0;
-        double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-        double move[2] = {-(jacobian[1][1] * piece->sine[0] - jacobian[0][1] * piece->sine[1]) / determinant,
-                          -(jacobian[0][0] * piece->sine[1] - jacobian[1][0] * piece->sine[0]) / determinant};
-        for (int end = 0; end < 2; end++) {
-            double most = reach_of(piece, end);
-            if (!piece->joint[end].slides) continue;
-            if (!(move[end] - move[end] == 0)) return 0;
-            *slide(piece, end) += move[end] > most ? most : move[end] < -most ? -most : move[end];
-        }
+        int moved = round > 0 && !checked;
+        if (moved ? solve_moved(newton, options, piece, arena) : solve_piece(newton, &now, checked, piece, arena)) {
+            now.tolerance = options->tolerance;
+            int fits = absolute(piece->slant[0]) <= enough && absolute(piece->slant[1]) <= enough;
+            if (fits && (checked || !wanted)) return 1;
+            checked = fits;
+            if (fits) continue;
+            if (!contact_step(newton, options, walled, piece, arena, move)) return 0;
+            *slide(piece, 0) += move[0], *slide(piece, 1) += move[1];
+        } else if (moved) {
+            move[0] *= 0.5, move[1] *= 0.5;
+            *slide(piece, 0) -= move[0], *slide(piece, 1) -= move[1];
+        } else
+            return 0;
     }
     return 0;
 }
@@ -140,6 +178,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
             end.place[1 - run->across] = run->along[0];
+            end.towards = run->beside[1] < run->beside[0] ? -1 : 1;
         }
         if (to > from && arcs->count < SP_MAX_ARCS) {
             pieces[made++] = (struct sp_piece){.joint = {start, end}, .system = *system, .first = from, .last = to};
@@ -220,14 +259,28 @@ static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_opt
     return chords;
 }
 
+/* Beyond an edge that a path is pressed onto a free arc to it goes no farther than this part of the edge's radius. */
+static void limit(const struct sp_surface *surface, const struct sp_joint *joint, struct sp_surface *open) {
+    int32_t j = joint->across;
+    struct sp_arc edge = {.across = j, .value = joint->place[j]};
+    double across, curvature = sp_arcs_edge_curvature(surface, &edge, joint->place[1 - j], &across), room = BEHIND / (curvature * across);
+    if (!(room > 0)) return;
+    if (edge.value == surface->lower[j])
+        open->lower[j] = edge.value - room;
+    else
+        open->upper[j] = edge.value + room;
+}
+
 int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
                    struct sp_arena *arena) {
     const struct sp_surface *surface = newton->system.line.surface;
     struct sp_surface open = *surface;
     for (int j = 0; j < 2; j++)
         open.lower[j] = -__builtin_inf(), open.upper[j] = __builtin_inf();
+    for (int end = 0; end < 2; end++)
+        if (piece->joint[end].slides) limit(surface, piece->joint + end, &open);
     newton->system.line.surface = &open;
-    int fits = fit(newton, options, checked, piece, arena);
+    int fits = fit(newton, surface, options, checked, piece, arena);
     newton->system.line.surface = piece->system.line.surface = surface;
     return fits && sp_contact_inside(surface, piece);
 }
@@ -237,7 +290,7 @@ static double slopes_of(const struct sp_piece *pieces, int32_t made) {
     double sum = 0;
     for (int32_t i = 0; i < made; i++)
         for (int end = 0; end < 2; end++) {
-            double sine = pieces[i].sine[end], slope = 0.5 * sine * sine * pieces[i].speed[end];
+            double slant = pieces[i].slant[end], slope = 0.5 * slant * slant * pieces[i].speed[end];
             sum += slope * slope;
         }
     return sum;

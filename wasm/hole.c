@@ -97,7 +97,7 @@ static int wind(struct sp_newton *newton, const struct near *near, double wall, 
         contact->arcs.arc[contact->arcs.count++] = (struct sp_arc){.on_edge = 0};
         if (!start_piece(newton, near, i, near->beyond, touching[i], piece, arena)) return 0;
         struct sp_joint *touch = piece->joint + 1 - i;
-        touch->slides = 1, touch->across = across, touch->reach = STEP * absolute(near->rate);
+        touch->slides = 1, touch->across = across, touch->reach = STEP * absolute(near->rate), touch->towards = near->rate < 0 ? -1 : 1;
         touch->place[across] = wall;
         touch->place[1 - across] = near->ends[i][1 - across] + (i ? -near->rate : near->rate) * touching[i];
     }

@@ -124,3 +124,32 @@ test('long strips, from edge to edge: where a path ends on an edge which it leav
   }
   assert.ok(open <= 4, `${open} of 164 are not solved to the tolerance`);
 });
+
+/** From a height down to a wall at the height `least`, under a density of the height: along a catenary. @param {number} least @param {number} height */
+function downTo(least, height) {
+  const far = Math.acosh(height / least);
+  return { along: least * far, length: least ** 2 * (far / 2 + Math.sinh(2 * far) / 4) };
+}
+
+test('a density that is small on a wall: two catenaries, and the wall between them, seed 5', () => {
+  /* The wall has a radius of least² there, where paths are up to 2 long. */
+  const least = 0.01;
+  const film = surfpath.graph({ z: 0, x: [-2, 2], y: [least, 2], density: 'y' });
+  const random = createRandom(5);
+  let touching = 0;
+  for (let i = 0; i < PAIRS; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(-2, 2), random.integer(5) ? random.between(least, 2) : least]);
+    const [a, b] = [downTo(least, from[1]), downTo(least, to[1])];
+    const wall = Math.abs(to[0] - from[0]) - a.along - b.along;
+    if (wall < 0) continue;
+    const length = a.length + b.length + least * wall;
+    const path = film.shortestPath(from, to);
+    const what = `${from} to ${to}: ${path.status}, ${path.length} ± ${path.lengthError}, not ${length}`;
+    assert.ok(path.converged, what);
+    if (path.length < 0.999 * length) continue; // one catenary from end to end
+    touching++;
+    assert.ok(Math.abs(path.length - length) <= 3 * path.lengthError + ROUNDING * length, what);
+  }
+  assert.equal(touching, 33);
+  film.dispose();
+});
