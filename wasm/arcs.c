@@ -75,11 +75,11 @@ static double mixed_at(const struct sp_surface *surface, const struct sp_arc *ar
     return beside.mixed / root(beside.along);
 }
 
-double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double *across) {
+double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double unit[2]) {
     struct beside here = beside_edge(surface, arc, 0, t);
     double by = ACROSS * (surface->upper[arc->across] - surface->lower[arc->across]) * root(here.across / here.along), speed;
     double mixed = (mixed_at(surface, arc, t + by) - mixed_at(surface, arc, t - by)) / (2 * by);
-    *across = root(here.across);
+    unit[0] = root(here.along), unit[1] = root(here.across);
     return curvature_with(surface, arc, t, mixed, &speed);
 }
 
@@ -180,5 +180,5 @@ enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surfac
 double sp_arcs_bytes(void) {
     double pairs = SP_REFINE_INNER / 2 + 3,
            stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
-    return (SP_MAX_ARCS + SPARE) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
+    return (SP_MAX_FREE + SPARE) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

@@ -13,7 +13,8 @@ enum {
     FALLBACK_CHORDS = 256,
     KEPT = 4 /* one in so many steps, for these */,
     SPLITS = 4,
-    PATIENCE = 24
+    PATIENCE = 24,    /* steps of a solve that begins near where it ends */
+    CORNER_CHORDS = 4 /* from edge to edge: as many do not tell where it leaves them */
 };
 /* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
 static const double BEYOND = 1e-12;
@@ -72,14 +73,18 @@ static int solve_moved(struct sp_newton *newton, const struct sp_options *option
 
 static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
 
+/* The curvature of the edge at a contact. `unit`: how long units of the coordinates along and across it are. */
+static double curvature_at(const struct sp_surface *surface, const struct sp_joint *joint, double unit[2]) {
+    struct sp_arc edge = {.across = joint->across, .value = joint->place[joint->across]};
+    return sp_arcs_edge_curvature(surface, &edge, joint->place[1 - joint->across], unit);
+}
+
 /* The most that an end may slide in one step: half of the arc, and no more than what the edge turns by a radian on; a metric that is small
  * on the edge may bend it much within little of the arc. */
 static double reach_of(const struct sp_surface *surface, const struct sp_piece *piece, int end) {
     const struct sp_joint *joint = piece->joint + end;
     if (joint->reach > 0) return joint->reach;
-    struct sp_arc edge = {.across = joint->across, .value = joint->place[joint->across]};
-    double across, half = 0.5 * piece->solved.length;
-    double curvature = sp_arcs_edge_curvature(surface, &edge, joint->place[1 - joint->across], &across);
+    double unit[2], curvature = curvature_at(surface, joint, unit), half = 0.5 * piece->solved.length;
     return (curvature * half > RADIAN ? RADIAN / curvature : half) / piece->speed[end];
 }
 
@@ -155,6 +160,27 @@ int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *p
     return sp_runs_between(&piece->system, INSIDE, dips) == 0;
 }
 
+/* Two edges that meet in a corner: the path leaves each where this would turn by a radian on the way to the corner, about. Returns 0 where
+ * an edge does not press: then no path leads along both. */
+static int cut_corner(const struct sp_surface *surface, struct sp_joint *from, struct sp_joint *to) {
+    struct sp_joint *joints[2] = {from, to};
+    double corner[2], place[2];
+    if (from->across == to->across) return 0;
+    for (int k = 0; k < 2; k++)
+        corner[joints[k]->across] = joints[k]->place[joints[k]->across];
+    for (int k = 0; k < 2; k++) {
+        struct sp_joint there = *joints[k];
+        int32_t along = 1 - there.across;
+        there.place[along] = corner[along];
+        double unit[2], step = RADIAN / (curvature_at(surface, &there, unit) * unit[0]);
+        if (!(step > 0)) return 0;
+        place[along] = corner[along] + (corner[along] == surface->lower[along] ? step : -step);
+    }
+    for (int k = 0; k < 2; k++)
+        joints[k]->place[1 - joints[k]->across] = place[1 - joints[k]->across];
+    return 1;
+}
+
 /* The pieces and edge arcs that the runs cut the path into. Returns how many pieces, or -1. */
 static int32_t cut(const struct sp_system *system, const struct sp_run *runs, int32_t count, struct sp_piece *pieces,
                    struct sp_arcs *arcs) {
@@ -172,14 +198,15 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
             end.place[j] = coordinate(line, last, j);
-        if (r > 0 && r < count && run->first - run[-1].last <= 1 && (run->across != run[-1].across || run->side != run[-1].side))
-            return -1; /* two edges that meet in a corner */
         if (r < count) {
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
             end.place[1 - run->across] = run->along[0];
             end.towards = run->beside[1] < run->beside[0] ? -1 : 1;
         }
+        int turns = r > 0 && r < count && (run->across != run[-1].across || run->side != run[-1].side);
+        int32_t apart = turns ? run->first - run[-1].last : CORNER_CHORDS + 1;
+        if (apart <= CORNER_CHORDS && !cut_corner(line->surface, &start, &end) && apart <= 1) return -1;
         if (to > from && arcs->count < SP_MAX_ARCS) {
             pieces[made++] = (struct sp_piece){.joint = {start, end}, .system = *system, .first = from, .last = to};
             arcs->arc[arcs->count++] = (struct sp_arc){.on_edge = 0};
@@ -262,13 +289,12 @@ static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_opt
 /* Beyond an edge that a path is pressed onto a free arc to it goes no farther than this part of the edge's radius. */
 static void limit(const struct sp_surface *surface, const struct sp_joint *joint, struct sp_surface *open) {
     int32_t j = joint->across;
-    struct sp_arc edge = {.across = j, .value = joint->place[j]};
-    double across, curvature = sp_arcs_edge_curvature(surface, &edge, joint->place[1 - j], &across), room = BEHIND / (curvature * across);
+    double unit[2], room = BEHIND / (curvature_at(surface, joint, unit) * unit[1]);
     if (!(room > 0)) return;
-    if (edge.value == surface->lower[j])
-        open->lower[j] = edge.value - room;
+    if (joint->place[j] == surface->lower[j])
+        open->lower[j] = joint->place[j] - room;
     else
-        open->upper[j] = edge.value + room;
+        open->upper[j] = joint->place[j] + room;
 }
 
 int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,

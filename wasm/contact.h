@@ -6,7 +6,7 @@
 
 /* A path from end to end: its free arcs, and all arcs, in order. */
 struct sp_contact {
-    struct sp_piece pieces[SP_MAX_ARCS];
+    struct sp_piece pieces[SP_MAX_FREE];
     int32_t made; /* pieces; -1: they cannot be cut */
     struct sp_arcs arcs;
 };

@@ -153,3 +153,38 @@ test('a density that is small on a wall: two catenaries, and the wall between th
   assert.equal(touching, 33);
   film.dispose();
 });
+
+for (const least of [0.1, 0.05, 0.04])
+  test(`around a corner, along both of its edges, from ${least} on: z³ makes the plane of it, in which they have one tangent in common`, () => {
+    const land = surfpath.graph({ z: 0, x: [least, 1], y: [least, 1], density: '3(x^2 + y^2)' });
+    const touching = least * (1 + Math.SQRT2);
+    const alongEdge = (/** @type {number} */ far) => 3 * least ** 2 * (far - touching) + far ** 3 - touching ** 3;
+    /* From (x + iy)³ to (y + ix)³, x = least and y where they touch. */
+    const [real, imaginary] = [least ** 3 - 3 * least * touching ** 2, 3 * least ** 2 * touching - touching ** 3];
+    const tangent = Math.SQRT2 * Math.abs(real + imaginary);
+    for (const [up, right] of [
+      [0.9, 0.9],
+      [0.9, 0.4],
+      [0.25, 0.6],
+    ]) {
+      const length = alongEdge(up) + alongEdge(right) + tangent;
+      const path = land.shortestPath([least, up], [right, least]);
+      assert.ok(path.converged && path.touchesBoundary, path.status);
+      assert.ok(Math.abs(path.length - length) <= 3 * path.lengthError + ROUNDING * length, `${path.length}, not ${length}`);
+    }
+    land.dispose();
+  });
+
+test('a strip that winds many times: from one wave to the next paths touch both walls, and each wave adds as much', () => {
+  const wave = (2 * Math.PI) / 3;
+  const strip = surfpath.parametric({ x: 'u', y: 'v + 0.3sin(3u)', z: 0, u: [0, 30], v: [-0.2, 0.2] });
+  const over = (/** @type {number} */ waves) => strip.shortestPath([1, 0.05], [1.3 + waves * wave, -0.1]);
+  const [two, three] = [over(2), over(3)];
+  for (const waves of [4, 5, 7, 9]) {
+    const path = over(waves);
+    const length = two.length + (waves - 2) * (three.length - two.length);
+    assert.ok(path.converged && path.touchesBoundary, `${waves} waves: ${path.status}`);
+    assert.ok(Math.abs(path.length - length) <= 3 * waves * path.lengthError + ROUNDING * length, `${path.length}, not ${length}`);
+  }
+  strip.dispose();
+});
