@@ -5,9 +5,11 @@
 #include "scalar.h"
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
-enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */ };
+enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */, WALK_ROUNDS = 20 };
 /* Step across an edge, in parts of the range, for what its length changes by. */
 static const double ACROSS = 1e-5;
+/* Where points along an edge lie, in parts of what they are apart. */
+static const double ENOUGH = 1e-14;
 
 /* The metric beside an edge, `by` from it: that along it, across it, and between both. */
 struct beside {
@@ -124,15 +126,18 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
     return whole;
 }
 
-/* The coordinate along an edge arc that is `distance` further than `from`. */
+/* The coordinate along an edge arc that is `distance` further than `from`: by Newton, halved where its speed changes too much for that. */
 static double walk_edge(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
                         double distance) {
-    double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from;
+    double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from, short_of = from, beyond = arc->ends[1];
     struct sp_arc rest = *arc;
     rest.ends[0] = from;
-    for (int round = 0; round < 4; round++) {
+    for (int round = 0; round < WALK_ROUNDS; round++) {
         double missing = distance - edge_length(surface, &rest, reference, to);
+        if (round > 0 && absolute(missing) <= ENOUGH * distance) break;
+        *(missing > 0 ? &short_of : &beyond) = to;
         to += direction * missing / edge_speed_at(surface, arc, to);
+        if (!((to - short_of) * (beyond - to) >= 0)) to = 0.5 * (short_of + beyond);
     }
     return to;
 }

@@ -188,3 +188,17 @@ test('a strip that winds many times: from one wave to the next paths touch both 
   }
   strip.dispose();
 });
+
+test('points along an edge on which a density falls to a fiftieth, from a corner on, are as far apart as elsewhere', () => {
+  const land = surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1], density: '2.02 - x^2 - y^2' });
+  const density = (/** @type {number} */ x, /** @type {number} */ y) => 2.02 - x * x - y * y;
+  const { status, length, parameters } = land.shortestPath([-1, -1], [0.47, -0.24], { points: 999 });
+  const places = /** @type {Float64Array} */ (parameters);
+  assert.equal(status, 'converged');
+  for (let i = 2; i < places.length; i += 2) {
+    const [x, y, u, v] = places.subarray(i - 2, i + 2);
+    const step = (Math.hypot(u - x, v - y) * (density(x, y) + 4 * density((x + u) / 2, (y + v) / 2) + density(u, v))) / 6;
+    assert.ok(Math.abs((1000 * step) / length - 1) < 1e-5, `${1000 * step} at ${x}, ${y}, not ${length}`);
+  }
+  land.dispose();
+});
