@@ -129,9 +129,10 @@ describe('sizes and themes', () => {
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
+  const height = () => page.evaluate(() => document.getElementById('view')?.clientHeight);
+
   test('words of any length leave the view as large as it is', async () => {
     await openEntry(page, 'parametricTorus');
-    const height = () => page.evaluate(() => document.getElementById('view')?.clientHeight);
     const before = await height();
     await page.fill('#field-z', 'a*sine(v)');
     await page.waitForSelector('#problem-z:not([hidden])');
@@ -141,6 +142,20 @@ describe('sizes and themes', () => {
     await page.waitForTimeout(300);
     await settled(page);
     assert.equal(await height(), before);
+  });
+
+  test('so do figures', async () => {
+    await openEntry(page, 'parametricTorus');
+    for (const width of [1240, 1000, 940]) {
+      await page.setViewportSize({ width, height: 700 });
+      const heights = new Set();
+      for (const time of ['2 ms', '0.067 ms', '12345 ms']) {
+        await page.$eval('#time', (figure, text) => figure.replaceChildren(text), time);
+        heights.add(await height());
+      }
+      assert.equal(heights.size, 1, `${width}: ${[...heights]}`);
+    }
+    await page.setViewportSize({ width: 1440, height: 900 });
   });
 });
 
