@@ -323,6 +323,7 @@ test('a scale covers nothing of a surface that fills the view', async () => {
 });
 
 test('a context that the browser has taken away and given back is drawn into at once', async () => {
+  await openEntry(page, 'sphere');
   const warm = async () => (await measurePicture(page, await page.locator('canvas').first().screenshot())).warm;
   const before = await warm();
   await page.evaluate(async () => {
