@@ -144,6 +144,17 @@ describe('sizes and themes', () => {
     assert.equal(await height(), before);
   });
 
+  test('long formulas of the gallery are broken into lines, none is cut off', async () => {
+    for (const width of [1440, 1000])
+      for (const name of ['banchoffChmutov', 'metamorphosis', 'printed47', 'threeTori', 'genus2']) {
+        await page.setViewportSize({ width, height: 800 });
+        await openEntry(page, name);
+        const cut = await page.$eval('#typeset', ({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+        assert.ok(cut <= 0, `${name}, ${width}: ${cut} pixels`);
+      }
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
   test('so do figures', async () => {
     await openEntry(page, 'parametricTorus');
     for (const width of [1240, 1000, 940]) {
