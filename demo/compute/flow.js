@@ -1,7 +1,7 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { chooseEnds, describeFar, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { areFar, chooseEnds, describeFar, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -91,14 +91,22 @@ export async function rebuild({ frame, direction }) {
   Object.assign(state, { problem: null, building: true });
   /** @type {Surfaces | null} */ let opened = null;
   /** @type {Solved | null} */ let solved = null;
+  /** Until the path is there between ends that were brought to where they are seen. @type {Promise<void> | null} */ let fetched = null;
   let isSeen = false;
   const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
     if (mine !== builds) return;
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     toLookFrom = direction;
-    if (frame) stage?.frame(middle(), direction);
-    else stage?.refit();
+    if (frame) return stage?.frame(middle(), direction);
+    stage?.refit();
+    // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
+    if (areFar(endPlaces(), state.seen)) {
+      moveEnds(mended(state.seen), true);
+      look(mesh);
+      stage?.refit();
+      fetched = solve(true);
+    }
   };
   try {
     opened = openSurfaces(surfpath, surfaceOf(sketch));
@@ -112,7 +120,7 @@ export async function rebuild({ frame, direction }) {
   if (!isSeen || mine !== builds) return;
   repairEnds();
   if (solved && asked === turn) show(solved, true);
-  else await solve(true);
+  else await (fetched ?? solve(true));
   await fetchEnds();
 }
 
@@ -126,15 +134,15 @@ async function fetchEnds() {
   }
 }
 
-/** The ends of the sketch, put onto the surface that is seen. */
-function mended() {
+/** The ends of the sketch, put onto the surface that is seen. @param {number[][]} [seen] that part of it */
+function mended(seen) {
   const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
-  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends);
+  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends, seen);
 }
 
-/** @param {number[][]} ends */
-function moveEnds(ends) {
-  state.note = describeMoved(state.sketch.ends, ends) ?? state.note;
+/** @param {number[][]} ends @param {boolean} [wereFar] */
+function moveEnds(ends, wereFar) {
+  state.note = describeMoved(state.sketch.ends, ends, wereFar) ?? state.note;
   state.sketch = { ...state.sketch, ends, via: [] };
 }
 

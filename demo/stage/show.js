@@ -68,7 +68,8 @@ function renderCurves(view) {
     path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0 && !moving) : '',
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
-    hidden: curves.paths.length > 0 ? 'Hidden part' : '',
+    // A metric is drawn in the plane, which hides nothing.
+    hidden: curves.paths.length > 0 && sketch.kind !== 'metric' ? 'Hidden part' : '',
     drag: dragged || !path ? '' : sketch.task === 'trace' ? 'Drag A' : 'Drag A and B',
   });
 }
