@@ -2,6 +2,7 @@
  * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
 #include "contact.h"
 #include "metric.h"
+#include "refine_chords.h"
 #include "runs.h"
 #include "scalar.h"
 #include <string.h>

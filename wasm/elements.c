@@ -35,7 +35,7 @@ sp_pair sp_elements_stretch(const struct sp_elements *elements, int32_t e) {
 static struct integral integral_of(const struct sp_elements *elements, int32_t e) {
     const struct sp_reference *plain = &elements->reference;
     const struct sp_graded *graded = &elements->graded;
-    if (e == 0 && (elements->singular[0] || elements->singular[1]))
+    if (e == 0 && sp_elements_graded(elements))
         return (struct integral){sp_elements_stretch(elements, e),
                                  graded->count,
                                  {graded->weight[0], graded->weight[1]},

@@ -24,6 +24,9 @@ struct sp_elements {
     struct sp_row *skeleton; /* m/2 + 1 rows: the nodes between elements */
 };
 
+/* Whether some elements are graded. */
+static inline int sp_elements_graded(const struct sp_elements *elements) { return elements->singular[0] || elements->singular[1]; }
+
 /* Rows of an element's matrix: two a node of p - 1 inner and two border nodes, the right-hand side, and one of zeros, since rows are taken
  * in twos. */
 static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 2); }
