@@ -45,6 +45,10 @@ double sp_elements_border(const struct sp_elements *elements, int32_t e);
 struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                       struct sp_row *rows, sp_mask *straight, sp_mask *held);
 
+/* The matrix of element pair e of H + shift M, its borders' own blocks zero: those are the skeleton's. */
+void sp_elements_fill(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, const struct sp_row *rows,
+                      const sp_mask *held, double shift, sp_pair *matrix);
+
 /* Factors H + shift M: condenses every element and factors the skeleton. */
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,
                                      const sp_mask *held, double shift);
