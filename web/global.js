@@ -8,7 +8,7 @@ import { challenge } from './challenge.js';
 import { distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
-import { overBranches } from './branched.js';
+import { overBranches } from './over-branches.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { emptyPath } from './runtime/result.js';
