@@ -150,11 +150,11 @@ $(NPM): package-lock.json | tools
 # WebAssembly
 
 # What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs arena bridge chord contact contact_fit crossing cusp ends flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample graph_way hole memory mesh mesh_vertices \
+COLD := arcs arena bridge chord contact contact_fit crossing cusp ends flow functions graph graph_attach graph_cells graph_field graph_implicit graph_parametric graph_sample graph_way hole memory mesh mesh_vertices \
     metric newton newton_step normal piece polar pole project refine refine_chords refine_rung refine_spread runs solve start system trace
 $(COLD:%=build/wasm/%.o): HOT := -Os
 # As fast as with -Os, and shorter.
-build/wasm/graph_implicit.o build/wasm/memory.o build/wasm/mesh.o build/wasm/system.o build/wasm/trace.o: HOT := -Oz
+build/wasm/graph_cells.o build/wasm/graph_implicit.o build/wasm/memory.o build/wasm/mesh.o build/wasm/system.o build/wasm/trace.o: HOT := -Oz
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
