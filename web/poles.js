@@ -16,7 +16,6 @@ import { gap } from './vector.js';
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
 /** @typedef {import('./candidates.js').Found} Found */
-/** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./tips.js').Tip} Tip */
