@@ -18,6 +18,10 @@ void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact);
  * wrongly. newton->system then holds its path. `checked`: to the tolerance. Returns 0 where that fails. */
 int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
 
+/* Two edges that meet in a corner: the path leaves each where this would turn by a radian on the way to the corner, about. Returns 0 where
+ * an edge does not press: then no path leads along both. */
+int sp_contact_cut_corner(const struct sp_surface *surface, struct sp_joint *from, struct sp_joint *to);
+
 /* Whether a path of elements leaves the rectangle between its nodes, which do not. */
 int sp_contact_leaves(const struct sp_system *system);
 

@@ -116,7 +116,7 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
     near.side = upper ? -1 : 1, near.middle = wall - near.side * beyond;
     for (int i = 0; i < 2; i++) {
         for (int32_t j = 0; j < 2; j++)
-            near.ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);
+            near.ends[i][j] = sp_polyline_coordinate(&newton->system.line, i ? fold.inner + 1 : 0, j);
         near.far[i] = near.side * (near.ends[i][near.across] - near.middle);
         if (!(near.far[i] > 0)) return refined;
     }

@@ -26,6 +26,9 @@ struct sp_piece {
     double slant[2], speed[2]; /* contacts: against the edge, about the angle; how long a unit of the coordinate along it is */
 };
 
+/* Where a contact stands along its edge. */
+static inline double *sp_piece_slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
+
 /* Solves a piece between its joints as they are, from the path it was last: chords or elements, these with their ends moved. `checked`: to
  * the tolerance; else on the elements it has (if it has any), fast. newton->system then holds the path, which sp_piece_keep makes the
  * piece's own. Returns 0 where that fails, or it touches a wall. */

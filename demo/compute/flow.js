@@ -1,7 +1,8 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { areFar, chooseEnds, describeFar, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { areFar, chooseEnds, describeFar, findBadEnd } from '../state/ends.js';
+import { areInside, areLeftBehind, endPlaces, mended, meshNow, middle, moveEnds, repairEnds, surfaceNow } from './footing.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -134,24 +135,6 @@ async function fetchEnds() {
   }
 }
 
-/** The ends of the sketch, put onto the surface that is seen. @param {number[][]} [seen] that part of it */
-function mended(seen) {
-  const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
-  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends, seen);
-}
-
-/** @param {number[][]} ends @param {boolean} [wereFar] */
-function moveEnds(ends, wereFar) {
-  state.note = describeMoved(state.sketch.ends, ends, wereFar) ?? state.note;
-  state.sketch = { ...state.sketch, ends, via: [] };
-}
-
-/** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
-function areLeftBehind() {
-  const isLost = (/** @type {number[]} */ end) => state.drawn !== null && placeOf(state.drawn, end) === null;
-  return chosenPath()?.status === 'off-surface' || (state.sketch.ends.some(isLost) && meshNow().indices.length > 0);
-}
-
 /** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
 function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
@@ -165,33 +148,6 @@ function adopt(sketch, opened, mesh) {
 /** Shows a mesh in the view. @param {SurfaceMesh} mesh */
 function look(mesh) {
   state.seen = stage?.setSurface(mesh, endPlaces()) ?? [];
-}
-
-const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
-const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
-
-/** Whether all points of a sketch may lie on a surface. @param {Sketch} sketch @param {import('surfpath').Surface} surface */
-const areInside = ({ kind, ends, via }, surface) => !findBadEnd(kind, surface, [...ends, ...via]);
-
-function repairEnds() {
-  const { kind, ends, via } = state.sketch;
-  if (areInside(state.sketch, surfaceNow())) return;
-  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
-  if (findBadEnd(kind, surfaceNow(), ends)) moveEnds(mended());
-  else state.sketch = { ...state.sketch, via: via.filter(inside) };
-}
-
-/** Where the ends are, as far as they are anywhere. */
-const endPlaces = () =>
-  state.sketch.ends.flatMap((end) => {
-    const place = state.drawn && placeOf(state.drawn, end);
-    return place ? [place] : [];
-  });
-
-/** A place to look from: the middle between the ends. */
-function middle() {
-  const [from, to] = endPlaces();
-  return to ? from.map((x, k) => (x + to[k]) / 2) : null;
 }
 
 /** The path, exactly. @param {boolean} animated */

@@ -11,7 +11,6 @@ import { chosenPath, stepsShown, onRender, render, state } from '../state/state.
 import { formatNumber, namePath } from '../panels/words.js';
 
 /** @typedef {import('./scene.js').View} View */
-/** @typedef {import('../state/state.js').State} State */
 
 const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'sky', 'ground', 'via']);
 /** @type {unknown} */ let shadeShown = null;
