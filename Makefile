@@ -28,7 +28,6 @@ CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-co
 # -O2, without what makes code longer but not faster here: unrolled and vectorised loops, inlining, expressions computed ahead on every way.
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -enable-pre=0 -mllvm -enable-gvn-hoist -msimd128 \
     -mbulk-memory -DNDEBUG
-HOT := -mllvm -inline-threshold=5
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
@@ -40,32 +39,15 @@ LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB 
     -Wl,--export-table -Wl,--growable-table
 
 # What each goal needs beyond Node and npm, as probe:package.
-TOOLS := emcc:emscripten wasm-opt:binaryen zopfli:zopfli
-ifneq ($(filter test bench mutants,$(MAKECMDGOALS)),)
-TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev
-endif
-ifneq ($(filter test check format,$(MAKECMDGOALS)),)
-TOOLS += clang-format:clang-format
-endif
-ifneq ($(filter browsers,$(MAKECMDGOALS)),)
-TOOLS += chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
-endif
-ifneq ($(filter tidy valgrind,$(MAKECMDGOALS)),)
-TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind
-endif
-ifneq ($(filter test packages thumbnails coverage,$(MAKECMDGOALS)),)
-TOOLS += chromium:chromium
-endif
-ifneq ($(filter coverage,$(MAKECMDGOALS)),)
-TOOLS += clang:clang llvm-cov:llvm
-endif
-
-ifneq ($(filter test fuzz golden,$(MAKECMDGOALS)),)
-TOOLS += clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev
-endif
-ifneq ($(filter golden,$(MAKECMDGOALS)),)
-TOOLS += gcc:gcc /usr/include/stdio.h:libc6-dev chromium:chromium firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb
-endif
+needs = $(if $(filter $(1),$(MAKECMDGOALS)),$(2))
+TOOLS := emcc:emscripten wasm-opt:binaryen zopfli:zopfli \
+    $(call needs,test bench mutants tidy valgrind golden,gcc:gcc /usr/include/stdio.h:libc6-dev) \
+    $(call needs,test check format,clang-format:clang-format) \
+    $(call needs,test packages thumbnails coverage browsers golden,chromium:chromium) \
+    $(call needs,browsers golden,firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb) \
+    $(call needs,tidy valgrind,cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind) \
+    $(call needs,coverage,llvm-cov:llvm) \
+    $(call needs,test fuzz golden coverage,clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev)
 
 # How long each fuzzer of `make fuzz` runs.
 SECONDS ?= 60
@@ -149,16 +131,18 @@ $(NPM): package-lock.json | tools
 
 # WebAssembly
 
-# What a path meets once, not in every step, is compiled to be small, where that makes it smaller.
-COLD := arcs arena bridge chord contact crossing cusp ends flow functions graph graph_attach graph_field graph_implicit graph_parametric graph_sample graph_way hole memory mesh mesh_vertices \
-    metric newton normal piece polar pole project refine runs solve start system trace
-$(COLD:%=build/wasm/%.o): HOT := -Os
+# What a path meets once is compiled to be small; what every step meets, and what that does not make shorter, with little inlining.
+LEVEL := -Os
+HOT := blocks chart check dop853 elements elements_condense energy functions_constants functions_exponential functions_inverse functions_trigonometric \
+    graph_front graph_search implicit metric_check metric_elements parametric parametric_metric reference sample stride
+$(HOT:%=build/wasm/%.o): LEVEL := -mllvm -inline-threshold=5
 # As fast as with -Os, and shorter.
-build/wasm/graph_implicit.o build/wasm/memory.o build/wasm/mesh.o build/wasm/system.o build/wasm/trace.o: HOT := -Oz
+SMALLEST := graph_cells graph_implicit memory mesh mesh_rim system trace
+$(SMALLEST:%=build/wasm/%.o): LEVEL := -Oz
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
-	@$(EMCC) $(HOT) -c $< -o $@
+	@$(EMCC) $(LEVEL) -c $< -o $@
 
 EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
 BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals

@@ -11,15 +11,16 @@ const [WIDTH, HEIGHT] = [320, 240];
 const QUALITY = 0.8;
 /** The picture that stands in for the first scene, blurred, until that is drawn: it counts among what is loaded. */
 const POSTER = { width: WIDTH / 2, height: HEIGHT / 2, quality: 0.6 };
-/** What is left of the page: the canvas, half as wide again as the picture, with the strip below that the player covers. */
-const BARE = `.panel, .result, .view > :not(canvas) { display: none !important }
-body { grid-template: 1fr / 1fr !important } .stage { display: block !important } .view { position: fixed !important; inset: 0 }
+/** What is left of the page, whatever layout a window so small has: the canvas, half as wide again as the picture, with nothing over it. */
+const BARE = `.panel, .result, .tabs, .view > :not(canvas) { display: none !important }
+body { grid-template: 1fr / 1fr !important } .stage { display: block !important }
+.view { position: fixed !important; inset: 0; padding: 0 !important }
 html, body, .view { background: none !important }`;
 
 const { context, address, close } = await openBrowser([], {
   bypassCSP: true,
   deviceScaleFactor: 2,
-  viewport: { width: 1.5 * WIDTH, height: 1.5 * HEIGHT + 64 },
+  viewport: { width: 1.5 * WIDTH, height: 1.5 * HEIGHT },
 });
 try {
   const { page } = await openPage(context, address);
@@ -31,9 +32,10 @@ try {
     await page.evaluate((hash) => location.replace(hash), `#1.${sketch}`);
     await page.waitForTimeout(100);
     await settled(page);
-    await page.waitForTimeout(name === 'hindered' || name === 'grained' ? 500 : 150);
+    await page.waitForTimeout(150);
+    await page.waitForSelector('html:not([data-measuring])');
     await nextFrame(page);
-    const picture = await page.screenshot({ omitBackground: true, clip: { x: 0, y: 0, width: 1.5 * WIDTH, height: 1.5 * HEIGHT } });
+    const picture = await page.screenshot({ omitBackground: true });
     await writeFile(`${FOLDER}${name}.webp`, await shrink(page, picture));
     if (name === FIRST) await writeFile(`${FOLDER}poster.webp`, await shrink(page, picture, POSTER));
   }

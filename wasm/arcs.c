@@ -5,9 +5,11 @@
 #include "scalar.h"
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
-enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */ };
+enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */, WALK_ROUNDS = 20 };
 /* Step across an edge, in parts of the range, for what its length changes by. */
 static const double ACROSS = 1e-5;
+/* Where points along an edge lie, in parts of what they are apart. */
+static const double ENOUGH = 1e-14;
 
 /* The metric beside an edge, `by` from it: that along it, across it, and between both. */
 struct beside {
@@ -58,28 +60,44 @@ static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, st
 }
 
 /* With c across and t along the edge, L = int sqrt(E c'^2 + 2 F c' + G) dt changes by int (G_c / (2 sqrt G) - (F / sqrt G)_t) dc dt, which
- * is the edge's curvature in the surface times sqrt(EG - F^2). */
-double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]) {
+ * is the edge's curvature in the surface, inwards, times sqrt(EG - F^2). `mixed`: (F / sqrt G)_t. */
+static double curvature_with(const struct sp_surface *surface, const struct sp_arc *arc, double t, double mixed, double *speed) {
     double range = surface->upper[arc->across] - surface->lower[arc->across];
-    double step = (arc->value == surface->lower[arc->across] ? ACROSS : -ACROSS) * range;
+    double step = (arc->value == surface->lower[arc->across] ? ACROSS : -ACROSS) * range, inwards[3];
+    struct beside here = beside_edge(surface, arc, 0, t);
+    for (int32_t i = 1; i <= 2; i++)
+        inwards[i] = root(beside_edge(surface, arc, i * step, t).along);
+    inwards[0] = *speed = root(here.along);
+    double change = (4 * inwards[1] - 3 * inwards[0] - inwards[2]) / (2 * step) - mixed;
+    return (step > 0 ? change : -change) / root(here.along * here.across - here.mixed * here.mixed);
+}
+
+static double mixed_at(const struct sp_surface *surface, const struct sp_arc *arc, double t) {
+    struct beside beside = beside_edge(surface, arc, 0, t);
+    return beside.mixed / root(beside.along);
+}
+
+double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double unit[2]) {
+    struct beside here = beside_edge(surface, arc, 0, t);
+    double by = ACROSS * (surface->upper[arc->across] - surface->lower[arc->across]) * root(here.across / here.along), speed;
+    double mixed = (mixed_at(surface, arc, t + by) - mixed_at(surface, arc, t - by)) / (2 * by);
+    unit[0] = root(here.along), unit[1] = root(here.across);
+    return curvature_with(surface, arc, t, mixed, &speed);
+}
+
+double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]) {
     double by = (arc->ends[1] - arc->ends[0]) / STRETCHES, most = 0, turn = 0, length = 0, from = 0;
-    struct beside last = beside_edge(surface, arc, 0, arc->ends[0]);
+    double last = mixed_at(surface, arc, arc->ends[0]);
     for (int32_t k = 0; k < STRETCHES; k++) {
-        double t = arc->ends[0] + by * (k + 0.5), inwards[3];
-        struct beside next = beside_edge(surface, arc, 0, t + 0.5 * by), here = beside_edge(surface, arc, 0, t);
-        for (int32_t i = 1; i <= 2; i++)
-            inwards[i] = root(beside_edge(surface, arc, i * step, t).along);
-        inwards[0] = root(here.along);
-        double change = (4 * inwards[1] - 3 * inwards[0] - inwards[2]) / (2 * step);
-        change -= (next.mixed / root(next.along) - last.mixed / root(last.along)) / by;
-        double curvature = (step > 0 ? change : -change) / root(here.along * here.across - here.mixed * here.mixed);
+        double t = arc->ends[0] + by * (k + 0.5), next = mixed_at(surface, arc, t + 0.5 * by), speed;
+        double curvature = curvature_with(surface, arc, t, (next - last) / by, &speed);
         last = next;
         if (!(curvature < 0)) {
             turn = length = 0;
             continue;
         }
         if (length == 0) from = t - 0.5 * by;
-        length += inwards[0] * absolute(by), turn += curvature * inwards[0] * absolute(by);
+        length += speed * absolute(by), turn += curvature * speed * absolute(by);
         double gain = turn * turn * length / 24;
         if (gain > most) most = gain, stretch[0] = from, stretch[1] = t + 0.5 * by;
     }
@@ -108,15 +126,18 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
     return whole;
 }
 
-/* The coordinate along an edge arc that is `distance` further than `from`. */
+/* The coordinate along an edge arc that is `distance` further than `from`: by Newton, halved where its speed changes too much for that. */
 static double walk_edge(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
                         double distance) {
-    double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from;
+    double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from, short_of = from, beyond = arc->ends[1];
     struct sp_arc rest = *arc;
     rest.ends[0] = from;
-    for (int round = 0; round < 4; round++) {
+    for (int round = 0; round < WALK_ROUNDS; round++) {
         double missing = distance - edge_length(surface, &rest, reference, to);
+        if (round > 0 && absolute(missing) <= ENOUGH * distance) break;
+        *(missing > 0 ? &short_of : &beyond) = to;
         to += direction * missing / edge_speed_at(surface, arc, to);
+        if (!((to - short_of) * (beyond - to) >= 0)) to = 0.5 * (short_of + beyond);
     }
     return to;
 }
@@ -129,7 +150,7 @@ static void arc_end(const struct sp_arc *arc, int end, double place[3]) {
     }
     const struct sp_polyline *line = &arc->system.line;
     for (int32_t j = 0; j < 2; j++)
-        place[j] = sp_fold_get(line->fold, line->nodes.places, 2, end != arc->reversed ? line->fold.inner + 1 : 0, j);
+        place[j] = sp_polyline_coordinate(line, end != arc->reversed ? line->fold.inner + 1 : 0, j);
 }
 
 enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,
@@ -164,5 +185,5 @@ enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surfac
 double sp_arcs_bytes(void) {
     double pairs = SP_REFINE_INNER / 2 + 3,
            stored = 2 * pairs * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
-    return (SP_MAX_ARCS + SPARE) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
+    return (SP_MAX_FREE + SPARE) * stored + 2 * sp_reference_bytes(EDGE_DEGREE);
 }

@@ -5,7 +5,8 @@
 
 #include "refine.h"
 
-enum { SP_MAX_ARCS = 16 };
+/* An arc along an edge, or a free one; of these only every other is, and the first and the last, where a path touches edges. */
+enum { SP_MAX_ARCS = 40, SP_MAX_FREE = SP_MAX_ARCS / 2 + 1 };
 
 struct sp_arc {
     double length, error;
@@ -31,6 +32,10 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
  * that is most; 0 where it is pressed all along. A curve that turns by an angle over a length is longer than its chord by angle^2 length
  * / 24. */
 double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *arc, double stretch[2]);
+
+/* Curvature of an edge at a place of it, in the surface and in the metric in use: positive where it presses a path onto it. `unit`: how
+ * long a unit of the coordinate along it is there, and one of that across it. */
+double sp_arcs_edge_curvature(const struct sp_surface *surface, const struct sp_arc *arc, double t, double unit[2]);
 
 /* Length of a piece of an edge; NaN if the arena is full. */
 double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena);

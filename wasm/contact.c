@@ -1,14 +1,18 @@
-/* Contacts with the walls: where a free arc meets an edge it must be tangent to it, sin(angle) = 0, one equation for one unknown.
- * (Minimising the length instead would look for a double root.) MATH.md, "Arcs". */
+/* Paths that touch walls: cut where they do, the pieces fitted, joined; or what chords can do. MATH.md, "Arcs". */
 #include "contact.h"
-#include "metric.h"
+#include "refine_chords.h"
 #include "runs.h"
 #include "scalar.h"
 #include <string.h>
 
-static const double DIFFERENCE = 2e-4, LEAST_SINE = 3e-9, LARGEST_SINE = 1e-4, INSIDE = 1e-9, ROUGHLY = 1e-4;
-enum { CONTACT_NODES = 64, CONTACT_ROUNDS = 30, FALLBACK_CHORDS = 256, KEPT = 4 /* one in so many steps, for these */, SPLITS = 4 };
-/* A path that leaves by so much, in parts of the range, touches an edge; one that was fitted to it is only as exact as that, INSIDE. */
+enum {
+    CONTACT_NODES = 64,
+    FALLBACK_CHORDS = 256,
+    KEPT = 4 /* one in so many steps, for these */,
+    SPLITS = 4,
+    CORNER_CHORDS = 4 /* from edge to edge: as many do not tell where it leaves them */
+};
+/* A path that leaves by so much, in parts of the range, touches an edge. */
 static const double BEYOND = 1e-12;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
 static const double ELSEWHERE = 0.04;
@@ -16,105 +20,9 @@ static const double ELSEWHERE = 0.04;
 /* The way that leaves a wall whose curvature is a parabola is sqrt(3) times as wide as where that is negative. */
 static const double WIDER = 0.37;
 
-static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
-    return sp_fold_get(line->fold, line->nodes.places, 2, node, j);
-}
-
 int sp_contact_leaves(const struct sp_system *system) {
     struct sp_run runs[SP_MAX_ARCS];
     return sp_runs_between(system, BEYOND, runs) > 0;
-}
-
-/* Sine of the angle between the path and the edge at both ends: from the force p that holds the end node, which is accurate to the order
- * of the length; across the edge over all of it, (g^-1 p)^c / sqrt(p'g^-1 p g^cc). */
-static void contact_sines(const struct sp_newton *newton, struct sp_piece *piece) {
-    const struct sp_polyline *line = &newton->system.line;
-    struct sp_form form = sp_metric_form(line->kind->components, line->nodes.charts, line->nodes.metrics);
-    sp_pair p[2];
-    sp_system_end_pull(&newton->system, p);
-    sp_pair squared = form.g * p[0] * p[0] - 2.0 * form.f * p[0] * p[1] + form.e * p[1] * p[1];
-    for (int end = 0; end < 2; end++) {
-        int32_t across = piece->joint[end].across;
-        double along = (across ? form.e : form.g)[end];
-        piece->speed[end] = root(along);
-        piece->sine[end] =
-            piece->joint[end].slides ? (along * p[across][end] - form.f[end] * p[1 - across][end]) / root(squared[end] * along) : 0;
-    }
-}
-
-/* Solves a piece, keeps it, and measures its angles. */
-static int solve_piece(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
-                       struct sp_arena *arena) {
-    if (!sp_piece_solve(newton, options, checked, piece, arena)) return 0;
-    contact_sines(newton, piece);
-    sp_piece_keep(newton, piece);
-    return 1;
-}
-
-static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
-
-/* The most that an end may slide in one step. */
-static double reach_of(const struct sp_piece *piece, int end) {
-    double reach = piece->joint[end].reach;
-    return reach > 0 ? reach : 0.5 * piece->solved.length / piece->speed[end];
-}
-
-/* Derivatives of both sines with respect to the sliding ends, by differences. */
-static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece,
-                            struct sp_arena *arena, double jacobian[2][2]) {
-    double step[2];
-    for (int end = 0; end < 2; end++)
-        step[end] = DIFFERENCE * reach_of(piece, end);
-    for (int end = 0; end < 2; end++) {
-        jacobian[0][end] = 0, jacobian[1][end] = end == 1;
-        if (end == 0) jacobian[0][0] = 1;
-        if (!piece->joint[end].slides) continue;
-        struct sp_piece moved = *piece;
-        *slide(&moved, end) += step[end];
-        if (!solve_piece(newton, options, 0, &moved, arena)) return 0;
-        for (int i = 0; i < 2; i++)
-            if (piece->joint[i].slides) jacobian[i][end] = (moved.sine[i] - piece->sine[i]) / step[end];
-    }
-    return 1;
-}
-
-/* Newton; first on the few elements of a rough solve, where most of the way is gone. */
-static int fit(struct sp_newton *newton, const struct sp_options *options, int wanted, struct sp_piece *piece, struct sp_arena *arena) {
-    double enough = smaller(LARGEST_SINE, 0.1 * root(options->tolerance));
-    if (enough < LEAST_SINE) enough = LEAST_SINE;
-    struct sp_options now = *options;
-    if (now.tolerance < ROUGHLY) now.tolerance = ROUGHLY;
-    for (int round = 0, checked = 0; round < CONTACT_ROUNDS; round++) {
-        if (!solve_piece(newton, &now, checked, piece, arena)) return 0;
-        now.tolerance = options->tolerance;
-        int fits = absolute(piece->sine[0]) <= enough && absolute(piece->sine[1]) <= enough;
-        if (fits && (checked || !wanted)) return 1;
-        checked = fits;
-        if (fits) continue;
-        double jacobian[2][2];
-        if (!contact_jacobian(newton, options, piece, arena, jacobian)) return 0;
-        double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-        double move[2] = {-(jacobian[1][1] * piece->sine[0] - jacobian[0][1] * piece->sine[1]) / determinant,
-                          -(jacobian[0][0] * piece->sine[1] - jacobian[1][0] * piece->sine[0]) / determinant};
-        for (int end = 0; end < 2; end++) {
-            double most = reach_of(piece, end);
-            if (!piece->joint[end].slides) continue;
-            if (!(move[end] - move[end] == 0)) return 0;
-            *slide(piece, end) += move[end] > most ? most : move[end] < -most ? -most : move[end];
-        }
-    }
-    return 0;
-}
-
-int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *piece) {
-    const struct sp_polyline *line = &piece->system.line;
-    for (int32_t i = 1; i <= line->fold.inner; i++)
-        for (int32_t j = 0; j < 2; j++) {
-            double x = coordinate(line, i, j), slack = INSIDE * (surface->upper[j] - surface->lower[j]);
-            if (x < surface->lower[j] - slack || x > surface->upper[j] + slack) return 0;
-        }
-    struct sp_run dips[SP_MAX_ARCS];
-    return sp_runs_between(&piece->system, INSIDE, dips) == 0;
 }
 
 /* The pieces and edge arcs that the runs cut the path into. Returns how many pieces, or -1. */
@@ -125,7 +33,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
     double from = 0;
     struct sp_joint start = {0};
     for (int32_t j = 0; j < 2; j++)
-        start.place[j] = coordinate(line, 0, j);
+        start.place[j] = sp_polyline_coordinate(line, 0, j);
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
         const struct sp_run *run = runs + r;
@@ -133,14 +41,16 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
         if (r > 0 && r < count && !(to > from)) return -1; /* no way between them */
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
-            end.place[j] = coordinate(line, last, j);
-        if (r > 0 && r < count && run->first - run[-1].last <= 1 && (run->across != run[-1].across || run->side != run[-1].side))
-            return -1; /* two edges that meet in a corner */
+            end.place[j] = sp_polyline_coordinate(line, last, j);
         if (r < count) {
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
             end.place[1 - run->across] = run->along[0];
+            end.towards = run->beside[1] < run->beside[0] ? -1 : 1;
         }
+        int turns = r > 0 && r < count && (run->across != run[-1].across || run->side != run[-1].side);
+        int32_t apart = turns ? run->first - run[-1].last : CORNER_CHORDS + 1;
+        if (apart <= CORNER_CHORDS && !sp_contact_cut_corner(line->surface, &start, &end) && apart <= 1) return -1;
         if (to > from && arcs->count < SP_MAX_ARCS) {
             pieces[made++] = (struct sp_piece){.joint = {start, end}, .system = *system, .first = from, .last = to};
             arcs->arc[arcs->count++] = (struct sp_arc){.on_edge = 0};
@@ -173,8 +83,8 @@ int sp_contact_assemble(struct sp_contact *contact) {
             continue;
         }
         double direction = arc->ends[1] - arc->ends[0];
-        if (i > 0) arc->ends[0] = *slide(pieces + piece - 1, 1);
-        if (i + 1 < arcs->count) arc->ends[1] = *slide(pieces + piece, 0);
+        if (i > 0) arc->ends[0] = *sp_piece_slide(pieces + piece - 1, 1);
+        if (i + 1 < arcs->count) arc->ends[1] = *sp_piece_slide(pieces + piece, 0);
         if (direction * (arc->ends[1] - arc->ends[0]) < 0) return 0;
     }
     return 1;
@@ -197,7 +107,7 @@ static double chords_astray(const struct sp_polyline *line) {
             int lane = sp_fold_lane(line->fold, i + end);
             double squared = 0, apart = 0, by[2];
             for (int32_t j = 0; j < 2; j++)
-                by[j] = coordinate(line, i + 1, j) - coordinate(line, i, j);
+                by[j] = sp_polyline_coordinate(line, i + 1, j) - sp_polyline_coordinate(line, i, j);
             for (int32_t k = 0; k < 3; k++) {
                 double chord = sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i + 1, k) -
                                sp_fold_get(line->fold, line->nodes.charts, SP_CHART, i, k),
@@ -220,24 +130,12 @@ static struct sp_refined fall_back(struct sp_newton *newton, const struct sp_opt
     return chords;
 }
 
-int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece,
-                   struct sp_arena *arena) {
-    const struct sp_surface *surface = newton->system.line.surface;
-    struct sp_surface open = *surface;
-    for (int j = 0; j < 2; j++)
-        open.lower[j] = -__builtin_inf(), open.upper[j] = __builtin_inf();
-    newton->system.line.surface = &open;
-    int fits = fit(newton, options, checked, piece, arena);
-    newton->system.line.surface = piece->system.line.surface = surface;
-    return fits && sp_contact_inside(surface, piece);
-}
-
 /* Sum of the squared derivatives of the length by the contacts' coordinates: cos - 1 of the angle, times what a unit is long. */
 static double slopes_of(const struct sp_piece *pieces, int32_t made) {
     double sum = 0;
     for (int32_t i = 0; i < made; i++)
         for (int end = 0; end < 2; end++) {
-            double sine = pieces[i].sine[end], slope = 0.5 * sine * sine * pieces[i].speed[end];
+            double slant = pieces[i].slant[end], slope = 0.5 * slant * slant * pieces[i].speed[end];
             sum += slope * slope;
         }
     return sum;

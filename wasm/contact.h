@@ -6,7 +6,7 @@
 
 /* A path from end to end: its free arcs, and all arcs, in order. */
 struct sp_contact {
-    struct sp_piece pieces[SP_MAX_ARCS];
+    struct sp_piece pieces[SP_MAX_FREE];
     int32_t made; /* pieces; -1: they cannot be cut */
     struct sp_arcs arcs;
 };
@@ -17,6 +17,10 @@ void sp_contact_cut(const struct sp_system *system, struct sp_contact *contact);
 /* Slides the contacts of a piece until it is tangent to its edges, on the surface without walls: what leaves the rectangle has been cut
  * wrongly. newton->system then holds its path. `checked`: to the tolerance. Returns 0 where that fails. */
 int sp_contact_fit(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
+
+/* Two edges that meet in a corner: the path leaves each where this would turn by a radian on the way to the corner, about. Returns 0 where
+ * an edge does not press: then no path leads along both. */
+int sp_contact_cut_corner(const struct sp_surface *surface, struct sp_joint *from, struct sp_joint *to);
 
 /* Whether a path of elements leaves the rectangle between its nodes, which do not. */
 int sp_contact_leaves(const struct sp_system *system);

@@ -24,6 +24,9 @@ struct sp_elements {
     struct sp_row *skeleton; /* m/2 + 1 rows: the nodes between elements */
 };
 
+/* Whether some elements are graded. */
+static inline int sp_elements_graded(const struct sp_elements *elements) { return elements->singular[0] || elements->singular[1]; }
+
 /* Rows of an element's matrix: two a node of p - 1 inner and two border nodes, the right-hand side, and one of zeros, since rows are taken
  * in twos. */
 static inline int32_t sp_elements_order(int32_t degree) { return 2 * (degree + 2); }
@@ -41,6 +44,10 @@ double sp_elements_border(const struct sp_elements *elements, int32_t e);
  * a pair. */
 struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                       struct sp_row *rows, sp_mask *straight, sp_mask *held);
+
+/* The matrix of element pair e of H + shift M, its borders' own blocks zero: those are the skeleton's. */
+void sp_elements_fill(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, const struct sp_row *rows,
+                      const sp_mask *held, double shift, sp_pair *matrix);
 
 /* Factors H + shift M: condenses every element and factors the skeleton. */
 struct sp_inertia sp_elements_factor(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_row *rows,

@@ -13,7 +13,7 @@ double sp_ends_continued(const struct sp_system *system, int32_t end, int32_t j)
         double weight = 1;
         for (int32_t k = 1; k <= p; k++)
             if (k != i) weight *= reference->node[k] / (reference->node[k] - reference->node[i]);
-        value += weight * sp_fold_get(system->line.fold, system->line.nodes.places, 2, end ? last - i : i, j);
+        value += weight * sp_polyline_coordinate(&system->line, end ? last - i : i, j);
     }
     return value;
 }

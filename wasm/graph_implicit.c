@@ -1,11 +1,11 @@
-/* The graph of an implicit surface: the cells of a cubic grid in which f changes sign, found by a sweep of a box or by a flood from a
- * point. Centres are moved onto f = 0; what lies within two cells on the same sheet is joined. */
+/* The graph of an implicit surface: centres of cells in which f changes sign, moved onto f = 0; what lies within two cells on the same
+ * sheet is joined. */
 #include "chart.h"
-#include "graph_build.h"
+#include "graph_cells.h"
 #include "scalar.h"
 
-/* The strides of a flood are 2^17/p and 2^17/p^2, p = 1.3247 the plastic number: rows of cells are then spread evenly over the slots. */
-enum { REACH = 2, FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP = 74691 };
+/* Vertices are joined whose cells are so many apart, at most, in each direction. */
+enum { REACH = 2 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
@@ -16,215 +16,19 @@ static const double WITHIN = 1 + 1e-9;
  */
 static const double LOOSE = 2;
 
-/* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
-enum { LEAST_PART = 4 };
-
-struct cell {
-    int32_t at[3];
-    int32_t faces; /* 0 if its vertex lies outside it; else INSIDE, and bit j: the surface passes the lower face across axis j */
-};
-
-enum { INSIDE = 8 };
-
-/* The cells found so far, at the end of the arena, and a table from a cell's place to its number. */
-struct cells {
-    struct sp_builder *builder;
-    double origin[3], width[3];
-    int32_t size[3]; /* cells of the box; 0 in a flood */
-    struct cell *list;
-    int32_t count, capacity;
-    int32_t *slots; /* open addressing; -1: free */
-    uint32_t mask, stride[2];
-};
-
-static uint32_t home(const struct cells *cells, const int32_t at[3]) {
-    return ((uint32_t)at[0] + cells->stride[0] * (uint32_t)at[1] + cells->stride[1] * (uint32_t)at[2]) & cells->mask;
-}
-
-/* The slot of a cell: the one that holds it, or the free one where it belongs. */
-static int32_t *find_slot(const struct cells *cells, const int32_t at[3]) {
-    for (uint32_t slot = home(cells, at);; slot = (slot + 1) & cells->mask) {
-        int32_t *found = cells->slots + slot;
-        if (*found < 0) return found;
-        const int32_t *cell = cells->list[*found].at;
-        if (cell[0] == at[0] && cell[1] == at[1] && cell[2] == at[2]) return found;
-    }
-}
-
-static int take_slots(struct cells *cells, uint32_t wanted) {
-    uint32_t slots = 1024;
-    while (slots < wanted)
-        slots *= 2;
-    cells->mask = slots - 1;
-    cells->slots = sp_arena_take(cells->builder->arena, slots, sizeof(int32_t));
-    for (uint32_t i = 0; cells->slots && i < slots; i++)
-        cells->slots[i] = -1;
-    return cells->slots != NULL;
-}
-
-/* What is left of the arena becomes the list; close_list gives back what was not used. */
-static void open_list(struct cells *cells) {
-    struct sp_arena *arena = cells->builder->arena;
-    size_t most = (arena->size - arena->used) / sizeof(struct cell);
-    cells->capacity = (int32_t)(most < 1U << 24 ? most : 1U << 24);
-    cells->list = sp_arena_take(arena, 0, sizeof(struct cell));
-}
-
-static int close_list(struct cells *cells) {
-    return sp_arena_take(cells->builder->arena, (size_t)cells->count, sizeof(struct cell)) != NULL;
-}
-
-static void corner(const struct cells *cells, int32_t i, int32_t j, int32_t k, double point[3]) {
-    point[0] = cells->origin[0] + cells->width[0] * i;
-    point[1] = cells->origin[1] + cells->width[1] * j;
-    point[2] = cells->origin[2] + cells->width[2] * k;
-}
-
-/* Bit 0: f < 0. Bit 1: f >= 0. Neither where f is not a number. */
-static uint8_t sign_bits(double f) { return (uint8_t)((f < 0) | (f >= 0) << 1); }
-
-/* The corners of one layer of the box. */
-static void sweep_layer(const struct cells *cells, int32_t k, uint8_t *signs) {
-    struct sp_block block;
-    sp_block_open(&block, cells->builder->surface, 0);
-    int32_t columns = cells->size[0] + 1, total = columns * (cells->size[1] + 1);
-    double point[3];
-    for (int32_t first = 0; first < total; first += block.capacity) {
-        block.count = 0;
-        for (int32_t p = first; p < total && p < first + block.capacity; p++) {
-            corner(cells, p % columns, p / columns, k, point);
-            sp_block_put(&block, point);
-        }
-        sp_block_evaluate(&block);
-        for (int32_t p = 0; p < block.count; p++)
-            signs[first + p] = sign_bits(sp_block_get(&block, p, 0));
-    }
-}
-
-/* The bits of the corners of one face of a cell. */
-static int face_bits(const uint8_t signs[8], int axis, int upper) {
-    int bits = 0;
-    for (int c = 0; c < 8; c++)
-        if ((c >> axis & 1) == upper) bits |= signs[c];
-    return bits;
-}
-
-/* See struct cell. */
-static int32_t faces_of(const uint8_t signs[8]) {
-    int32_t faces = INSIDE;
-    for (int axis = 0; axis < 3; axis++)
-        faces |= (face_bits(signs, axis, 0) == 3) << axis;
-    return faces;
-}
-
-/* Lists the cells between two layers of corners in which f changes sign. */
-static int list_layer(struct cells *cells, int32_t k, const uint8_t *below, const uint8_t *above) {
-    int32_t columns = cells->size[0] + 1;
-    for (int32_t j = 0; j < cells->size[1]; j++)
-        for (int32_t i = 0; i < cells->size[0]; i++) {
-            int32_t p = i + columns * j, q = p + columns;
-            const uint8_t signs[8] = {below[p], below[p + 1], below[q], below[q + 1], above[p], above[p + 1], above[q], above[q + 1]};
-            if ((face_bits(signs, 2, 0) | face_bits(signs, 2, 1)) != 3) continue;
-            if (cells->count == cells->capacity) return 0;
-            cells->list[cells->count++] = (struct cell){{i, j, k}, faces_of(signs)};
-        }
-    return 1;
-}
-
-static int sweep_box(struct cells *cells) {
-    const struct sp_graph_options *options = cells->builder->options;
-    double longest = 0;
-    for (int j = 0; j < 3; j++) {
-        double side = options->box[2 * j + 1] - options->box[2 * j];
-        longest = side > longest ? side : longest;
-    }
-    for (int j = 0; j < 3; j++) {
-        double side = options->box[2 * j + 1] - options->box[2 * j];
-        cells->size[j] = (int32_t)(side / longest * options->resolution + 0.999);
-        if (cells->size[j] < options->resolution / LEAST_PART) cells->size[j] = options->resolution / LEAST_PART;
-        cells->origin[j] = options->box[2 * j], cells->width[j] = side / cells->size[j];
-    }
-    size_t corners = (size_t)(cells->size[0] + 1) * (size_t)(cells->size[1] + 1);
-    uint8_t *below = sp_arena_take(cells->builder->arena, corners, 1), *above = sp_arena_take(cells->builder->arena, corners, 1);
-    cells->stride[0] = (uint32_t)cells->size[0], cells->stride[1] = (uint32_t)(cells->size[0] * cells->size[1]);
-    if (!below || !above || !take_slots(cells, cells->stride[1] * (uint32_t)cells->size[2])) return 0;
-    open_list(cells);
-    sweep_layer(cells, 0, below);
-    for (int32_t k = 0; k < cells->size[2]; k++) {
-        sweep_layer(cells, k + 1, above);
-        if (!list_layer(cells, k, below, above)) return 0;
-        uint8_t *turned = below;
-        below = above, above = turned;
-    }
-    for (int32_t i = 0; i < cells->count; i++)
-        *find_slot(cells, cells->list[i].at) = i;
-    return close_list(cells);
-}
-
-/* The signs at the corners of a cell; corner c lies at x + (c & 1), y + (c >> 1 & 1), z + (c >> 2). */
-static void read_corners(const struct cells *cells, const int32_t at[3], uint8_t signs[8]) {
-    struct sp_block block;
-    sp_block_open(&block, cells->builder->surface, 0);
-    double point[3];
-    for (int32_t c = 0; c < 8; c++) {
-        corner(cells, at[0] + (c & 1), at[1] + (c >> 1 & 1), at[2] + (c >> 2), point);
-        sp_block_put(&block, point);
-    }
-    sp_block_evaluate(&block);
-    for (int32_t c = 0; c < 8; c++)
-        signs[c] = sign_bits(sp_block_get(&block, c, 0));
-}
-
-static int is_within_reach(const struct cells *cells, const int32_t at[3]) {
-    const struct sp_graph_options *options = cells->builder->options;
-    double ends[2][3], middle[3];
-    for (int j = 0; j < 3; j++)
-        ends[0][j] = options->box[2 * j], ends[1][j] = options->box[2 * j + 1], middle[j] = ends[0][j] + at[j] * options->cell;
-    return options->reach <= 0 || distance_between(ends[0], middle) + distance_between(ends[1], middle) <= options->reach;
-}
-
-/* Lists the neighbours into which the surface passes through a face; of the first cell, which it may pass by its corners, all six. */
-static void flood_around(struct cells *cells, int32_t from, int32_t most) {
-    uint8_t signs[8];
-    read_corners(cells, cells->list[from].at, signs);
-    cells->list[from].faces = faces_of(signs);
-    for (int face = 0; face < 6 && cells->count < most; face++) {
-        int axis = face / 2, upper = face % 2;
-        if (from != 0 && face_bits(signs, axis, upper) != 3) continue;
-        struct cell next = cells->list[from];
-        next.at[axis] += 2 * upper - 1, next.faces = 0;
-        if (!is_within_reach(cells, next.at)) continue;
-        int32_t *slot = find_slot(cells, next.at);
-        if (*slot >= 0) continue;
-        *slot = cells->count;
-        cells->list[cells->count++] = next;
-    }
-}
-
-/* The grid lies so that the point is at the middle of cell (0, 0, 0), which is listed whether f changes sign at its corners or not. */
-static int flood(struct cells *cells) {
-    double width = cells->builder->options->cell;
-    for (int j = 0; j < 3; j++)
-        cells->width[j] = width, cells->origin[j] = cells->builder->options->box[2 * j] - 0.5 * width;
-    cells->stride[0] = FLOOD_STRIDE, cells->stride[1] = FLOOD_STRIDE_UP;
-    if (!take_slots(cells, FLOOD_SLOTS)) return 0;
-    open_list(cells);
-    int32_t most = cells->capacity < SP_GRAPH_FLOOD_CELLS ? cells->capacity : SP_GRAPH_FLOOD_CELLS;
-    if (most < 1) return 0;
-    cells->list[0] = (struct cell){{0, 0, 0}, 0}, cells->count = 1;
-    *find_slot(cells, cells->list[0].at) = 0;
-    for (int32_t i = 0; i < cells->count; i++)
-        flood_around(cells, i, most);
-    return cells->count < cells->capacity && close_list(cells);
+static void centre_of(const struct sp_cells *cells, int32_t cell, double centre[3]) {
+    const int32_t *at = cells->list[cell].at;
+    sp_cells_corner(cells, at[0], at[1], at[2], centre);
+    for (int c = 0; c < 3; c++)
+        centre[c] += 0.5 * cells->width[c];
 }
 
 /* Writes one settled centre, or, if it went astray, a vertex without a normal. */
-static void write_vertex(const struct cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
+static void write_vertex(const struct sp_cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
     struct sp_graph *graph = cells->builder->graph;
     double *position = graph->samples + (size_t)graph->width * (size_t)vertex, center[3], gradient[3];
-    corner(cells, cells->list[vertex].at[0], cells->list[vertex].at[1], cells->list[vertex].at[2], center);
+    centre_of(cells, vertex, center);
     for (int32_t c = 0; c < 3; c++) {
-        center[c] += 0.5 * cells->width[c];
         position[c] = block->in[SP_IMPLICIT_INPUTS * (k / 2) + c][k & 1];
         gradient[c] = sp_block_get(block, k, 1 + c);
     }
@@ -239,7 +43,7 @@ static void write_vertex(const struct cells *cells, const struct sp_block *block
     }
 }
 
-static void write_vertices(const struct cells *cells) {
+static void write_vertices(const struct sp_cells *cells) {
     const struct sp_graph *graph = cells->builder->graph;
     struct sp_block block;
     sp_block_open(&block, cells->builder->surface, 0);
@@ -247,9 +51,7 @@ static void write_vertices(const struct cells *cells) {
     for (int32_t first = 0; first < cells->count; first += block.capacity) {
         block.count = 0;
         for (int32_t i = first; i < cells->count && i < first + block.capacity; i++) {
-            corner(cells, cells->list[i].at[0], cells->list[i].at[1], cells->list[i].at[2], point);
-            for (int c = 0; c < 3; c++)
-                point[c] += 0.5 * cells->width[c];
+            centre_of(cells, i, point);
             sp_block_put(&block, point);
         }
         sp_implicit_settle(cells->builder->surface, (block.count + 1) / 2, block.in, graph->spacing);
@@ -262,7 +64,7 @@ static void write_vertices(const struct cells *cells) {
 static double *sample_at(const struct sp_graph *graph, int32_t vertex) { return graph->samples + (size_t)graph->width * (size_t)vertex; }
 
 /* What measures length at the vertices. */
-static void sample_metric(const struct cells *cells) {
+static void sample_metric(const struct sp_cells *cells) {
     const struct sp_graph *graph = cells->builder->graph;
     struct sp_block block;
     sp_block_open(&block, cells->builder->surface, 1);
@@ -282,7 +84,7 @@ static void read_vertex(const struct sp_graph *graph, int32_t vertex, double nor
 }
 
 /* Whether the surface passes from one cell to another through a face that they share. */
-static int passes(const struct cell *from, const struct cell *to) {
+static int passes(const struct sp_cell *from, const struct sp_cell *to) {
     int shared = 0, away = 0;
     for (int j = 0; j < 3; j++) {
         int32_t by = to->at[j] - from->at[j];
@@ -292,14 +94,7 @@ static int passes(const struct cell *from, const struct cell *to) {
     return away == 1 && shared && from->faces && to->faces;
 }
 
-/* A box has a slot for every cell of its own and none for others: looked for in a full table, they would be for ever. */
-static int is_within(const struct cells *cells, const int32_t at[3]) {
-    for (int j = 0; j < 3; j++)
-        if (cells->size[j] && (at[j] < 0 || at[j] >= cells->size[j])) return 0;
-    return 1;
-}
-
-static int join_around(const struct cells *cells, int32_t vertex) {
+static int join_around(const struct sp_cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
     const int32_t *center = cells->list[vertex].at;
@@ -308,7 +103,8 @@ static int join_around(const struct cells *cells, int32_t vertex) {
     for (int32_t k = -REACH; k <= REACH; k++)
         for (int32_t j = -REACH; j <= REACH; j++)
             for (int32_t i = -REACH; i <= REACH; i++) {
-                int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k}, to = is_within(cells, at) ? *find_slot(cells, at) : -1;
+                int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k},
+                        to = sp_cells_hold(cells, at) ? *sp_cells_slot(cells, at) : -1;
                 if (to < 0 || to == vertex) continue;
                 read_vertex(graph, to, other);
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
@@ -324,8 +120,8 @@ static int join_around(const struct cells *cells, int32_t vertex) {
 
 int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
-    struct cells cells = {.builder = builder};
-    if (!(builder->options->cell > 0 ? flood(&cells) : sweep_box(&cells))) return SP_OUT_OF_MEMORY;
+    struct sp_cells cells = {.builder = builder};
+    if (!sp_cells_find(&cells)) return SP_OUT_OF_MEMORY;
     graph->vertex_count = cells.count;
     graph->spacing = root(dot(cells.width, cells.width));
     if (!sp_builder_take(builder)) return SP_OUT_OF_MEMORY;

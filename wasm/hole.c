@@ -97,7 +97,7 @@ static int wind(struct sp_newton *newton, const struct near *near, double wall, 
         contact->arcs.arc[contact->arcs.count++] = (struct sp_arc){.on_edge = 0};
         if (!start_piece(newton, near, i, near->beyond, touching[i], piece, arena)) return 0;
         struct sp_joint *touch = piece->joint + 1 - i;
-        touch->slides = 1, touch->across = across, touch->reach = STEP * absolute(near->rate);
+        touch->slides = 1, touch->across = across, touch->reach = STEP * absolute(near->rate), touch->towards = near->rate < 0 ? -1 : 1;
         touch->place[across] = wall;
         touch->place[1 - across] = near->ends[i][1 - across] + (i ? -near->rate : near->rate) * touching[i];
     }
@@ -116,7 +116,7 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
     near.side = upper ? -1 : 1, near.middle = wall - near.side * beyond;
     for (int i = 0; i < 2; i++) {
         for (int32_t j = 0; j < 2; j++)
-            near.ends[i][j] = sp_fold_get(fold, newton->system.line.nodes.places, 2, i ? fold.inner + 1 : 0, j);
+            near.ends[i][j] = sp_polyline_coordinate(&newton->system.line, i ? fold.inner + 1 : 0, j);
         near.far[i] = near.side * (near.ends[i][near.across] - near.middle);
         if (!(near.far[i] > 0)) return refined;
     }

@@ -3,8 +3,9 @@
  * Lattice points have doubled integer coordinates: corners of cells even, centres odd. Each face of a cell joins the centres on its two
  * sides to its four edges: four tetrahedra. Outside the box the centres are moved onto its faces, so that the tetrahedra fill the box
  * exactly. A tetrahedron spans three layers, so three are alive. Where on its edge a vertex lies
- * is decided in mesh_vertices.c. */
+ * is decided in mesh_vertices.c, where the surface ends between points of the lattice in mesh_rim.c. */
 #include "mesh.h"
+#include "mesh_rim.h"
 #include "mesh_vertices.h"
 #include "scalar.h"
 
@@ -250,8 +251,9 @@ static size_t scratch_bytes(const struct sweep *sweep) {
 double sp_mesh_bytes(const double box[6], int32_t resolution, int32_t vertex_count, int32_t triangle_count) {
     struct sweep sweep;
     if (!divide_box(&sweep, box, resolution)) return 0;
+    size_t near = ((size_t)vertex_count * sizeof(int32_t) + 15) & ~(size_t)15;
     /* 48 bytes: each of the three arrays begins at a multiple of 16. */
-    return (double)scratch_bytes(&sweep) + 48.0 * vertex_count + 12.0 * triangle_count + 48;
+    return larger((double)scratch_bytes(&sweep), (double)near) + 48.0 * vertex_count + 12.0 * triangle_count + 48;
 }
 
 static bool take_arrays(struct sp_mesh *mesh, struct sp_arena *arena) {
@@ -274,6 +276,10 @@ static bool store_mesh(struct sweep *sweep, struct sp_arena *arena) {
     arena->used = kept;
     sp_place_vertices(sweep->value, sweep->box, sweep->mesh);
     choose_diagonals(sweep->mesh);
+    int32_t *near = sp_arena_take(arena, (size_t)sweep->mesh->vertex_count, sizeof *near);
+    if (!near) return false;
+    sp_draw_rims(sweep->value, sweep->box, sweep->mesh, near);
+    arena->used = kept;
     return true;
 }
 

@@ -2,7 +2,7 @@
  *
  * A vertex that the projection loses (to another sheet, to a place without a gradient, to NaN) stays on its edge, where f does change sign.
  * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. Where f changes sign and is not 0, at a
- * jump, a pole or the end of where it is a number, there is no surface: the vertex is NaN. */
+ * jump, a pole or the end of where it is a number, there is no surface, but a wall: the normal is NaN. */
 #include "mesh_vertices.h"
 #include "scalar.h"
 
@@ -108,10 +108,15 @@ static void settle_block(sp_evaluate value, struct block *block) {
     }
 }
 
+/* The normal is the gradient's direction; of one that is infinite, as at the end of a root, that of its infinite parts; where there is
+ * none, the edge's. */
 static void store_vertex(const struct block *block, int32_t i, double position[3], double normal[3]) {
     double gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
+    if (norm(gradient) >= 1e300)
+        for (int axis = 0; axis < 3; axis++)
+            gradient[axis] = smaller(larger(gradient[axis] * 1e-300, -1), 1);
     double scale = norm(gradient);
-    bool differentiable = scale > 0 && scale < 1e300;
+    bool differentiable = scale > 0;
     const double *direction = differentiable ? gradient : block->edge[i];
     scale = differentiable ? scale : norm(block->edge[i]);
     for (int axis = 0; axis < 3; axis++)
@@ -137,7 +142,7 @@ static void place_block(sp_evaluate value, struct block *block, double *position
         store_vertex(block, i, positions + 3 * i, normals + 3 * i);
         if (-component(block, i, 0) <= least_fall * block->largest[i]) continue;
         for (int axis = 0; axis < 3; axis++)
-            positions[3 * i + axis] = normals[3 * i + axis] = not_a_number();
+            normals[3 * i + axis] = not_a_number();
     }
 }
 

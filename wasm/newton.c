@@ -1,13 +1,13 @@
-/* Newton with shift, Armijo search, escape from saddles and a certificate; and the paper's own variant of it. MATH.md, "Newton". */
-#include "newton.h"
+/* Newton: when it ends, and what the end is worth. MATH.md, "Newton". */
 #include "metric_check.h"
+#include "newton_step.h"
 #include "sample.h"
 #include "scalar.h"
 
 /* Why these: MATH.md, "Constants". */
-static const double ARMIJO = 1e-4, SLACK = 1e-14, DECREMENT = 1e-7, STATIONARY = 1e-4, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4,
-                    SOFT = 1e-2, LEAST_SOFT = 1e-15, PAPER_TOLERANCE = 1e-6;
-enum { HALVINGS = 40, SHIFTS = 60, IDLE_LIMIT = 3, PATIENCE = 16 };
+static const double DECREMENT = 1e-7, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4, SOFT = 1e-2, LEAST_SOFT = 1e-15,
+                    PAPER_TOLERANCE = 1e-6;
+enum { IDLE_LIMIT = 3, PATIENCE = 16 };
 
 int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
                    struct sp_arena *arena) {
@@ -49,157 +49,21 @@ double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options
     return rows + entries * sizeof(struct sp_iterate) + record + sp_reference_bytes(1) + 18 * 16;
 }
 
-/* What one round of Newton found out and decided. */
-struct round {
-    struct sp_energy energy;
-    struct sp_inertia inertia;
-    double gradient_norm, decrement, shift;
-};
-
-/* Puts the places of the path moved by scale * step into `trial`. Returns 0 where it may not go there. */
-static int move(struct sp_newton *newton, double scale) {
-    struct sp_polyline *line = &newton->system.line;
-    int32_t unknown = sp_fold_unknown(line->fold), dimension = line->kind->dimension;
-    sp_pair *places = newton->trial.places;
-    for (int32_t j = 0; j < dimension; j++)
-        places[j] = line->nodes.places[j];
-    const sp_mask *straight = newton->short_step ? NULL : newton->system.straight + 1;
-    int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
-                                 straight, scale, places + dimension);
-    newton->trial_touches = moved == 2;
-    sp_fold_mirror(line->fold, places, dimension);
-    return moved;
-}
-
-/* Puts the path moved by scale * step into `trial` and returns its sum of squares; NaN where it may not go there. */
-static double try_step(struct sp_newton *newton, double scale) {
-    struct sp_polyline *line = &newton->system.line;
-    if (!move(newton, scale)) return not_a_number();
-    sp_polyline_charts(line, newton->trial);
-    if (!sp_system_keeps_normals(&newton->system, newton->trial)) return not_a_number();
-    return newton->trial_squares =
-               sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
-}
-
-/* The full step of a draft of which nothing but places is needed: as try_step, but the charts stay as they are, and the energy is that of
- * the quadratic model. */
-static double try_blindly(struct sp_newton *newton, const struct round *round) {
-    return move(newton, 1) ? round->energy.squares - round->inertia.descent : not_a_number();
-}
-
-static void accept(struct sp_newton *newton) {
-    struct sp_nodes kept = newton->system.line.nodes;
-    newton->system.line.nodes = newton->trial;
-    newton->trial = kept;
-    newton->system.line.touches = newton->trial_touches;
-}
-
-/* r . (trial - path): the decrease that the clipped step promises to first order. */
-static double clipped_descent(const struct sp_newton *newton) {
-    const sp_pair *from = newton->system.line.nodes.places, *to = newton->trial.places;
-    struct sp_fold fold = newton->system.line.fold;
-    double sum = 0;
-    for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        sum += sp_fold_sum(
-            fold, k, newton->system.rows[k].r1 * (to[2 * k] - from[2 * k]) + newton->system.rows[k].r2 * (to[2 * k + 1] - from[2 * k + 1]));
-    return sum;
-}
-
-/* Halves the step until the energy falls as Armijo asks; a step that leaves the chart or meets NaN is refused. Returns the scale, 0 if none
- * did. */
-static double search_armijo(struct sp_newton *newton, double squares, double slope) {
-    double scale = 1;
-    for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
-        double now = try_step(newton, scale), promised = scale * slope;
-        if (!is_finite(now)) continue;
-        if (newton->trial_touches) promised = clipped_descent(newton);
-        if (promised >= 0 && 0.5 * now <= 0.5 * squares - ARMIJO * promised + SLACK * squares) return scale;
-    }
-    return 0;
-}
-
-/* The paper's search: the parabola through E(0), E'(0) and E(scale), its minimum kept within [0.1, 0.5] of the scale. */
-static double search_paper(struct sp_newton *newton, double squares, double slope) {
-    double scale = 1;
-    for (int i = 0; i < HALVINGS; i++) {
-        double now = try_step(newton, scale);
-        if (now < squares) return scale;
-        double next = 0.5 * scale * scale * slope / (0.5 * (now - squares) + slope * scale);
-        scale = !(next >= 0.1 * scale) ? 0.1 * scale : next > 0.5 * scale ? 0.5 * scale : next;
-    }
-    return 0;
-}
-
-/* Along a direction of negative curvature, first as far as an eighth of the path is long; of the two ways the one with less energy, on a
- * tie the first. */
-static double search_escape(struct sp_newton *newton, double squares) {
-    double length = root(squares * sp_system_segments(&newton->system));
-    double scale = 0.125 * length / sp_system_largest(&newton->system, newton->step);
-    for (int i = 0; i < HALVINGS; i++, scale *= 0.5) {
-        double ahead = try_step(newton, scale), behind = try_step(newton, -scale), limit = squares * (1 - SLACK);
-        if (behind < limit && !(ahead <= behind)) return -scale;
-        if (ahead < limit) return try_step(newton, scale) < limit ? scale : 0;
-    }
-    return 0;
-}
-
-static int is_definite(const struct round *round) { return round->inertia.usable && round->inertia.negative == 0; }
-
 /* Whether the path resists every bend: 1/softness is above `bound`, and so are all eigenvalues of its Hessian's pivots relative to M. */
-static int is_stiff(const struct round *round, double bound) { return round->inertia.softness * bound < 1; }
+static int is_stiff(const struct sp_round *round, double bound) { return round->inertia.softness * bound < 1; }
 
 static double norm_of(const struct sp_newton *newton, double gradient_squared) {
     return 2.0 * sp_system_segments(&newton->system) * root(gradient_squared);
 }
 
-static void assemble(struct sp_newton *newton, const struct sp_options *options, struct round *round) {
+static void assemble(struct sp_newton *newton, const struct sp_options *options, struct sp_round *round) {
     enum sp_hessian hessian = options->algorithm == SP_PAPER ? SP_COORDINATE : SP_COVARIANT;
     round->energy = sp_system_assemble(&newton->system, hessian);
     round->inertia = round->energy.inertia;
     round->gradient_norm = norm_of(newton, round->energy.gradient_squared);
     round->decrement = not_a_number();
-    if (is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
+    if (sp_round_is_definite(round)) round->decrement = root(2 * round->inertia.descent / round->energy.squares);
     newton->short_step = sp_system_is_plain(&newton->system) && round->decrement <= SHORT;
-}
-
-/* The step of H + shift M, with a shift that makes it positive definite. Returns 0 if none does. */
-static int shifted_step(struct sp_newton *newton, struct round *round, double least) {
-    double segments = newton->system.line.fold.inner + 1;
-    double shift = round->shift > 0 ? 0.25 * round->shift : 1 / (segments * segments);
-    if (shift < least) shift = least;
-    for (int i = 0; i < SHIFTS; i++, shift *= 4) {
-        struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
-        if (!inertia.usable || inertia.negative) continue;
-        round->shift = shift, round->inertia.descent = inertia.descent;
-        sp_system_solve(&newton->system, newton->step);
-        return 1;
-    }
-    return 0;
-}
-
-/* One step of the certified method. Returns its scale, 0 if nothing lowers the energy. */
-static double step_certified(struct sp_newton *newton, struct round *round) {
-    double squares = round->energy.squares;
-    int definite = is_definite(round);
-    if (!definite && sp_system_steepness(&newton->system, squares) <= STATIONARY && sp_system_negative(&newton->system, newton->step))
-        return search_escape(newton, squares);
-    if (definite)
-        sp_system_solve(&newton->system, newton->step);
-    else if (!shifted_step(newton, round, 0))
-        return 0;
-    double scale = search_armijo(newton, squares, round->inertia.descent);
-    if (scale > 0 || !shifted_step(newton, round, 1)) return scale;
-    return search_armijo(newton, squares, round->inertia.descent);
-}
-
-/* One step of the paper's method: Newton's, or its reverse where Eq. 25 fails. */
-static double step_paper(struct sp_newton *newton, struct round *round) {
-    double slope = round->inertia.descent;
-    if (!round->inertia.usable) return 0;
-    sp_system_solve(&newton->system, newton->step);
-    for (int32_t k = 0; slope < 0 && k < 2 * sp_fold_pairs(newton->system.line.fold); k++)
-        newton->step[k] = -newton->step[k];
-    return search_paper(newton, round->energy.squares, absolute(slope));
 }
 
 void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end) {
@@ -212,7 +76,7 @@ void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end) {
 }
 
 /* Adds the present path to the history, and its points to the record: as its end until a step is taken from it. */
-static void note(struct sp_newton *newton, const struct round *round) {
+static void note(struct sp_newton *newton, const struct sp_round *round) {
     if (!newton->history) return;
     sp_newton_tell_end(newton, (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm,
                                                    round->decrement, 0});
@@ -222,16 +86,16 @@ static void note(struct sp_newton *newton, const struct round *round) {
 }
 
 /* Whether a step so small beside the conditioning cannot have changed the certificate, so that the end needs no matrix of its own. */
-static int is_certain(const struct sp_newton *newton, struct round *round) {
+static int is_certain(const struct sp_newton *newton, struct sp_round *round) {
     const struct sp_system *system = &newton->system;
     int keeps = sp_system_is_plain(system) || system->elements.reference.degree > 1; /* rows of the others hold the factorisation, too */
-    if (!keeps || !is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
+    if (!keeps || !sp_round_is_definite(round) || round->energy.active || !(round->decrement <= CERTAIN)) return 0;
     double least = round->decrement / CERTAIN;
     return is_stiff(round, least > CONDITIONING ? least : CONDITIONING);
 }
 
 /* Energy and gradient where the step in `trial` led, without a matrix. Returns 0 where that needs one: some coordinate is held. */
-static int look(struct sp_newton *newton, struct round *round) {
+static int look(struct sp_newton *newton, struct sp_round *round) {
     struct sp_energy energy = {.squares = newton->trial_squares, .gradient_squared = newton->trial_gradient};
     if (!newton->certain || newton->system.line.touches) return 0;
     if (!sp_system_is_plain(&newton->system)) energy = sp_system_rows(&newton->system, SP_COVARIANT);
@@ -241,9 +105,9 @@ static int look(struct sp_newton *newton, struct round *round) {
 }
 
 /* Takes the step in `trial`, which was `scale` of a full one. It is the last one where that makes |grad E| <= tolerance. */
-static void take_step(struct sp_newton *newton, const struct sp_options *options, double scale, double tolerance, struct round *round) {
+static void take_step(struct sp_newton *newton, const struct sp_options *options, double scale, double tolerance, struct sp_round *round) {
     if (newton->history) newton->history[newton->history_count - 1].step = scale;
-    accept(newton);
+    sp_newton_accept(newton);
     newton->steps_left--;
     newton->looked = look(newton, round) && round->gradient_norm <= tolerance;
     if (!newton->looked) assemble(newton, options, round);
@@ -252,9 +116,9 @@ static void take_step(struct sp_newton *newton, const struct sp_options *options
 }
 
 /* Takes the full step in `trial`, of energy `squares`, without a look at where it leads. */
-static void leave(struct sp_newton *newton, double squares, struct round *round) {
+static void leave(struct sp_newton *newton, double squares, struct sp_round *round) {
     if (newton->history) newton->history[newton->history_count - 1].step = 1;
-    accept(newton);
+    sp_newton_accept(newton);
     newton->steps_left--;
     round->energy.squares = squares, round->gradient_norm = round->decrement = not_a_number();
     note(newton, round);
@@ -268,7 +132,7 @@ static double decrement_floor(const struct sp_newton *newton, double squares) {
 }
 
 /* Whether the stopping rule holds, whatever the index. */
-static int at_rest(const struct sp_newton *newton, const struct sp_options *options, const struct round *round) {
+static int at_rest(const struct sp_newton *newton, const struct sp_options *options, const struct sp_round *round) {
     if (round->energy.squares == 0) return 1;
     double tolerance = newton->draft ? 0 : options->gradient_tolerance;
     if (options->algorithm == SP_PAPER && !(tolerance > 0)) tolerance = PAPER_TOLERANCE;
@@ -277,7 +141,7 @@ static int at_rest(const struct sp_newton *newton, const struct sp_options *opti
 }
 
 /* What the end is worth: the certificate is the inertia of the Hessian there. */
-static int32_t certify(const struct sp_newton *newton, const struct round *round) {
+static int32_t certify(const struct sp_newton *newton, const struct sp_round *round) {
     if (round->energy.squares == 0) return SP_CONVERGED;
     if (!round->inertia.usable) return SP_ILL_CONDITIONED;
     if (round->inertia.negative > 0) return SP_SADDLE;
@@ -294,9 +158,9 @@ static int shifted_descent(struct sp_newton *newton, double shift, double *desce
 /* By what part of its length a path between nearly conjugate ends may be longer than the one to which it could turn, by as much as it is
  * long: the slope along its soft direction, without a word of the curvature, which is less than what is left to correct in all others; and
  * by what curvature is negative. MATH.md, "Newton". Leaves a shifted factorisation. */
-static double doubt_of(struct sp_newton *newton, const struct round *round) {
+static double doubt_of(struct sp_newton *newton, const struct sp_round *round) {
     struct sp_fold fold = newton->system.line.fold;
-    double weights = 0, descent, part = SOFT, negative = is_definite(round) ? 0 : LEAST_SOFT, unused;
+    double weights = 0, descent, part = SOFT, negative = sp_round_is_definite(round) ? 0 : LEAST_SOFT, unused;
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
         weights += sp_fold_sum(fold, k, newton->system.rows[k].weight);
     weights *= sp_system_segments(&newton->system);
@@ -307,25 +171,25 @@ static double doubt_of(struct sp_newton *newton, const struct round *round) {
 }
 
 /* Whether the ends are so nearly conjugate that the path can hardly be moved on, and what is left to gain below `enough`. */
-static int is_loose(struct sp_newton *newton, const struct round *round, double enough) {
-    if (is_stiff(round, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= STATIONARY)) return 0;
+static int is_loose(struct sp_newton *newton, const struct sp_round *round, double enough) {
+    if (is_stiff(round, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= SP_STATIONARY)) return 0;
     if (doubt_of(newton, round) <= enough) return 1;
     sp_system_factor(&newton->system, 0);
     return 0;
 }
 
 /* Steps without progress in a row: neither the energy nor the gradient falls. */
-static int32_t idle_count(int32_t idle, const struct round *before, const struct round *after) {
-    int falls = after->energy.squares < before->energy.squares * (1 - SLACK) || after->gradient_norm < 0.5 * before->gradient_norm;
+static int32_t idle_count(int32_t idle, const struct sp_round *before, const struct sp_round *after) {
+    int falls = after->energy.squares < before->energy.squares * (1 - SP_SLACK) || after->gradient_norm < 0.5 * before->gradient_norm;
     return falls ? 0 : idle + 1;
 }
 
 /* Takes steps until the stopping rule holds; fills outcome->status. */
-static void iterate(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+static void iterate(struct sp_newton *newton, const struct sp_options *options, struct sp_round *round, struct sp_outcome *outcome) {
     double mark = round->energy.squares;
     for (int32_t idle = 0, steps = 0;;) {
         int rest = at_rest(newton, options, round), certified = options->algorithm != SP_PAPER;
-        if (rest && (is_definite(round) || !certified || round->energy.squares == 0)) {
+        if (rest && (sp_round_is_definite(round) || !certified || round->energy.squares == 0)) {
             outcome->status = certify(newton, round);
             return;
         }
@@ -334,31 +198,31 @@ static void iterate(struct sp_newton *newton, const struct sp_options *options, 
             if (mark - round->energy.squares <= newton->least_gain * mark) outcome->status = SP_TOLERANCE_NOT_MET;
             mark = round->energy.squares;
         }
-        double enough = outcome->status ? STATIONARY : options->gradient_tolerance > 0 ? 0 : options->tolerance;
+        double enough = outcome->status ? SP_STATIONARY : options->gradient_tolerance > 0 ? 0 : options->tolerance;
         if (certified && is_loose(newton, round, enough)) outcome->status = SP_ILL_CONDITIONED;
         if (outcome->status) return;
         newton->certain = certified && !newton->draft && options->gradient_tolerance > 0 && is_certain(newton, round);
-        double scale = certified ? step_certified(newton, round) : step_paper(newton, round);
+        double scale = certified ? sp_newton_step(newton, round) : sp_newton_step_paper(newton, round);
         if (scale == 0) {
             sp_system_factor(&newton->system, 0);
-            outcome->status = rest ? SP_SADDLE : is_loose(newton, round, STATIONARY) ? SP_ILL_CONDITIONED : SP_STALLED;
+            outcome->status = rest ? SP_SADDLE : is_loose(newton, round, SP_STATIONARY) ? SP_ILL_CONDITIONED : SP_STALLED;
             return;
         }
-        struct round before = *round;
+        struct sp_round before = *round;
         take_step(newton, options, scale, options->gradient_tolerance, round);
         idle = idle_count(idle, &before, round);
     }
 }
 
 /* One full step more: at the stopping decrement the error left is of its square. Returns 0, taking none, where the energy rises. */
-static int polish(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+static int polish(struct sp_newton *newton, const struct sp_options *options, struct sp_round *round, struct sp_outcome *outcome) {
     newton->certain = (!newton->draft || newton->system.elements.reference.degree > 1) && is_certain(newton, round);
     newton->last_decrement = round->decrement;
     sp_system_solve(&newton->system, newton->step);
     int positions = !newton->draft || newton->record || !sp_system_is_plain(&newton->system);
     int blind = !positions && newton->system.line.surface->kind == SP_PARAMETRIC;
-    double now = blind ? try_blindly(newton, round) : try_step(newton, 1);
-    if (!(now <= round->energy.squares * (1 + SLACK))) return newton->certain = 0;
+    double now = blind ? sp_newton_try_blindly(newton, round) : sp_newton_try(newton, 1);
+    if (!(now <= round->energy.squares * (1 + SP_SLACK))) return newton->certain = 0;
     if (newton->draft) {
         leave(newton, now, round);
         return 1;
@@ -369,7 +233,7 @@ static int polish(struct sp_newton *newton, const struct sp_options *options, st
 }
 
 /* Steps, and the one more. A draft that may not take it goes on with shorter ones. */
-static void converge(struct sp_newton *newton, const struct sp_options *options, struct round *round, struct sp_outcome *outcome) {
+static void converge(struct sp_newton *newton, const struct sp_options *options, struct sp_round *round, struct sp_outcome *outcome) {
     int by_decrement = options->algorithm != SP_PAPER && (newton->draft || !(options->gradient_tolerance > 0));
     iterate(newton, options, round, outcome);
     if (!by_decrement || outcome->status != SP_CONVERGED || round->energy.squares == 0 || round->decrement <= newton->enough) return;
@@ -386,7 +250,7 @@ static void converge(struct sp_newton *newton, const struct sp_options *options,
 
 struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_options *options) {
     struct sp_outcome outcome = {SP_NOT_FINITE, -1, 0, not_a_number(), not_a_number(), 0};
-    struct round round = {0};
+    struct sp_round round = {0};
     newton->certain = newton->looked = 0;
     assemble(newton, options, &round);
     if (!is_finite(round.energy.squares)) {
@@ -404,7 +268,7 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
 }
 
 int sp_newton_confirm(struct sp_newton *newton, struct sp_outcome *outcome) {
-    struct round round = {0};
+    struct sp_round round = {0};
     if (!(newton->last_decrement * newton->last_decrement <= newton->enough) || !look(newton, &round)) return 0;
     *outcome = (struct sp_outcome){SP_CONVERGED, 0, 0, sp_system_segments(&newton->system) * round.energy.squares, round.gradient_norm, 0};
     note(newton, &round);

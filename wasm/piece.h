@@ -10,7 +10,8 @@ struct sp_joint {
     int32_t slides, across; /* a contact, and the coordinate across its edge */
     int32_t singular;
     double place[2];
-    double reach;    /* a contact: as far as it may slide at once, in the coordinate along its edge; 0: by half the arc */
+    double towards;  /* a contact: the sign of the path's way along its edge */
+    double reach;    /* a contact: as far as it may slide at once, in the coordinate along its edge; 0: by half the arc, or a radian */
     double aside[2]; /* singular: a place beside it, on the side of the arc, where a first path is easier to find */
 };
 
@@ -21,9 +22,12 @@ struct sp_piece {
     struct sp_storage storage;
     double first, last; /* part of the path in `system` that it takes up */
     struct sp_refined solved;
-    int32_t checked;          /* it is solved to the tolerance, not only on the elements it had */
-    double sine[2], speed[2]; /* contacts: of the angle to the edge; how long a unit of the coordinate along it is */
+    int32_t checked;           /* it is solved to the tolerance, not only on the elements it had */
+    double slant[2], speed[2]; /* contacts: against the edge, about the angle; how long a unit of the coordinate along it is */
 };
+
+/* Where a contact stands along its edge. */
+static inline double *sp_piece_slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
 
 /* Solves a piece between its joints as they are, from the path it was last: chords or elements, these with their ends moved. `checked`: to
  * the tolerance; else on the elements it has (if it has any), fast. newton->system then holds the path, which sp_piece_keep makes the

@@ -150,8 +150,7 @@ int sp_polar_holds(const struct sp_polyline *line) {
         double from[2], step[2];
         sp_pair place[2];
         for (int32_t j = 0; j < 2; j++)
-            from[j] = sp_fold_get(line->fold, line->nodes.places, 2, i, j),
-            step[j] = sp_fold_get(line->fold, line->nodes.places, 2, i + 1, j) - from[j];
+            from[j] = sp_polyline_coordinate(line, i, j), step[j] = sp_polyline_coordinate(line, i + 1, j) - from[j];
         double t = -(from[0] * step[0] + from[1] * step[1]) / (step[0] * step[0] + step[1] * step[1]);
         t = t > 0 ? t < 1 ? t : 1 : 0;
         for (int32_t j = 0; j < 2; j++)

@@ -90,7 +90,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     struct sp_surface open = *surface;
     double value = passage->edge % 2 ? surface->upper[across] + passage->beyond : surface->lower[across] - passage->beyond, around[2];
     for (int i = 0; i < 2; i++)
-        around[i] = sp_fold_get(line->fold, line->nodes.places, 2, i ? last : 0, 1 - across);
+        around[i] = sp_polyline_coordinate(line, i ? last : 0, 1 - across);
     double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */
     arcs->count = 0;
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return none;
@@ -103,7 +103,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     for (int i = 0; i < 2; i++) {
         struct sp_piece piece = {.system = given, .first = i ? 1 : 0, .last = i ? 1 : 0};
         for (int32_t j = 0; j < 2; j++)
-            piece.joint[0].place[j] = piece.joint[1].place[j] = sp_fold_get(given.line.fold, given.line.nodes.places, 2, i ? last : 0, j);
+            piece.joint[0].place[j] = piece.joint[1].place[j] = sp_polyline_coordinate(&given.line, i ? last : 0, j);
         piece.joint[1].place[across] = value;
         if (!sp_refine_take(&piece.storage, newton, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */

@@ -50,6 +50,11 @@ struct sp_polyline {
     int32_t touches; /* 0: no unknown lies on a wall of the rectangle */
 };
 
+/* Coordinate j of node i in the rectangle of a parametric surface. */
+static inline double sp_polyline_coordinate(const struct sp_polyline *line, int32_t i, int32_t j) {
+    return sp_fold_get(line->fold, line->nodes.places, 2, i, j);
+}
+
 /* Makes pair both + 1 of an array of `stride` pairs follow pair `both`, where n is even. */
 static inline void sp_fold_mirror(struct sp_fold fold, sp_pair *data, int32_t stride) {
     if (fold.odd) return;

@@ -37,20 +37,6 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
 struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
                                  struct sp_arena *arena);
 
-/* A path of `count` chords, even, from another path, which is not in newton's own arrays. */
-struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
-                                   struct sp_arena *arena);
-
-/* Chords of the polyline from which sp_refine_polyline starts for one of `count`; `count` itself where that is too few to gain by it. */
-int32_t sp_refine_coarsest(int32_t count);
-
-/* Brings a polyline of sp_refine_coarsest(count) chords, its charts computed, to `count`, four times as many at a time, each polyline
- * relaxed by a few steps and the start of the next; the last is only started. Returns 0 where that leads nowhere. */
-int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena);
-
-/* Bytes of arena that sp_refine_polyline takes. */
-double sp_refine_polyline_bytes(int32_t dimension, int32_t count);
-
 /* Bytes of arena that sp_refine_run takes. */
 double sp_refine_bytes(void);
 

@@ -6,7 +6,7 @@ enum { MERGED_GAP = 2, HALVINGS = 40 /* to where a path crosses an edge */ };
 static const double BESIDE = 1e-3;
 
 static int lies_on(const struct sp_polyline *line, int32_t node, int32_t edge) {
-    double x = sp_fold_get(line->fold, line->nodes.places, 2, node, edge / 2);
+    double x = sp_polyline_coordinate(line, node, edge / 2);
     return edge % 2 ? x >= line->surface->upper[edge / 2] : x <= line->surface->lower[edge / 2];
 }
 
@@ -16,10 +16,6 @@ static int32_t edge_of(const struct sp_polyline *line, int32_t node) {
     for (int32_t edge = 0; edge < 4; edge++)
         if (lies_on(line, node, edge) && (found < 0 || ((node == 0 || node == last) && lies_on(line, beside, edge)))) found = edge;
     return found;
-}
-
-static double coordinate(const struct sp_polyline *line, int32_t node, int32_t j) {
-    return sp_fold_get(line->fold, line->nodes.places, 2, node, j);
 }
 
 int32_t sp_runs_find(const struct sp_system *system, int32_t lone, struct sp_run runs[SP_MAX_ARCS]) {
@@ -40,9 +36,9 @@ int32_t sp_runs_find(const struct sp_system *system, int32_t lone, struct sp_run
         struct sp_run *run = runs + r;
         int32_t first = run->first, end = run->last, along = 1 - run->across;
         run->from = sp_sample_parameter(&system->elements, first), run->to = sp_sample_parameter(&system->elements, end);
-        run->along[0] = coordinate(line, first, along), run->along[1] = coordinate(line, end, along);
-        run->beside[0] = coordinate(line, first > 0 ? first - 1 : 0, along);
-        run->beside[1] = coordinate(line, end < last ? end + 1 : last, along);
+        run->along[0] = sp_polyline_coordinate(line, first, along), run->along[1] = sp_polyline_coordinate(line, end, along);
+        run->beside[0] = sp_polyline_coordinate(line, first > 0 ? first - 1 : 0, along);
+        run->beside[1] = sp_polyline_coordinate(line, end < last ? end + 1 : last, along);
     }
     return kept;
 }

@@ -7,7 +7,7 @@
 #include "normal.h"
 #include "polar.h"
 #include "pole.h"
-#include "refine.h"
+#include "refine_chords.h"
 #include "sample.h"
 #include "scalar.h"
 #include "start.h"

@@ -64,7 +64,7 @@ void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
 }
 
 int sp_system_keeps_normals(const struct sp_system *system, struct sp_nodes nodes) {
-    int graded = system->elements.singular[0] || system->elements.singular[1];
+    int graded = sp_elements_graded(&system->elements);
     if (system->line.surface->kind != SP_IMPLICIT && !graded) return 1;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector old = sp_chart_normal(system->line.nodes.charts + SP_CHART * k),

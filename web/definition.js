@@ -156,7 +156,8 @@ export function checkRange(caller, range, name) {
 /** @param {string} caller @param {any} bounds @returns {number[] | null} xmin xmax ymin ymax zmin zmax */
 export function checkBounds(caller, bounds) {
   if (bounds === undefined) return null;
-  if (!Array.isArray(bounds) || bounds.length !== 3) refuse(`${caller}: bounds`, '[[x, x], [y, y], [z, z]]', bounds);
+  if (!Array.isArray(bounds) || bounds.length !== 3)
+    refuse(`${caller}: bounds`, 'three ranges, [[xmin, xmax], [ymin, ymax], [zmin, zmax]]', bounds);
   const box = [];
   for (const [i, range] of bounds.entries()) {
     checkRange(caller, range, `bounds[${i}]`);

@@ -38,7 +38,7 @@ export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
 export function solveFinely(problem, options, most, { rough, passing, over }) {
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
-    solved < MOST_FINE &&
+    begun.length < MOST_FINE &&
     atLeast(problem, path) <=
       Math.max(
         estimate(rough[0].path) + doubt(problem, rough[0].path),
@@ -48,7 +48,8 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   let usable = [...passing];
   /** @type {RawPath[]} */
   const failed = [];
-  let solved = 0;
+  /** Rough paths that were solved: what comes to one of them, with more points, leads to the same. @type {Found[]} */
+  const begun = [];
   const isFew = options.algorithm === ELEMENTS && options.points < COMPARED_POINTS;
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
@@ -59,10 +60,10 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     if (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path)) continue;
     const sharper = sharpen(problem, found);
     if (sharper) {
-      if (!isAmong(usable, sharper)) queue = distinct([sharper, ...rest]);
+      if (!isAmong(usable, sharper) && !isAmong(begun, sharper)) queue = distinct([sharper, ...rest]);
       continue;
     }
-    solved++;
+    begun.push(found);
     const again = (/** @type {SolveOptions} */ wanted) => refine(problem, found, wanted);
     const refined = isFew ? { to: found.to, path: again(compared(options)), again } : { to: found.to, path: again(options) };
     if (holds(refined)) usable = distinct([...usable, refined]);

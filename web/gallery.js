@@ -5,8 +5,6 @@
  * others that are worth a look. This file computes nothing.
  */
 
-/** @typedef {string|number} Expression */
-
 /**
  * What an entry has besides its definition.
  *
@@ -19,36 +17,10 @@
  * @property {readonly [number, number, number]} [camera] unit vector towards a good place to look from, z upwards
  */
 
-/**
- * x, y, z over u, v in a closed rectangle.
- *
- * @typedef {object} ParametricDefinition
- * @property {'parametric'} kind
- * @property {Expression} x
- * @property {Expression} y
- * @property {Expression} z
- * @property {readonly [Expression, Expression]} u
- * @property {readonly [Expression, Expression]} v
- * @property {Readonly<Record<string, number>>} [parameters]
- */
-
-/**
- * f(x, y, z) = 0, looked for inside bounds.
- *
- * @typedef {object} ImplicitDefinition
- * @property {'implicit'} kind
- * @property {Expression} f
- * @property {readonly [readonly [number, number], readonly [number, number], readonly [number, number]]} bounds
- * @property {Readonly<Record<string, number>>} [parameters]
- */
-
-/** @typedef {{ kind: 'graph' } & import('./shapes.js').GraphDefinition} GraphDefinition */
-/** @typedef {{ kind: 'revolution' } & import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
-/** @typedef {{ kind: 'tube' } & import('./shapes.js').TubeDefinition} TubeDefinition */
-/** @typedef {{ kind: 'sweep' } & import('./shapes.js').SweepDefinition} SweepDefinition */
-/** @typedef {GraphDefinition | RevolutionDefinition | TubeDefinition | SweepDefinition} ShapeDefinition */
-
-/** @typedef {Readonly<Description & (ParametricDefinition | ImplicitDefinition | ShapeDefinition)>} GalleryEntry */
+/** @typedef {import('./instance.js').AnyDefinition} AnyDefinition */
+/** @typedef {Extract<AnyDefinition, { kind: 'implicit' }>} ImplicitDefinition */
+/** @typedef {ImplicitDefinition & Required<Pick<ImplicitDefinition, 'bounds'>>} BoundedDefinition */
+/** @typedef {Readonly<Description & (Exclude<AnyDefinition, { kind: 'implicit' | 'metric' }> | BoundedDefinition)>} GalleryEntry */
 
 /** @type {(half: number) => readonly [readonly [number, number], readonly [number, number], readonly [number, number]]} */
 const cube = (half) => [

@@ -8,7 +8,7 @@ import { challenge } from './challenge.js';
 import { distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
-import { overBranches } from './branched.js';
+import { overBranches } from './over-branches.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { emptyPath } from './runtime/result.js';
@@ -89,8 +89,8 @@ function solveBest(problem, options, most, status, { tried, rough }) {
     rough = holding(problem, tried);
   }
   const poles = overPoles(problem, options, tried, rough);
-  const beside = besidePoles(problem, options, poles, rough);
-  const ways = [...poles, ...through];
+  const { beside, over } = besidePoles(problem, options, poles, rough);
+  const ways = [...over, ...through];
   if (problem.isLeg && rough.length === 0 && ![...ways, ...beside].some(holds)) return [emptyPath(STALLED)];
   const found = choosePaths(problem, options, most, { tried, status, rough, ways, beside });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);

@@ -6,7 +6,7 @@
 import { compared, ELEMENTS } from './candidates.js';
 import { findCreased } from './creased.js';
 import { mostOf } from './path.js';
-import { findGeodesics as findAllIn, findPath as findIn } from './pieces.js';
+import { findAllByPieces, findByPieces } from './pieces.js';
 import { vector } from './rectangle.js';
 import { dot, gap } from './vector.js';
 
@@ -101,10 +101,10 @@ export function findPath(field, ends, options, start) {
 
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
 function findSmooth(field, ends, options, start) {
-  const path = findIn(field, ends, options, start);
+  const path = findByPieces(field, ends, options, start);
   const again = instead(field, path, options);
   if (!again) return path;
-  const own = findIn(again.field, ends, compared(again.options), start);
+  const own = findByPieces(again.field, ends, compared(again.options), start);
   /* One that is known only roughly is better than none, or than what is longer. */
   const isRough = field.isPlain && isRoughlyKnown(own) && isWhole(field, own);
   if (!isRough && !isGood(field, own, options)) return path;
@@ -116,9 +116,9 @@ function findSmooth(field, ends, options, start) {
     mayJump &&
     field.isPlain &&
     (start === 'global' || isRough) &&
-    (isCompared(options) ? path : findIn(field, ends, compared(options), start)).parameters;
+    (isCompared(options) ? path : findByPieces(field, ends, compared(options), start)).parameters;
   if (line && length > measure(field, line).length) return path;
-  return isCompared(options) ? own : findIn(again.field, ends, again.options, start);
+  return isCompared(options) ? own : findByPieces(again.field, ends, again.options, start);
 }
 
 /**
@@ -127,10 +127,10 @@ function findSmooth(field, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGeodesics(field, ends, options, most) {
-  const paths = findAllIn(field, ends, options, most);
+  const paths = findAllByPieces(field, ends, options, most);
   const again = paths.length === 1 ? instead(field, paths[0], options) : null;
   if (!again) return paths;
-  const own = findAllIn(again.field, ends, compared(again.options), most);
+  const own = findAllByPieces(again.field, ends, compared(again.options), most);
   if (!own.every((path) => isGood(field, path, options))) return paths;
-  return isCompared(options) ? own : findAllIn(again.field, ends, again.options, most);
+  return isCompared(options) ? own : findAllByPieces(again.field, ends, again.options, most);
 }

@@ -8,6 +8,7 @@ import { enterDomain, findDomain } from './domain.js';
 import { compile } from './expression/compile.js';
 import { Creases } from './expression/creases.js';
 import { Graphs } from './graphs.js';
+import { Installation, writeRecords } from './installation.js';
 import { KIND, SHAPE } from './kind.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
@@ -16,7 +17,7 @@ import { Sides } from './sides.js';
 import { gap } from './vector.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
-/** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
+/** @typedef {import('./installation.js').Installed} Installed */
 
 export class Manifold {
   /** @type {'parametric' | 'implicit' | 'metric'} */ kind;
@@ -35,15 +36,10 @@ export class Manifold {
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
-  /** @type {Installed | null} */ #installed = null;
-  /** @type {Installed | null} */ #installedMetric = null;
-  /** @type {Installed | null} */ #installedOwn = null;
+  #installation;
   /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('./mesh.js').Mesh | null} */ coarse = null;
-  /** The domain whose walls the solver knows now. @type {Domain | null} */ #walls = null;
-  /** The solver's instance in which it is installed; 0: in none. */
-  #generation = 0;
 
   /** @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition */
   constructor(solver, kind, definition) {
@@ -51,6 +47,7 @@ export class Manifold {
     this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#solver = solver;
+    this.#installation = new Installation(solver);
     this.#periodic = checkPeriodic(kind, definition.periodic);
     this.parameters = checkParameters(kind, definition.parameters ?? {});
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.parameters);
@@ -61,7 +58,7 @@ export class Manifold {
     try {
       this.#settle(range);
     } catch (error) {
-      this.#uninstall();
+      this.#installation.uninstall();
       throw error;
     }
   }
@@ -79,7 +76,7 @@ export class Manifold {
     } catch (error) {
       [this.parameters, this.#reference, this.#compiled, this.domain] = [before, reference, compiled, domain];
       this.#dropGraphs();
-      this.#uninstall();
+      this.#installation.uninstall();
       throw error;
     }
   }
@@ -88,7 +85,7 @@ export class Manifold {
   dispose() {
     this.isDisposed = true;
     this.#dropGraphs();
-    this.#uninstall();
+    this.#installation.uninstall();
   }
 
   /** Diagonal of the bounds; 0 without. */
@@ -108,7 +105,7 @@ export class Manifold {
     const { variables, jet, value } = SHAPE[this.kind];
     if (points.length === 0) return new Float64Array(0);
     this.#wake();
-    const { call } = /** @type {Installed} */ (this.#installed);
+    const { call } = this.#shaped;
     return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
   }
 
@@ -119,9 +116,10 @@ export class Manifold {
    */
   run(call, domain = this.domain, isOwn = false) {
     this.#wake();
-    if (this.#walls !== domain) this.#writeRecord(domain);
-    const shape = /** @type {Installed} */ (this.#installed);
-    const measured = (isOwn ? this.#installedOwn : this.#installedMetric) ?? shape;
+    const { walls, metric, own } = this.#installation;
+    if (walls !== domain) this.#writeRecord(domain);
+    const shape = this.#shaped;
+    const measured = (isOwn ? own : metric) ?? shape;
     return this.#solver.run(() => call(this.#solver.heap, measured.record, shape));
   }
 
@@ -147,7 +145,7 @@ export class Manifold {
         parameters: this.parameters,
         solver: this.#solver,
         write: (shape, measured, code) => {
-          this.#writeRecords(shape, [{ installed: measured, code }], this.domain);
+          writeRecords(this.#solver, this, this.domain, shape, [measured && { ...measured, code }]);
           return measured ?? shape;
         },
       });
@@ -197,41 +195,26 @@ export class Manifold {
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
   #refresh() {
-    if (this.#compiled.reference === this.#reference) return this.#writeParameters();
+    if (this.#compiled.reference === this.#reference) return this.#installation.writeParameters(this.parameters);
     this.#compiled = this.#compile();
-    this.#uninstall();
+    this.#installation.uninstall();
     this.#install();
     this.#writeRecord();
   }
 
-  /** Compiles the modules into the solver's present instance: both or, with an error, neither. */
   #install() {
-    const install = (/** @type {ReturnType<typeof compile>} */ { module, data, dataBytes }) =>
-      this.#solver.install(module, data, dataBytes);
-    const installed = install(this.#compiled);
-    try {
-      this.#installedMetric = this.#compiled.metric && install(this.#compiled.metric.compiled);
-    } catch (error) {
-      this.#solver.remove(installed);
-      throw error;
-    }
-    this.#installed = installed;
-    this.#installedOwn = null;
-    this.#generation = this.#solver.generation;
-    this.#writeParameters();
+    this.#installation.install(this.#compiled, this.#compiled.metric, this.parameters);
   }
 
   /** Compiles and installs its own E, F and G, unless that is done. Returns whether there is room for them. */
   #installOwn() {
     this.#wake();
-    if (this.#installedOwn) return true;
+    if (this.#installation.own) return true;
     const measure = { ...this.#measure, isOwn: true };
     try {
       this.#compiled.own ??= compileMetric(this.kind, measure, this.#shape, this.#reference, this.parameters, this.#solver.apply);
-      const { module, data, dataBytes } = /** @type {NonNullable<ReturnType<typeof compileMetric>>} */ (this.#compiled.own).compiled;
-      this.#installedOwn = this.#solver.install(module, data, dataBytes);
-      this.#writeParameters();
-      this.#writeRecord(this.#walls);
+      this.#installation.installOwn(/** @type {NonNullable<ReturnType<typeof compileMetric>>} */ (this.#compiled.own), this.parameters);
+      this.#writeRecord(this.#installation.walls);
       return true;
     } catch {
       /* No memory, or more than a module may hold: it goes without. */
@@ -239,59 +222,29 @@ export class Manifold {
     }
   }
 
-  /** Gives back what the solver's present instance holds of it, if anything; {@link #wake} installs it again. */
-  #uninstall() {
-    this.#generation = 0;
-    for (const installed of this.#everyInstalled) if (installed) this.#solver.remove(installed);
-    this.#installed = this.#installedMetric = this.#installedOwn = null;
-  }
-
   /** Installs the surface again where a trap has made the solver begin anew. */
   #wake() {
     /* By a getter, say, of the options of a call that has begun. */
     if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
-    if (this.#generation === this.#solver.generation) return;
+    if (this.#installation.isPresent) return;
     for (const graphs of this.#graphs.flat()) graphs.drop(null);
     this.#sides = null;
     try {
       this.#install();
       this.#writeRecord();
     } catch (error) {
-      this.#uninstall();
+      this.#installation.uninstall();
       throw error;
     }
   }
 
-  get #everyInstalled() {
-    return [this.#installed, this.#installedMetric, this.#installedOwn];
-  }
-
-  #writeParameters() {
-    for (const installed of this.#everyInstalled)
-      if (installed) this.#solver.heap.writeDoubles(installed.data, Object.values(this.parameters));
-  }
-
-  /** Tells the solver what it is: as space measures it, and as it measures length. */
   #writeRecord(domain = this.domain) {
-    this.#walls = domain;
-    const { metric, own } = this.#compiled;
-    const measures = [
-      { installed: this.#installedMetric, code: metric?.code ?? METRIC.induced },
-      { installed: this.#installedOwn, code: own?.code ?? METRIC.induced },
-    ];
-    this.#writeRecords(/** @type {Installed} */ (this.#installed), measures, domain);
+    this.#installation.write(this, domain);
   }
 
-  /** @param {Installed} shape as space measures it @param {{ installed: Installed | null, code: number }[]} measures of length @param {Domain | null} domain */
-  #writeRecords({ jet, value, record }, measures, domain) {
-    const wall = (/** @type {number[]} */ ends, /** @type {number} */ open) => ends.map((end, j) => (domain?.periodic[j] ? open : end));
-    const lower = domain ? wall(domain.lower, -Infinity) : [0, 0];
-    const upper = domain ? wall(domain.upper, Infinity) : [0, 0];
-    const shape = { kind: KIND[this.kind], metric: METRIC.induced, jet, value, lower, upper, extent: this.extent };
-    const { heap } = this.#solver;
-    heap.writeSurface(record, this.kind === 'metric' ? { ...shape, metric: METRIC.tensor, value: 0 } : shape);
-    for (const { installed, code } of measures)
-      if (installed) heap.writeSurface(installed.record, { ...shape, metric: code, jet: installed.jet });
+  /** Where the surface itself is installed, which it is after {@link #wake}. */
+  get #shaped() {
+    return /** @type {Installed} */ (this.#installation.shape);
   }
 
   /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
@@ -300,7 +253,7 @@ export class Manifold {
     if (!metric) return [];
     const count = metric.compiled.jet.length;
     this.#wake();
-    const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installedMetric).call.jet, points, 2, count);
+    const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installation.metric).call.jet, points, 2, count);
     return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
   }
 
@@ -339,7 +292,7 @@ export class Manifold {
     this.coarse = null;
     this.#sides?.drop();
     this.#sides = null;
-    const heap = this.#generation === this.#solver.generation ? this.#solver.heap : null;
+    const heap = this.#installation.isPresent ? this.#solver.heap : null;
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }
 }

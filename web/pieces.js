@@ -185,7 +185,7 @@ export function placeIn({ domain, pieces }, place) {
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start
  * @returns {Path}
  */
-export function findPath(field, ends, options, start) {
+export function findByPieces(field, ends, options, start) {
   const { domain, pieces } = field;
   if (pieces.length === 0) return findIn(field, ends, options, start);
   const isTurned = (!start || start === 'global') && isAfter(ends[0], ends[1]);
@@ -235,15 +235,15 @@ export function findBeside(field, ends, options, lines, shortest) {
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
  * @returns {Path[]}
  */
-export function findGeodesics(field, ends, options, most) {
+export function findAllByPieces(field, ends, options, most) {
   const [nearest] = field.pieces.length > 0 ? waysBetween(field, ends) : [[{ piece: field, ends }]];
   const [leg] = nearest;
-  if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findPath(field, ends, options, 'global')];
+  if (nearest.length > 1 || findPoint(leg.piece, leg.ends, options)) return [findByPieces(field, ends, options, 'global')];
   const first = findRest(leg.piece, leg.ends, options);
   const paths = findGlobal(leg.piece, leg.ends, options, most);
   /* Rounded, the path that rests may be there more than once, of a length that is its own error; a loop's is known to more than a digit. */
   const isLoop = (/** @type {Path} */ { length, lengthError }) => length > 10 * lengthError && length > ROOM * (first?.lengthError ?? 0);
-  if (!field.domain && !first && !paths.some(isGeodesic)) return [findPath(field, ends, options, 'global')];
+  if (!field.domain && !first && !paths.some(isGeodesic)) return [findByPieces(field, ends, options, 'global')];
   const all = first ? [first, ...paths.filter(isLoop)] : paths;
   return all.slice(0, most).map((path) => placed(field.domain, path, ends[0]));
 }

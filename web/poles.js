@@ -16,7 +16,6 @@ import { gap } from './vector.js';
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
 /** @typedef {import('./candidates.js').Found} Found */
-/** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./tips.js').Tip} Tip */
@@ -62,9 +61,10 @@ export function overPoles(problem, options, tried, rough) {
 export function passPoles(problem, options, near) {
   const weak = { to: problem.to, path: near, start: null, coarse: near };
   const others = leaps(problem, near) ? [] : [weak];
-  const ways = overPoles(problem, options, [weak], others);
+  const poles = overPoles(problem, options, [weak], others);
   const most = others.length > 0 && near.length > 0 ? (1 + MARGIN) * near.length : Infinity;
-  return [...besidePoles(problem, options, ways, others), ...ways]
+  const { beside, over } = besidePoles(problem, options, poles, others);
+  return [...beside, ...over]
     .filter((found) => holds(found) && found.path.length <= most)
     .sort((a, b) => a.path.length - b.path.length)
     .slice(0, 1)
@@ -86,24 +86,26 @@ function solveAt({ from, domain, solve }, { pole, beyond, smooth }, isOver, to, 
 /**
  * Paths that pass a pole nearby, or wind around a hole, over which a way is hardly longer: in the rectangle's own coordinates they turn too sharply there.
  * @param {Problem} problem @param {SolveOptions} options @param {Way[]} ways @param {Found[]} others
+ * @returns {{ beside: Found[], over: Way[] }} over: the ways, solved where none passes the pole
  */
 export function besidePoles(problem, options, ways, others) {
   let shortest = lengthOfShortest([...others, ...ways.filter(({ beyond }) => !(beyond > 0))]);
   const asked = compared(within(options, BESIDE_STEPS));
   /** @type {Found[]} */
-  const found = [];
-  for (const tip of ways) {
+  const beside = [];
+  const over = ways.map((tip) => {
     const { to, beyond, radius, bound } = tip;
-    if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) continue;
+    if (Math.max(tip.path.length - 2 * radius || 0, bound) * (1 - MARGIN) > shortest) return tip;
     const again = (/** @type {SolveOptions} */ wanted) => solveAt(problem, tip, false, to, null, wanted);
     const way = { to, again, path: again(asked) };
-    if (way.path.status >= CONVERGED) found.push(way);
+    if (way.path.status >= CONVERGED) beside.push(way);
     /* Of a pole, where half a turn in longitude may be none around it; over a hole no way leads. */
     const isInsteadOfArcs = tip.smooth && bound > 0 && !(beyond > 0);
-    if (holds(way)) shortest = Math.min(shortest, way.path.length);
-    else if (isInsteadOfArcs) tip.path = tip.again(compared(options));
-  }
-  return found;
+    if (!holds(way)) return isInsteadOfArcs ? { ...tip, path: tip.again(compared(options)) } : tip;
+    shortest = Math.min(shortest, way.path.length);
+    return tip;
+  });
+  return { beside, over };
 }
 
 /** Solves from a path found roughly; past a pole of a metric as beside one. @param {Problem} problem @param {Found} found @param {SolveOptions} options */

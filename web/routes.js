@@ -1,7 +1,7 @@
 /** From two ends to a path: near a start, or the globally shortest. Joins the solver, the graphs and the lifts of a surface. */
 
 import { findBranches } from './branches.js';
-import { passBranches } from './branched.js';
+import { passBranches } from './over-branches.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
 import { distinct } from './distinct.js';
 import { facePoles } from './domain.js';

@@ -1,6 +1,7 @@
 /** Meshes as they are drawn: without what has a place that is no number, or one that graphics cannot compute with. */
 
 import { cutMesh, LARGEST } from './cuts.js';
+import { cross, subtract } from './vectors.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('./tasks.js').Opened} Opened */
@@ -19,10 +20,21 @@ export function meshOf(opened, resolution, surfpath) {
   const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
   const given = drawn.mesh(wanted ? { resolution: wanted } : {});
   const mesh = drawable(given.parameters ? cutMesh(given, (places) => drawn.evaluate(places)) : given);
-  const bounds = mesh.indices.length > 0 && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
+  const isSurface = hasArea(mesh);
+  const bounds = isSurface && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
   if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
-  if (mesh.indices.length > 0) return mesh;
+  if (isSurface) return mesh;
   throw new RangeError(drawn.kind === 'implicit' ? whyNowhere(drawn, definition.bounds) : whyNothing(given));
+}
+
+/** Whether some triangle is one. @param {SurfaceMesh} mesh */
+function hasArea({ positions, indices }) {
+  const corner = (/** @type {number} */ i) => positions.subarray(3 * indices[i], 3 * indices[i] + 3);
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+    if (cross(subtract(b, a), subtract(c, a)).some((x) => x !== 0)) return true;
+  }
+  return false;
 }
 
 /** Why a mesh of formulas has nothing to draw. @param {SurfaceMesh} mesh */

@@ -1,7 +1,8 @@
 /** What must be computed anew when the sketch changes, in which thread, and in which order. The one place that writes what is computed into the state. */
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
-import { chooseEnds, describeFar, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { areFar, chooseEnds, describeFar, findBadEnd } from '../state/ends.js';
+import { areInside, areLeftBehind, endPlaces, mended, meshNow, middle, moveEnds, repairEnds, surfaceNow } from './footing.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -91,14 +92,22 @@ export async function rebuild({ frame, direction }) {
   Object.assign(state, { problem: null, building: true });
   /** @type {Surfaces | null} */ let opened = null;
   /** @type {Solved | null} */ let solved = null;
+  /** Until the path is there between ends that were brought to where they are seen. @type {Promise<void> | null} */ let fetched = null;
   let isSeen = false;
   const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
     if (mine !== builds) return;
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     toLookFrom = direction;
-    if (frame) stage?.frame(middle(), direction);
-    else stage?.refit();
+    if (frame) return stage?.frame(middle(), direction);
+    stage?.refit();
+    // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
+    if (areFar(endPlaces(), state.seen)) {
+      moveEnds(mended(state.seen), true);
+      look(mesh);
+      stage?.refit();
+      fetched = solve(true);
+    }
   };
   try {
     opened = openSurfaces(surfpath, surfaceOf(sketch));
@@ -112,7 +121,7 @@ export async function rebuild({ frame, direction }) {
   if (!isSeen || mine !== builds) return;
   repairEnds();
   if (solved && asked === turn) show(solved, true);
-  else await solve(true);
+  else await (fetched ?? solve(true));
   await fetchEnds();
 }
 
@@ -124,24 +133,6 @@ async function fetchEnds() {
     moveEnds(elsewhere());
     await solve(true);
   }
-}
-
-/** The ends of the sketch, put onto the surface that is seen. */
-function mended() {
-  const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
-  return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends);
-}
-
-/** @param {number[][]} ends */
-function moveEnds(ends) {
-  state.note = describeMoved(state.sketch.ends, ends) ?? state.note;
-  state.sketch = { ...state.sketch, ends, via: [] };
-}
-
-/** Whether a formula that was changed has left its ends behind: off the surface, or where it has no value. */
-function areLeftBehind() {
-  const isLost = (/** @type {number[]} */ end) => state.drawn !== null && placeOf(state.drawn, end) === null;
-  return chosenPath()?.status === 'off-surface' || (state.sketch.ends.some(isLost) && meshNow().indices.length > 0);
 }
 
 /** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
@@ -157,33 +148,6 @@ function adopt(sketch, opened, mesh) {
 /** Shows a mesh in the view. @param {SurfaceMesh} mesh */
 function look(mesh) {
   state.seen = stage?.setSurface(mesh, endPlaces()) ?? [];
-}
-
-const surfaceNow = () => /** @type {import('surfpath').Surface} */ (state.surface);
-const meshNow = () => /** @type {SurfaceMesh} */ (state.mesh);
-
-/** Whether all points of a sketch may lie on a surface. @param {Sketch} sketch @param {import('surfpath').Surface} surface */
-const areInside = ({ kind, ends, via }, surface) => !findBadEnd(kind, surface, [...ends, ...via]);
-
-function repairEnds() {
-  const { kind, ends, via } = state.sketch;
-  if (areInside(state.sketch, surfaceNow())) return;
-  const inside = (/** @type {number[]} */ point) => !findBadEnd(kind, surfaceNow(), [point]);
-  if (findBadEnd(kind, surfaceNow(), ends)) moveEnds(mended());
-  else state.sketch = { ...state.sketch, via: via.filter(inside) };
-}
-
-/** Where the ends are, as far as they are anywhere. */
-const endPlaces = () =>
-  state.sketch.ends.flatMap((end) => {
-    const place = state.drawn && placeOf(state.drawn, end);
-    return place ? [place] : [];
-  });
-
-/** A place to look from: the middle between the ends. */
-function middle() {
-  const [from, to] = endPlaces();
-  return to ? from.map((x, k) => (x + to[k]) / 2) : null;
 }
 
 /** The path, exactly. @param {boolean} animated */

@@ -18,7 +18,7 @@ const [PATIENCE, LONGEST] = [400, 1500];
 const ANSWERS = { solve: ['solve', 'open'] };
 
 /** What a task that was cancelled is rejected with. */
-export class Cancelled extends Error {
+class Cancelled extends Error {
   constructor() {
     super('Cancelled. Change anything to compute it anew.');
   }

@@ -22,7 +22,7 @@ export function tangents(surface, point) {
  * Two orthonormal tangent vectors at a point: the first in the direction of u, or, on an implicit surface, level.
  * @param {Surface} surface @param {readonly number[]} point
  */
-export function frameAt(surface, point) {
+function frameAt(surface, point) {
   if (surface.kind === 'implicit') {
     const normal = unit(surface.evaluate(point).subarray(1, 4));
     const level = cross(Math.abs(normal[2]) > 0.9 ? [0, 1, 0] : [0, 0, 1], normal);

@@ -8,7 +8,6 @@ import { KINDS } from '../state/kinds.js';
 import { breakable, math, typeset } from './mathml.js';
 import { onRender, state } from '../state/state.js';
 
-/** @typedef {import('../state/kinds.js').Kind} Kind */
 /** @typedef {import('../state/definition.js').Problem} Problem */
 
 /** Characters of a formula that are shown around a mistake. */

@@ -11,8 +11,8 @@ const PRODUCT = 2;
 const SIGN = 3;
 const POWER = 4;
 const ATOM = 5;
-/** Characters that fit into a line as they are typeset. */
-const ONE_LINE = 28;
+/** Characters that fit into a line as they are typeset, also where they are wide or under roots; and a factor that may begin one. */
+const [ONE_LINE, BULKY] = [20, 7];
 /** Longer formulas are not typeset: their beginning is shown as it was written, so many characters of it. */
 const MOST_STEPS = 400;
 const BEGINNING = 80;
@@ -105,9 +105,11 @@ export function breakable(element) {
   if (!middle) return [[element]];
   const text = middle.textContent ?? '';
   if (left.textContent === '(') return joined([[left]], breakable(middle), [[right]]);
+  // At the beginning of its piece it would be taken for a sign, without room around it.
+  if (middle.localName === 'mo') middle.setAttribute('form', 'infix');
   if (middle.localName === 'mo' && ['+', '−'].includes(text)) return [...breakable(left), ...joined([[middle]], breakable(right))];
   const isProduct = middle.localName === 'mtext' || ['\u2062', '·'].includes(text);
-  const isBulky = (right.textContent?.length ?? 0) > ONE_LINE / 4;
+  const isBulky = (right.textContent?.length ?? 0) > BULKY;
   return isProduct && isBulky ? [...breakable(left), ...joined([[middle]], breakable(right))] : [[element]];
 }
 

@@ -13,7 +13,9 @@ const LEAST_MARGIN = 44;
 /** Share of the view below which a surface is too small to be seen well. */
 const TINY = 0.35;
 /** By how much a surface may grow or shrink, and move, in parts of its distance, before a view that nobody has turned follows it. */
-const [GROWTH, SHIFT] = [1.15, 0.04];
+const [GROWTH, SHIFT] = [1.15, 0.02];
+/** Parts of its distance that the camera is off by rounding, not by hand. */
+const ROUNDING = 1e-6;
 /** How much farther than the surface without its spikes these are drawn. */
 const DEEP = 200;
 
@@ -29,8 +31,11 @@ export class Eye {
   /** What must fit into the view. @type {import('./fit.js').Points | null} */ #points = null;
   #size = { width: 1, height: 1 };
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
-  /** Whether the reader has pressed the view, and turned it: then it is not ours to change. */
-  #held = false;
+  /** Where the camera looked at, and from how far, when all of the surface was fitted. */
+  #fitted = { target: new Vector3(), distance: 1 };
+  /** Where it would fit from the side to which it was turned; null: turned since. @type {{ target: Vector3, distance: number } | null} */ #planned =
+    null;
+  /** Whether the reader has come nearer, stepped back or moved aside since: then the view is not ours to change. One that is only turned is. */
   #touched = false;
   /** Where the surface was then. */
   #seen = new Sphere();
@@ -40,19 +45,18 @@ export class Eye {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
-    this.controls.addEventListener('start', () => {
-      this.#held = true;
-    });
     this.controls.addEventListener('change', () => {
       onChange();
-      if (!this.#held) return;
-      [this.#held, this.#touched] = [false, true];
+      this.#planned = null;
+      if (this.#touched || this.#isFitted()) return;
+      this.#touched = true;
       this.#seen.copy(this.#bounds);
     });
   }
 
   /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that should be seen, x y z each @returns what is seen along each axis, from and to */
   setSurface(geometry, ends) {
+    if (!this.#touched && this.#points) this.#planned ??= this.#plan(this.#towards());
     this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     const all = geometry.getAttribute('position');
     const ranges = rangesWithoutSpikes(all, ends);
@@ -65,20 +69,28 @@ export class Eye {
   }
 
   /**
-   * Looks at the whole surface again, from the same side, if it is noticeably larger, smaller or elsewhere; once the reader has turned the view, only if it has
-   * outgrown it, left it, or become tiny in it, and not because of what the reader left out.
+   * Looks at the whole surface again, from the same side, if it is noticeably larger, smaller or elsewhere; once the reader has chosen a distance or a place,
+   * only if it has outgrown the view, left it, or become tiny in it, and not because of what the reader left out.
    */
   refit() {
     if (!this.#points || this.#isAsLeft()) return;
     if (!this.#touched) {
       const { target, distance } = this.#plan(this.#towards());
-      const growth = distance / this.camera.position.distanceTo(this.controls.target);
-      const isOff = growth > GROWTH || growth < 1 / GROWTH || target.distanceTo(this.controls.target) > SHIFT * distance;
+      const before = this.#planned ?? this.#fitted;
+      const growth = distance / before.distance;
+      const isOff = growth > GROWTH || growth < 1 / GROWTH || target.distanceTo(before.target) > SHIFT * distance;
       return isOff && this.#fit(this.#towards());
     }
     this.camera.updateMatrixWorld();
     const { reach, extent } = shareOfView(this.#points, this.camera.matrixWorldInverse, this.#slopes(0));
     if (reach > 1 || extent < TINY) this.#fit(this.#towards());
+  }
+
+  /** Whether the camera is as far, and looks at the same place, as when it was fitted. */
+  #isFitted() {
+    const { target, distance } = this.#fitted;
+    const off = Math.abs(this.camera.position.distanceTo(this.controls.target) - distance) + target.distanceTo(this.controls.target);
+    return off <= ROUNDING * distance;
   }
 
   /** Whether the reader has chosen the view of a surface that was about as large, and there. */
@@ -139,7 +151,9 @@ export class Eye {
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(towards, distance);
     this.controls.update();
-    this.#held = this.#touched = false;
+    this.#fitted = { target, distance: this.camera.position.distanceTo(target) };
+    this.#planned = { target, distance };
+    this.#touched = false;
   }
 
   /** Brings the camera to where it is in this frame; depths as near to the surface as may be. */

@@ -13,6 +13,8 @@ const BULK = [0.05, 0.95];
 const [SPIKY, TALL] = [3, 2];
 /** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly, and so large a share of all. */
 const [DENSE, SOME] = [8, 0.1];
+/** Whatever it is like, what is so many times longer than wide would be a thread. */
+const THREAD = 200;
 /** In parts of its width: a bulk up to here is seen, and ends of a path that lie so far apart. */
 const [LONG, FARTHEST] = [4, 6];
 
@@ -20,12 +22,12 @@ const AXES = /** @type {const} */ (['getX', 'getY', 'getZ']);
 
 /** @typedef {import('three').BufferAttribute | import('three').InterleavedBufferAttribute} Points */
 
-/** Where in a sorted list most numbers lie within a size, and how many. @param {Float64Array} list @param {number} size */
+/** Where in a sorted list most numbers lie within a size, near its middle if that is anywhere, and how many. @param {Float64Array} list @param {number} size */
 function densest(list, size) {
   let [from, most] = [0, 0];
   for (let i = 0, j = 0; i < list.length; i++) {
     while (j < list.length && list[j] - list[i] <= size) j++;
-    if (j - i > most) [from, most] = [i, j - i];
+    if (j - i > most || (j - i === most && i <= list.length / 2)) [from, most] = [i, j - i];
   }
   return { from: list[from], share: most / list.length };
 }
@@ -48,7 +50,8 @@ export function rangesWithoutSpikes(points, ends = []) {
     const width = Math.max(...sizes.filter((_, other) => other !== k));
     if (!(length > TALL * width)) return [-Infinity, Infinity];
     const { from: dense, share } = densest(list, width);
-    if (length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME)) return [-Infinity, Infinity];
+    const isEven = length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME);
+    if (isEven && length <= THREAD * width) return [-Infinity, Infinity];
     const size = Math.max(sizes[k], width);
     const isLong = size > LONG * width;
     let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);

@@ -11,7 +11,6 @@ import { chosenPath, stepsShown, onRender, render, state } from '../state/state.
 import { formatNumber, namePath } from '../panels/words.js';
 
 /** @typedef {import('./scene.js').View} View */
-/** @typedef {import('../state/state.js').State} State */
 
 const THEME = /** @type {const} */ (['surface', 'halo', 'path', 'start', 'other', 'sky', 'ground', 'via']);
 /** @type {unknown} */ let shadeShown = null;
@@ -68,7 +67,8 @@ function renderCurves(view) {
     path: path && curves.paths.length > 0 ? namePath(path.status, sketch, chosen === 0 && !moving) : '',
     start: curves.starts.length > 0 ? (several ? 'Starts' : 'Straight start') : '',
     other: curves.others.length > 0 ? 'Other geodesics' : '',
-    hidden: curves.paths.length > 0 ? 'Hidden part' : '',
+    // A metric is drawn in the plane, which hides nothing.
+    hidden: curves.paths.length > 0 && sketch.kind !== 'metric' ? 'Hidden part' : '',
     drag: dragged || !path ? '' : sketch.task === 'trace' ? 'Drag A' : 'Drag A and B',
   });
 }

@@ -5,7 +5,7 @@ import { KINDS, tensorNames } from './kinds.js';
 /** @typedef {import('./kinds.js').Kind} Kind */
 /** @typedef {Record<string, string>} Texts what the fields hold, by name */
 /** @typedef {{ field: string | null, source: string, index: number, message: string }} Problem field null: no single field is at fault */
-/** @typedef {Parameters<import('surfpath').Surfpath['surface']>[0]} Definition */
+/** @typedef {import('surfpath').AnyDefinition} Definition */
 
 /** Coordinates of an end point. @param {Kind} kind */
 export const coordinates = (kind) => KINDS[kind].coordinates;

@@ -62,13 +62,18 @@ export function placeOf(drawn, point) {
 }
 
 /**
- * Each end that is not on a surface moved to the nearest vertex of its mesh; both to places at random, where there is no nearest, or it is the other end.
+ * Each end that is not on a surface, or not where it is seen, moved to the nearest vertex of its mesh; both to places at random, where there is no nearest, or it
+ * is the other end.
  * @param {import('./kinds.js').Kind} kind @param {{ surface: Surface, drawn: Surface, mesh: SurfaceMesh }} shown @param {any} definition @param {number[][]} ends
+ * @param {number[][]} [seen] from and to along each axis
  */
-export function mendEnds(kind, { surface, drawn, mesh }, definition, ends) {
-  const isGood = (/** @type {number[]} */ end) => !findBadEnd(kind, surface, [end]) && isOnSurface(drawn, definition, end);
+export function mendEnds(kind, { surface, drawn, mesh }, definition, ends, seen = []) {
+  const isGood = (/** @type {number[]} */ end) => {
+    if (findBadEnd(kind, surface, [end]) || !isOnSurface(drawn, definition, end)) return false;
+    return isWithin(placeOf(drawn, end) ?? [], seen);
+  };
   const [from, to] = ends.map((end) => (isGood(end) ? end : nearestVertex(surface, mesh, end, isGood)));
-  return from && to && from.some((x, k) => x !== to[k]) ? [from, to] : chooseEnds(surface, mesh);
+  return from && to && from.some((x, k) => x !== to[k]) ? [from, to] : chooseEnds(surface, mesh, seen);
 }
 
 /** @param {Surface} surface @param {SurfaceMesh} mesh @param {number[]} point @param {(vertex: number[]) => boolean} isGood */
@@ -86,20 +91,23 @@ function nearestVertex(surface, mesh, point, isGood) {
   return nearest;
 }
 
-/** That ends were moved by the page; null: none was. @param {number[][]} before @param {number[][]} now */
-export function describeMoved(before, now) {
+/** That ends were moved by the page; null: none was. @param {number[][]} before @param {number[][]} now @param {boolean} [wereFar] outside what is seen */
+export function describeMoved(before, now, wereFar = false) {
   const names = now.flatMap((end, i) => (end.every((x, k) => x === before[i][k]) ? [] : [letterOf(i)]));
   if (names.length === 0) return null;
-  return names.length > 1
-    ? 'A and B were moved: there is no surface where they were.'
-    : `${names[0]} was moved: there is no surface where it was.`;
+  const [they, were] = names.length > 1 ? ['they', 'were'] : ['it', 'was'];
+  const moved = `${names.join(' and ')} ${were} moved`;
+  return wereFar
+    ? `${moved} to where the surface is seen: ${they} lay far outside.`
+    : `${moved}: there is no surface where ${they} ${were}.`;
 }
+
+/** Whether an end lies where it cannot be seen. @param {number[][]} places of the ends @param {number[][]} seen from and to along each axis */
+export const areFar = (places, seen) => !places.every((place) => isWithin(place, seen));
 
 /** That an end cannot be seen; null: all can. @param {number[][]} places of the ends @param {number[][]} seen from and to along each axis */
 export const describeFar = (places, seen) =>
-  places.every((place) => isWithin(place, seen))
-    ? null
-    : 'An end lies far outside what is seen: type other numbers, or take ends at random.';
+  areFar(places, seen) ? 'An end lies far outside what is seen: type other numbers, or take ends at random.' : null;
 
 /**
  * Two points of the surface at random, not too near to each other, that a path was found between, unless twenty pairs have none.

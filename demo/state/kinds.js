@@ -1,6 +1,6 @@
 /** The kinds of surfaces that the form knows: which fields each has, and what a formula of one's own starts from. Plain data. */
 
-/** @typedef {'parametric' | 'implicit' | 'graph' | 'revolution' | 'tube' | 'sweep' | 'metric'} Kind */
+/** @typedef {import('surfpath').AnyDefinition['kind']} Kind */
 /**
  * @typedef {object} Form of a kind of surface
  * @property {string} title

@@ -32,7 +32,7 @@ const STAGES = /** @type {const} */ (['evaluation', 'assembly', 'block solve', '
 /** @type {[RegExp, Stage][]} */
 const FILES = [
   [/^functions/, 'evaluation'],
-  [/^(energy|system|elements|metric|parametric|implicit|kernel|sweep|fold)/, 'assembly'],
+  [/^(energy|system|elements|metric|parametric|implicit)/, 'assembly'],
   [/^blocks/, 'block solve'],
 ];
 

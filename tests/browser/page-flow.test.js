@@ -39,6 +39,15 @@ const babble = (count) => Array.from({ length: count }, (_, i) => `+(2+sin(${i +
 /** Takes seconds to be drawn and to be solved on. */
 const LONG = `x^2+y^2+z^2-1${babble(130)}`;
 
+/** Opens a link. @param {object} sketch */
+const followLink = (sketch) =>
+  page.evaluate(
+    (hash) => {
+      location.hash = hash;
+    },
+    `1.${Buffer.from(JSON.stringify(sketch)).toString('base64url')}`,
+  );
+
 describe('changes that overtake each other', () => {
   test('ends that a new formula has left behind are put onto the surface', async () => {
     await openEntry(page, 'own-implicit');
@@ -85,6 +94,34 @@ describe('changes that overtake each other', () => {
     await page.waitForTimeout(300);
     await settled(page);
     assert.doesNotMatch(await text('#advice'), /was moved/);
+  });
+
+  test('ends from which a formula has grown away are brought to where the surface is seen', async () => {
+    await openEntry(page, 'own-graph');
+    await page.fill('#field-z', 'exp(x^4)');
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.equal(await status(), 'converged', await text('#advice'));
+    assert.equal(await text('#advice'), 'A and B were moved to where the surface is seen: they lay far outside.');
+    const outside = await page.evaluate(() => {
+      const view = /** @type {HTMLElement} */ (document.getElementById('view')).getBoundingClientRect();
+      return [...document.querySelectorAll('.surfpath-handle')].filter((handle) => {
+        const { x, y, right, bottom } = handle.getBoundingClientRect();
+        return x < view.x || y < view.y || right > view.right || bottom > view.bottom;
+      }).length;
+    });
+    assert.equal(outside, 0);
+  });
+
+  test('but where a link says that they are, they stay', async () => {
+    await followLink({ entry: 'own-graph', texts: { z: 'x^9' } });
+    await page.waitForTimeout(300);
+    await settled(page);
+    assert.match(await text('#advice'), /far outside what is seen/);
+    assert.deepEqual(
+      await page.$$eval('#ends input', (all) => all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber)),
+      [-1.9, -1.2, 1.8, 1.4],
+    );
   });
 
   test('a metric that is none has no ellipses', async () => {
@@ -225,14 +262,15 @@ describe('what takes long', () => {
   });
 
   test('a mistake in the formula is said at once, and another end is not waited for', async () => {
-    await openEntry(page, 'own-graph');
-    await page.fill('#field-z', 'exp(x^4)');
+    const steep = { entry: 'own-graph', texts: { z: 'exp(x^4)' } };
+    await followLink(steep);
     await page.waitForSelector('#progress:not([hidden])');
     await page.fill('#field-z', 'exp(x^4)+');
     await page.waitForFunction(() => /ends too early/.test(document.getElementById('advice')?.textContent ?? ''), null, {
       timeout: allowance(4000),
     });
-    await page.fill('#field-z', 'exp(x^4)');
+    await openEntry(page, 'own-graph');
+    await followLink(steep);
     await page.waitForFunction(() => /^Looking/.test(document.getElementById('status')?.textContent ?? ''));
     const begin = Date.now();
     await page.fill('#end-0-0', '1');

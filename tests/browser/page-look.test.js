@@ -129,6 +129,38 @@ describe('the view follows a surface that changes its size', () => {
     await doing(() => page.fill('#field-z', '0.1*c*x*y'));
   });
 
+  test('though it was turned: what is written then stands in the middle, seen from that side; but a little change moves nothing', async () => {
+    await doing(() => page.fill('#field-z', 'c*x*y'));
+    await page.mouse.move(300, 120);
+    await page.mouse.down();
+    await page.mouse.move(420, 150, { steps: 4 });
+    await page.mouse.up();
+    const side = () =>
+      page.evaluate(() => {
+        const { camera, controls } = /** @type {any} */ (window).surfpathView;
+        const [x, y, z] = ['x', 'y', 'z'].map((axis) => camera.position[axis] - controls.target[axis]);
+        return [Math.atan2(y, x), Math.atan2(z, Math.hypot(x, y)), camera.position.z];
+      });
+    // It goes on for a while, ever more slowly.
+    let before = await side();
+    for (let moved = 1; moved > 1e-4; ) {
+      await page.waitForTimeout(200);
+      const now = await side();
+      moved = Math.abs(now[2] - before[2]);
+      before = now;
+    }
+    await doing(() => page.fill('#field-z', '1.02*c*x*y'));
+    assert.ok(Math.abs((await side())[2] - before[2]) < 1e-2, `${before} ${await side()}`);
+    for (const formula of ['c*x*y+1.5', '0.4*c*x*y-1.5']) {
+      await doing(() => page.fill('#field-z', formula));
+      const [azimuth, elevation] = await side();
+      assert.ok(Math.abs(azimuth - before[0]) + Math.abs(elevation - before[1]) < 1e-3, formula);
+      assert.ok(await isFitted(), `${formula}: ${await reach()}`);
+    }
+    await page.click('#reframe');
+    await doing(() => page.fill('#field-z', '0.1*c*x*y'));
+  });
+
   test('by ranges, little by little', async () => {
     for (const bound of [3.2, 4, 5.2, 6.8, 9, 12]) await doing(() => page.fill('#field-x-to', String(bound)));
     assert.ok(await isFitted(), String(await reach()));
@@ -157,7 +189,7 @@ describe('the view follows a surface that changes its size', () => {
     // The controls write it anew with each frame, from angles.
     const camera = () =>
       page.evaluate(() =>
-        /** @type {any} */ (window).surfpathView.camera.position.toArray().map((/** @type {number} */ x) => x.toFixed(6)),
+        /** @type {any} */ (window).surfpathView.camera.position.toArray().map((/** @type {number} */ x) => x.toPrecision(6)),
       );
     const before = await camera();
     await doing(() => page.fill('#value-c', '110'));
@@ -265,7 +297,33 @@ test('a scale of one number says that number', async () => {
   await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '1.00 everywhere');
 });
 
+test('a scale covers nothing of a surface that fills the view', async () => {
+  await openEntry(page, 'halfPlane');
+  for (const [width, height] of [
+    [1440, 900],
+    [1260, 700],
+    [1024, 768],
+    [940, 600],
+    [844, 390],
+    [390, 844],
+  ]) {
+    await page.setViewportSize({ width, height });
+    await nextFrame(page);
+    const [lowest, scale] = await page.evaluate(() => {
+      const { surface, camera, size } = /** @type {any} */ (window).surfpathView;
+      const points = surface.geometry.getAttribute('position');
+      const place = surface.position.clone();
+      let least = Infinity;
+      for (let i = 0; i < points.count; i++) least = Math.min(least, place.fromBufferAttribute(points, i).project(camera).y);
+      return [((1 - least) / 2) * size.height, /** @type {HTMLElement} */ (document.getElementById('scale')).offsetTop];
+    });
+    assert.ok(lowest < scale, `${width} × ${height}: down to ${lowest}, the scale begins at ${scale}`);
+  }
+  await page.setViewportSize({ width: 1040, height: 640 });
+});
+
 test('a context that the browser has taken away and given back is drawn into at once', async () => {
+  await openEntry(page, 'sphere');
   const warm = async () => (await measurePicture(page, await page.locator('canvas').first().screenshot())).warm;
   const before = await warm();
   await page.evaluate(async () => {

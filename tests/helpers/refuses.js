@@ -28,3 +28,11 @@ export function allClose(actual, expected) {
   assert.equal(actual.length, expected.length);
   for (const [i, x] of expected.entries()) close(actual[i], x);
 }
+
+/** What a path without points looks like. @param {import('../../web/index.js').Path} path @param {string} status */
+export function assertNoPath(path, status) {
+  assert.equal(path.status, status);
+  assert.equal(path.converged, false);
+  for (const number of [path.length, path.lengthError, path.energy, path.gradientNorm]) assert.ok(Number.isNaN(number));
+  assert.deepEqual([path.points.length, path.parameters, path.history.length, path.index], [0, null, 0, -1]);
+}

@@ -6,6 +6,9 @@
 import { checkCurvature } from './path-curvature.js';
 import { add, cross, dot, norm, referenceSurface, scale, subtract, unit } from './reference.js';
 
+/** Largest distance to the surface, relative to the size of the coordinates. */
+const SURFACE_TOLERANCE = 1e-10;
+
 /** @typedef {string|number} Expression */
 
 /**
@@ -37,7 +40,6 @@ import { add, cross, dot, norm, referenceSurface, scale, subtract, unit } from '
  * @property {number[]} [from] where it starts: u v or x y z; unchecked without
  * @property {number[]} [to] where it ends
  * @property {number} [tolerance] largest geodesic curvature times length that counts as none, 1e-4 (it costs a relative length of about 1e-9)
- * @property {number} [surfaceTolerance] largest distance to the surface, relative to the size of the coordinates, 1e-10
  * @property {number} [lengthTolerance] largest relative difference between `length` and the sum of the chords, 1e-12
  * @property {boolean} [equalChords] whether the chords must be equal up to their own curvature, true
  */
@@ -92,7 +94,7 @@ export function verifyPath(definition, path, demands = {}) {
     },
   };
   checkEnds(context, demands);
-  checkSurface(context, demands);
+  checkSurface(context);
   context.demand('length', 0, Math.abs(path.length - context.length), (demands.lengthTolerance ?? 1e-12) * context.length);
   if (context.length === 0) return violations;
   if (demands.equalChords ?? true) checkSpacing(context);
@@ -148,15 +150,14 @@ function checkEnds({ surface, points, places, size, demand }, { from, to }) {
  * Every point on the surface, every parameter in the closed rectangle.
  *
  * @param {Context} context
- * @param {Demands} demands
  */
-function checkSurface({ surface, points, places, size, demand }, { surfaceTolerance = 1e-10 }) {
+function checkSurface({ surface, points, places, size, demand }) {
   points.forEach((point, at) => {
     if (surface.kind === 'implicit') {
-      demand('surface', at, Math.abs(surface.value(point)) / norm(surface.gradient(point)), surfaceTolerance * size);
+      demand('surface', at, Math.abs(surface.value(point)) / norm(surface.gradient(point)), SURFACE_TOLERANCE * size);
       return;
     }
-    demand('surface', at, norm(subtract(point, surface.position(places[at]))), surfaceTolerance * size);
+    demand('surface', at, norm(subtract(point, surface.position(places[at]))), SURFACE_TOLERANCE * size);
     for (const i of [0, 1]) {
       const [low, high] = surface.rectangle[i];
       if (!surface.periodic[i]) demand('rectangle', at, Math.max(low - places[at][i], places[at][i] - high), 0);

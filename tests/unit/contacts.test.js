@@ -124,3 +124,81 @@ test('long strips, from edge to edge: where a path ends on an edge which it leav
   }
   assert.ok(open <= 4, `${open} of 164 are not solved to the tolerance`);
 });
+
+/** From a height down to a wall at the height `least`, under a density of the height: along a catenary. @param {number} least @param {number} height */
+function downTo(least, height) {
+  const far = Math.acosh(height / least);
+  return { along: least * far, length: least ** 2 * (far / 2 + Math.sinh(2 * far) / 4) };
+}
+
+test('a density that is small on a wall: two catenaries, and the wall between them, seed 5', () => {
+  /* The wall has a radius of least² there, where paths are up to 2 long. */
+  const least = 0.01;
+  const film = surfpath.graph({ z: 0, x: [-2, 2], y: [least, 2], density: 'y' });
+  const random = createRandom(5);
+  let touching = 0;
+  for (let i = 0; i < PAIRS; i++) {
+    const [from, to] = [0, 1].map(() => [random.between(-2, 2), random.integer(5) ? random.between(least, 2) : least]);
+    const [a, b] = [downTo(least, from[1]), downTo(least, to[1])];
+    const wall = Math.abs(to[0] - from[0]) - a.along - b.along;
+    if (wall < 0) continue;
+    const length = a.length + b.length + least * wall;
+    const path = film.shortestPath(from, to);
+    const what = `${from} to ${to}: ${path.status}, ${path.length} ± ${path.lengthError}, not ${length}`;
+    assert.ok(path.converged, what);
+    if (path.length < 0.999 * length) continue; // one catenary from end to end
+    touching++;
+    assert.ok(Math.abs(path.length - length) <= 3 * path.lengthError + ROUNDING * length, what);
+  }
+  assert.equal(touching, 33);
+  film.dispose();
+});
+
+for (const least of [0.1, 0.05, 0.04])
+  test(`around a corner, along both of its edges, from ${least} on: z³ makes the plane of it, in which they have one tangent in common`, () => {
+    const land = surfpath.graph({ z: 0, x: [least, 1], y: [least, 1], density: '3(x^2 + y^2)' });
+    const touching = least * (1 + Math.SQRT2);
+    const alongEdge = (/** @type {number} */ far) => 3 * least ** 2 * (far - touching) + far ** 3 - touching ** 3;
+    /* From (x + iy)³ to (y + ix)³, x = least and y where they touch. */
+    const [real, imaginary] = [least ** 3 - 3 * least * touching ** 2, 3 * least ** 2 * touching - touching ** 3];
+    const tangent = Math.SQRT2 * Math.abs(real + imaginary);
+    for (const [up, right] of [
+      [0.9, 0.9],
+      [0.9, 0.4],
+      [0.25, 0.6],
+    ]) {
+      const length = alongEdge(up) + alongEdge(right) + tangent;
+      const path = land.shortestPath([least, up], [right, least]);
+      assert.ok(path.converged && path.touchesBoundary, path.status);
+      assert.ok(Math.abs(path.length - length) <= 3 * path.lengthError + ROUNDING * length, `${path.length}, not ${length}`);
+    }
+    land.dispose();
+  });
+
+test('a strip that winds many times: from one wave to the next paths touch both walls, and each wave adds as much', () => {
+  const wave = (2 * Math.PI) / 3;
+  const strip = surfpath.parametric({ x: 'u', y: 'v + 0.3sin(3u)', z: 0, u: [0, 30], v: [-0.2, 0.2] });
+  const over = (/** @type {number} */ waves) => strip.shortestPath([1, 0.05], [1.3 + waves * wave, -0.1]);
+  const [two, three] = [over(2), over(3)];
+  for (const waves of [4, 5, 7, 9]) {
+    const path = over(waves);
+    const length = two.length + (waves - 2) * (three.length - two.length);
+    assert.ok(path.converged && path.touchesBoundary, `${waves} waves: ${path.status}`);
+    assert.ok(Math.abs(path.length - length) <= 3 * waves * path.lengthError + ROUNDING * length, `${path.length}, not ${length}`);
+  }
+  strip.dispose();
+});
+
+test('points along an edge on which a density falls to a fiftieth, from a corner on, are as far apart as elsewhere', () => {
+  const land = surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1], density: '2.02 - x^2 - y^2' });
+  const density = (/** @type {number} */ x, /** @type {number} */ y) => 2.02 - x * x - y * y;
+  const { status, length, parameters } = land.shortestPath([-1, -1], [0.47, -0.24], { points: 999 });
+  const places = /** @type {Float64Array} */ (parameters);
+  assert.equal(status, 'converged');
+  for (let i = 2; i < places.length; i += 2) {
+    const [x, y, u, v] = places.subarray(i - 2, i + 2);
+    const step = (Math.hypot(u - x, v - y) * (density(x, y) + 4 * density((x + u) / 2, (y + v) / 2) + density(u, v))) / 6;
+    assert.ok(Math.abs((1000 * step) / length - 1) < 1e-5, `${1000 * step} at ${x}, ${y}, not ${length}`);
+  }
+  land.dispose();
+});

@@ -55,7 +55,7 @@ describe('definitions', () => {
 
   test('implicit refuses bounds that are no box', () => {
     const f = 'x^2+y^2+z^2-1';
-    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1]] })), TypeError, /bounds must be \[\[x, x\], \[y, y\], \[z, z\]\]/);
+    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1]] })), TypeError, /bounds must be three ranges, \[\[xmin, xmax\], \[ymin/);
     refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1], [0, 1], 2] })), TypeError, /bounds\[2\] must be a range/);
     const reversed = anything([
       [0, 1],

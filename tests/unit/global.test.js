@@ -9,7 +9,6 @@ import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 /** @typedef {import('../../web/index.js').Path} Path */
-/** @typedef {import('../../web/index.js').Surface} Surface */
 
 /** Of a polyline with 64 inner points. */
 const CHORDS = 2e-3;

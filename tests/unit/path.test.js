@@ -5,7 +5,7 @@ import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { POLYLINE, STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
-import { anything, close, refuses } from '../helpers/refuses.js';
+import { anything, assertNoPath, close, refuses } from '../helpers/refuses.js';
 
 const surfpath = await load();
 const saddle = surfpath.surface(gallery.saddle);
@@ -13,14 +13,6 @@ const sphere = surfpath.surface(gallery.sphere);
 const ring = surfpath.surface(gallery.parametricTorus);
 
 /** @typedef {import('../../web/index.js').Path} Path */
-
-/** What a path without points looks like. @param {Path} path @param {string} status */
-function assertNoPath(path, status) {
-  assert.equal(path.status, status);
-  assert.equal(path.converged, false);
-  for (const number of [path.length, path.lengthError, path.energy, path.gradientNorm]) assert.ok(Number.isNaN(number));
-  assert.deepEqual([path.points.length, path.parameters, path.history.length, path.index], [0, null, 0, -1]);
-}
 
 describe('options', () => {
   /** @type {[unknown, Function, RegExp][]} */

@@ -52,7 +52,7 @@ export class Heap extends Memory {
 
   /** @param {number} at @param {SurfaceRecord} surface */
   writeSurface(at, surface) {
-    this.words(at, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
+    this.words(at + layout.sp_surface_jet, 4).set([surface.jet, surface.value, surface.kind, surface.metric]);
     this.writeDoubles(at + layout.sp_surface_lower, surface.lower);
     this.writeDoubles(at + layout.sp_surface_upper, surface.upper);
     this.writeDoubles(at + layout.sp_surface_extent, [surface.extent]);
@@ -100,7 +100,7 @@ export class Heap extends Memory {
     const bytes = this.exports.sp_solve_bytes(surface, this.#options, startCount);
     if (!this.reserve(startBytes + bytes)) return emptyPath(OUT_OF_MEMORY);
     if (start) this.writeDoubles(this.arenaBase, start);
-    this.writePoint(this.#request, request.from);
+    this.writePoint(this.#request + layout.sp_request_from, request.from);
     this.writePoint(this.#request + layout.sp_request_to, request.to);
     const passage = request.passage;
     this.writeWords(this.#request + layout.sp_request_start, start ? this.arenaBase : 0, startCount, passage ? passage.way : 0);
@@ -121,10 +121,10 @@ export class Heap extends Memory {
    * @returns {RawPath | null} null: the direction is normal to the surface
    */
   trace(surface, request, options) {
-    this.writeDoubles(this.#options, [options.tolerance]);
+    this.writeDoubles(this.#options + layout.sp_trace_options_tolerance, [options.tolerance]);
     this.words(this.#options + layout.sp_trace_options_point_count, 2).set([options.points, MOST_TRACE_STEPS]);
     if (!this.reserve(this.exports.sp_trace_bytes(request.kind, this.#options))) return emptyPath(OUT_OF_MEMORY);
-    this.writePoint(this.#request, request.from);
+    this.writePoint(this.#request + layout.sp_trace_request_from, request.from);
     this.writePoint(this.#request + layout.sp_trace_request_direction, request.direction);
     this.writeDoubles(this.#request + layout.sp_trace_request_length, [request.length]);
     this.exports.sp_trace_path(surface, this.#request, this.#options, this.openArena(), this.#result);
@@ -159,7 +159,7 @@ export class Heap extends Memory {
       const bytes = this.exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
       const status = this.exports.sp_mesh_implicit(value, numbers, resolution, this.openArena(), this.#result);
-      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.words(this.#result, 5);
+      const [positionsAt, normalsAt, indicesAt, vertexCount, triangleCount] = this.words(this.#result + layout.sp_mesh_positions, 5);
       if (status === OUT_OF_MEMORY && attempt === 0) {
         [vertices, triangles] = [vertexCount, triangleCount];
         continue;
@@ -181,7 +181,7 @@ export class Heap extends Memory {
    */
   buildGraph(surface, kind, { box, cell, resolution, loose, reach = 0 }) {
     const at = this.allocate(layout.sp_graph_bytes);
-    this.writeDoubles(this.#options, [...[...box, 0, 0].slice(0, 6), cell]);
+    this.writeDoubles(this.#options + layout.sp_graph_options_box, [...[...box, 0, 0].slice(0, 6), cell]);
     this.writeDoubles(this.#options + layout.sp_graph_options_reach, [reach]);
     this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
     let status = OUT_OF_MEMORY;
@@ -200,7 +200,7 @@ export class Heap extends Memory {
       block,
       bytes,
       vertices: word(layout.sp_graph_vertex_count),
-      spacing: block && this.doubles(at, 1)[0],
+      spacing: block && this.doubles(at + layout.sp_graph_spacing, 1)[0],
       unique: word(layout.sp_graph_unique) !== 0,
       singular: word(layout.sp_graph_singular) !== 0,
       resolved: word(layout.sp_graph_resolved) !== 0,
@@ -229,7 +229,7 @@ export class Heap extends Memory {
     const status = this.exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.openArena(), this.#result);
     const [places, , count, written] = this.words(this.#result + layout.sp_graph_answer_places, 4);
     const candidates = Array.from({ length: count }, (_, i) => this.copyDoubles(places + 8 * dimension * written * i, dimension * written));
-    return { status, distance: this.allDoubles()[this.#result >> 3], candidates };
+    return { status, distance: this.allDoubles()[(this.#result + layout.sp_graph_answer_distance) >> 3], candidates };
   }
 
   /**
@@ -254,9 +254,9 @@ export class Heap extends Memory {
   #writeOptions(options) {
     const at = this.#options;
     const doubles = this.allDoubles();
-    doubles[at >> 3] = options.tolerance;
-    doubles[(at >> 3) + 1] = options.gradientTolerance;
-    this.writeWords(at + 16, options.algorithm, options.points, options.maxIterations);
+    doubles[(at + layout.sp_options_tolerance) >> 3] = options.tolerance;
+    doubles[(at + layout.sp_options_gradient_tolerance) >> 3] = options.gradientTolerance;
+    this.writeWords(at + layout.sp_options_algorithm, options.algorithm, options.points, options.maxIterations);
     this.allWords()[(at + layout.sp_options_record) >> 2] = options.record ? 1 : 0;
   }
 }

@@ -1,6 +1,8 @@
 /** What the solver wrote of a path: the structs of a result and of a trace, copied out of its memory. */
 
 import {
+  sp_iterate_bytes,
+  sp_iterate_energy,
   sp_result_crosses_singularity,
   sp_result_energy,
   sp_result_gradient_norm,
@@ -8,6 +10,7 @@ import {
   sp_result_history_count,
   sp_result_index,
   sp_result_iterations,
+  sp_result_length,
   sp_result_length_error,
   sp_result_parameters,
   sp_result_points,
@@ -15,6 +18,7 @@ import {
   sp_result_rounding,
   sp_result_status,
   sp_result_touches_boundary,
+  sp_trace_result_length,
   sp_trace_result_points,
 } from './layout.js';
 
@@ -65,7 +69,7 @@ export function readResult(memory, at, count) {
   const parametersAt = word(sp_result_parameters);
   return {
     status: word(sp_result_status),
-    length: doubles[at >> 3],
+    length: doubles[(at + sp_result_length) >> 3],
     lengthError: doubles[(at + sp_result_length_error) >> 3],
     energy: doubles[(at + sp_result_energy) >> 3],
     gradientNorm: doubles[(at + sp_result_gradient_norm) >> 3],
@@ -87,7 +91,7 @@ function readHistory(memory, at, recordAt, entries, count) {
   /** @type {Iterate[]} */
   const history = [];
   for (let i = 0; i < entries; i++) {
-    const k = (at >> 3) + 4 * i;
+    const k = (at + sp_iterate_bytes * i + sp_iterate_energy) >> 3;
     /** @type {Iterate} */
     const iterate = { energy: doubles[k], gradientNorm: doubles[k + 1], decrement: doubles[k + 2], step: doubles[k + 3] };
     if (recordAt) iterate.points = memory.copyDoubles(recordAt + 24 * count * i, 3 * count);
@@ -98,7 +102,7 @@ function readHistory(memory, at, recordAt, entries, count) {
 
 /** Copies a struct sp_trace_result and its arrays. @param {Memory} memory @param {number} at its address @param {number} count points of the path @returns {RawPath | null} null: the direction is normal to the surface */
 export function readTrace(memory, at, count) {
-  const [length, lengthError, conjugate] = memory.doubles(at, 3);
+  const [length, lengthError, conjugate] = memory.doubles(at + sp_trace_result_length, 3);
   const [pointsAt, parametersAt, status, steps, touches, normal] = memory.words(at + sp_trace_result_points, 6);
   if (normal) return null;
   if (!pointsAt && !parametersAt) return emptyPath(status);

@@ -25,7 +25,7 @@ const ease = (t) => (t < 0.5 ? 4 * t * t * t : 1 - (2 - 2 * t) ** 3 / 2);
  * A polyline through the same places with another number of points, equally spaced by length.
  * @param {ArrayLike<number>} points x y z … @param {number} count at least 2
  */
-export function resample(points, count) {
+function resample(points, count) {
   const pieces = points.length / 3 - 1;
   const reached = new Float64Array(pieces + 1);
   for (let i = 0; i < pieces; i++) {

@@ -15,7 +15,7 @@
  * @typedef {Question & { verdict: string, status: string, length: number, fine: number, error: number, miss: number, traced: boolean, owned: boolean, milliseconds: number }} Answer
  */
 
-export const TOLERANCES = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
+const TOLERANCES = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
 const FINER = [1e-12, 1e-11, 2e-11];
 /** A finer solve that is not as fine as asked for still tells, if its own error is this part of the tolerance. */
 const KNOWN = 0.01;

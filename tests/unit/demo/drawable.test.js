@@ -21,6 +21,7 @@ for (const [what, definition, words] of /** @type {[string, any, RegExp][]} */ (
   ['a line', { kind: 'parametric', x: 'u', y: 'u', z: 'u', ...SQUARE }, /a point or a curve/],
   ['an axis', { kind: 'revolution', r: '0', z: 't', t: [0, 1] }, /a point or a curve/],
   ['a centreline', { kind: 'tube', centreline: ['cos(t)', 'sin(t)', 't'], radius: '0', t: [0, 3] }, /a point or a curve/],
+  ['what is too large but on a line', { kind: 'graph', z: '1e30*x', x: [-2, 2], y: [-2, 2] }, /too large to draw/],
   ['nothing', { kind: 'parametric', x: 'u', y: 'v', z: 'log(-1-u^2)', ...SQUARE }, /no value anywhere/],
   ['a square', { kind: 'implicit', f: '(x^2+y^2+z^2-1)^2', ...BOX }, /f changes its sign/],
   ['f > 0', { kind: 'implicit', f: 'x^2+1', ...BOX }, /f changes its sign/],

@@ -1,7 +1,7 @@
 // What is wrong with the ends of a path and the points on its way, and which of them have a place on the surface.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { findBadEnd, isOnSurface } from '../../../demo/state/ends.js';
+import { describeMoved, findBadEnd, isOnSurface, mendEnds } from '../../../demo/state/ends.js';
 import { gallery } from 'surfpath/gallery';
 import { load } from 'surfpath';
 
@@ -31,4 +31,27 @@ test('a point far from an implicit surface has no place on it, as the solver has
     assert.equal(isOnSurface(surface, definition, point), !isOff, `${factor}`);
   }
   assert.equal(isOnSurface(surface, definition, [Number.NaN, 0, 0]), false);
+});
+
+test('an end far from what is seen goes to the nearest place that is, the other one stays; and that is said', () => {
+  const definition = /** @type {const} */ ({ kind: 'graph', z: 'exp(x^4)', x: [-2.5, 2.5], y: [-2.5, 2.5] });
+  const surface = surfpath.surface(definition);
+  const shown = { surface, drawn: surface, mesh: surface.mesh() };
+  const [before, seen] = [
+    [
+      [-1.9, -1.2],
+      [0.5, 1],
+    ],
+    [
+      [-3, 3],
+      [-3, 3],
+      [0, 6],
+    ],
+  ];
+  const now = mendEnds('graph', shown, definition, before, seen);
+  assert.deepEqual(now[1], before[1]);
+  assert.ok(Math.exp(now[0][0] ** 4) <= 6 && now[0][0] < -1.05 && Math.abs(now[0][1] + 1.2) < 0.06, `${now[0]}`);
+  assert.equal(describeMoved(before, now, true), 'A was moved to where the surface is seen: it lay far outside.');
+  assert.equal(describeMoved(before, now), 'A was moved: there is no surface where it was.');
+  assert.equal(describeMoved(before, before), null);
 });

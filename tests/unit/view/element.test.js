@@ -93,6 +93,8 @@ describe('attributes', () => {
     for (const text of ['', 'a,b', '1,,2', '1, Infinity'])
       assert.throws(() => readNumbers('from', text), { name: 'TypeError', message: /^surface-path: from must be numbers/ });
     assert.throws(() => define({}), /name a surface of the gallery/);
+    assert.throws(() => define({ surface: 'parametrictorus' }), /in the gallery; did you mean parametricTorus\?$/);
+    assert.throws(() => define({ f: 'x^2+y^2+z^2-1' }), /^TypeError: surface-path: f is drawn inside bounds; give them, as in bounds="/);
     assert.throws(() => define({ kind: 'constructor' }), { name: 'RangeError', message: /kind must be one of parametric/ });
     for (const parameters of ['R', 'R=x', 'R=1=2', '=1'])
       assert.throws(() => define({ surface: 'torus', parameters }), { name: 'TypeError', message: /name=number/ });

@@ -97,7 +97,10 @@ function readBounds(text) {
 /** @param {string} name */
 function findEntry(name) {
   if (Object.hasOwn(gallery, name)) return /** @type {Record<string, any>} */ (gallery)[name];
-  throw new RangeError(`surface-path: there is no surface ${describe(name)} in the gallery; it has ${Object.keys(gallery).join(', ')}`);
+  const names = Object.keys(gallery);
+  const meant = names.find((one) => one.toLowerCase() === name.toLowerCase());
+  const advice = meant ? `did you mean ${meant}?` : `it has ${names.join(', ')}`;
+  throw new RangeError(`surface-path: there is no surface ${describe(name)} in the gallery; ${advice}`);
 }
 
 /**
@@ -111,6 +114,8 @@ export function readDefinition(attribute) {
   const [bounds, parameters, periodic] = ['bounds', 'parameters', 'periodic'].map(attribute);
   const [density, metric] = ['density', 'metric'].map(attribute);
   if (bounds !== null) definition.bounds = readBounds(bounds);
+  if (definition.kind === 'implicit' && !definition.bounds)
+    throw new TypeError('surface-path: f is drawn inside bounds; give them, as in bounds="-2,2; -2,2; -1,1", or one range for all three');
   if (parameters !== null) definition.parameters = { ...definition.parameters, ...readParameters(parameters) };
   if (periodic !== null) definition.periodic = readPeriodic(periodic);
   if (density !== null) definition.density = density;
