@@ -283,3 +283,87 @@ test('on a cube, a body of formulas joined by max, paths are as long as on its n
   }
   cube.dispose();
 });
+
+test('a square lake is walked round from corner to corner, seed 2', () => {
+  const lake = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '3 + 2*sign(0.8 - max(abs(x), abs(y)))' });
+  const random = createRandom(2);
+  const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
+  const corners = [-0.8, 0.8].flatMap((x) => [-0.8, 0.8].map((y) => [x, y]));
+  /* Whether what is straight between two places stays out of the lake: looked at in so many places. */
+  const isDry = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    Array.from({ length: 400 }, (_, i) => (i + 0.5) / 400).every((t) => a.some((x, j) => Math.abs(x + t * (b[j] - x)) > 0.8 - 1e-9));
+  const gap = (/** @type {number[]} */ a, /** @type {number[]} */ b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  let around = 0;
+  for (let i = 0; i < 30; i++) {
+    const [from, to] = [place(), place()];
+    if ([from, to].some((end) => Math.max(...end.map(Math.abs)) < 0.85)) continue;
+    /* Over no, one or two corners. */
+    const ways = [[], ...corners.map((a) => [a]), ...corners.flatMap((a) => corners.filter((b) => b !== a).map((b) => [a, b]))]
+      .map((stops) => [from, ...stops, to])
+      .filter((stops) => stops.slice(1).every((stop, k) => isDry(stops[k], stop)))
+      .map((stops) => stops.slice(1).reduce((sum, stop, k) => sum + gap(stops[k], stop), 0));
+    const exact = Math.min(...ways);
+    const path = lake.shortestPath(from, to);
+    assert.ok(!path.converged || Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+    if (exact > gap(from, to) * (1 + 1e-9) && path.converged) around++;
+  }
+  assert.ok(around >= 4, `${around} paths around corners`);
+  lake.dispose();
+});
+
+test('by a winding bank, and on a narrow road: a path converges, and none is longer than a polyline that was drawn by hand', () => {
+  /* Ends, and stops of a way that is nearly the shortest. */
+  /** @type {[string, (x: number, y: number) => number, number[], number[], number[][]][]} */
+  const cases = [
+    [
+      '2 + sign(y - 0.3*sin(3x))',
+      (x, y) => 2 + Math.sign(y - 0.3 * Math.sin(3 * x)),
+      [-1.639, 1.839],
+      [1.797, 0.119],
+      [
+        [-1.489, 0.29],
+        [-0.831, -0.2],
+        [-0.68, -0.29],
+        [-0.6, -0.305],
+        [-0.524, -0.31],
+        [1.571, -0.305],
+        [1.7, -0.282],
+        [1.8, -0.235],
+        [1.885, -0.178],
+      ],
+    ],
+    [
+      '2 - sign(0.1 - abs(y - 0.3*sin(2x)))',
+      (x, y) => 2 - Math.sign(0.1 - Math.abs(y - 0.3 * Math.sin(2 * x))),
+      [-1.22, 1.831],
+      [1.27, -0.539],
+      [
+        [0.272, 0.255],
+        [0.869, 0.203],
+        [0.95, 0.195],
+        [1.03, 0.176],
+        [1.1, 0.152],
+        [1.18, 0.119],
+        [1.25, 0.089],
+        [1.31, 0.056],
+        [1.361, 0.026],
+      ],
+    ],
+  ];
+  for (const [density, at, from, to, stops] of cases) {
+    const plane = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density });
+    const path = plane.shortestPath(from, to);
+    const places = [from, ...stops, to];
+    let drawn = 0;
+    for (let k = 1; k < places.length; k++)
+      for (let i = 0; i < 4000; i++) {
+        const [[a, b], [c, d]] = [places[k - 1], places[k]];
+        const t = (i + 0.5) / 4000;
+        drawn += (Math.hypot(c - a, d - b) / 4000) * at(a + t * (c - a), b + t * (d - b));
+      }
+    assert.equal(path.status, 'converged', density);
+    assert.ok(path.length <= drawn && path.length > 0.97 * drawn, `${density}: ${path.length}, drawn ${drawn}`);
+    assert.equal(plane.shortestPath(to, from).length, path.length);
+    plane.dispose();
+  }
+});

@@ -113,3 +113,16 @@ test('beyond a crease the side goes on, to the bit', () => {
   assert.deepEqual(onSides('sign(u)*v', [-1], [2, 3]), [-3, 0, -1, 0, 0, 0]);
   assert.deepEqual(onSides('min(u, v, 2)', [1, 1], [-5, -7]).slice(0, 1), [2]);
 });
+
+test('rounded, |g| is √(g² + w²), and sign, min and max are made of it, with first and second derivatives', () => {
+  const creases = new Creases({ widths: [0, 1, 2, 3] });
+  const { graph, jet, data } = compiled('abs(u) + sign(v) + max(u, v^2) - min(u*v, 0.3)', creases);
+  const widths = [0.3, 0.2, 0.4, 0.1];
+  assert.ok(data.length >= widths.length);
+  const point = [0.2, -0.4];
+  const values = evaluateGraph(graph, point, widths, apply);
+  const rounded = (/** @type {string} */ g, /** @type {number} */ w) => `sqrt((${g})^2 + ${w * w})`;
+  const byHand = `${rounded('u', 0.3)} + v/${rounded('v', 0.2)} + (u + v^2 + ${rounded('u - v^2', 0.4)})/2 - (u*v + 0.3 - ${rounded('u*v - 0.3', 0.1)})/2`;
+  const actual = jet.map((id) => values[id]);
+  assertNear(actual, byDual(byHand, point), 'rounded');
+});
