@@ -26,6 +26,8 @@ import { gap } from './vector.js';
 const MOST_NEWTON = 30_000;
 /** A polyline is longer or shorter than what lies under it by no more than this part. */
 const ROUGH = 0.02;
+/** One on the surface with its creases rounded may be longer by this: a road that is narrow is dearer there. */
+const ROUNDER = 0.15;
 /** And a way through the graph, whose edges may cross a jump, by this. */
 const COARSE = 0.25;
 /** A path is the straight line in space if it is longer by no more than this part. */
@@ -60,16 +62,17 @@ function findFrom(field, sides, ends, options, start) {
   const { paths, distance } = sketch(field, ends, start, (lines) => round(field, sides, lines));
   let missed = Infinity;
   for (const path of paths) {
-    if (best && path.length * (1 - ROUGH) > lengthOf(best.legs)) continue;
+    if (best && path.length * (1 - ROUNDER) > lengthOf(best.legs)) continue;
     const line = path.parameters ?? path.points;
     const found = SHORES.reduce((/** @type {Route | null} */ known, near) => known ?? follow(question, line, near), null);
     if (found) best = shorter(best, found);
-    else missed = Math.min(missed, path.length);
+    /* What became longer than the polyline is another way. */
+    if (!found || lengthOf(found.legs) > path.length * (1 + ROUGH)) missed = Math.min(missed, path.length);
   }
   const path = best && write({ ...question, budget: { steps: MOST_NEWTON } }, best, options);
-  /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
+  /* A shorter way that could not be followed, as it is where creases are not rounded, leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
-  const most = isUnseen ? gap(ends[0], ends[1]) * (1 + STRAIGHT) : Math.min(missed * (1 + ROUGH), distance * (1 + COARSE));
+  const most = isUnseen ? gap(ends[0], ends[1]) * (1 + STRAIGHT) : Math.min(missed * (field.isPlain ? 1 + ROUGH : 1 - 2 * ROUGH), distance * (1 + COARSE));
   return { path: path?.converged ? path : null, most };
 }
 
