@@ -72,7 +72,9 @@ function findFrom(field, sides, ends, options, start) {
   const path = best && write({ ...question, budget: { steps: MOST_NEWTON } }, best, options);
   /* A shorter way that could not be followed, as it is where creases are not rounded, leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
-  const most = isUnseen ? gap(ends[0], ends[1]) * (1 + STRAIGHT) : Math.min(missed * (field.isPlain ? 1 + ROUGH : 1 - 2 * ROUGH), distance * (1 + COARSE));
+  const most = isUnseen
+    ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
+    : Math.min(missed * (field.isPlain ? 1 + ROUGH : 1 - 2 * ROUGH), distance * (1 + COARSE));
   return { path: path?.converged ? path : null, most };
 }
 
