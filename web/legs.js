@@ -13,7 +13,7 @@ import { poseNear } from './routes.js';
  * @property {number} length
  * @property {import('./shores.js').Shore | null} shore the crease that it follows, if it does
  */
-/** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: of the leg before; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
+/** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
 /** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
 /** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: { steps: number } }} Question budget: of Newton, for all that is tried */
 

@@ -143,7 +143,7 @@ function leave(question, line, { legs, joints }, i, own) {
 }
 
 /** A leg along a shore, on the side on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore */
-export function landOn(question, leg, shore) {
+function landOn(question, leg, shore) {
   const width = question.ends[0].length;
   const place = settle(question.sides, { crease: shore.crease, signs: leg.signs }, middleOf(leg.line, width));
   return land(question, leg, shore, place, DIFFERENCE * span(leg.line, width));
