@@ -76,7 +76,7 @@ static void attach_parametric(const struct sp_surface *surface, const struct sp_
     for (int32_t k = 0; k < count; k++) {
         const double *vertex = graph->samples + (size_t)graph->width * (size_t)patch[k].number;
         double by[2] = {patch[k].place[0] - place[0], patch[k].place[1] - place[1]};
-        double length = sp_graph_segment(surface, samples[0], samples[1 + k], vertex, by);
+        double length = sp_graph_segment(surface, place, samples[0], samples[1 + k], vertex, by);
         if (!is_finite(length)) continue;
         attached->vertex[attached->count] = patch[k].number, attached->length[attached->count++] = length;
     }
@@ -154,5 +154,5 @@ double sp_graph_near_length(const struct sp_surface *surface, const struct sp_gr
         by[j] = away;
     }
     sample_middles(surface, from, near, 2, samples);
-    return sp_graph_segment(surface, samples[0], samples[1], samples[2], by);
+    return sp_graph_segment(surface, from, samples[0], samples[1], samples[2], by);
 }

@@ -59,8 +59,10 @@ void sp_block_sample(const struct sp_block *block, int32_t i, double *sample);
 /* The sample at a place. */
 void sp_graph_sample(const struct sp_surface *surface, const double *place, double *sample);
 
-/* Parametric: the length of a segment with samples at its ends and its middle, which leads over (du, dv). */
-double sp_graph_segment(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]);
+/* Parametric: the length of a segment from a place over (du, dv), with samples at its ends and its middle; where these tell that its metric
+ * changes much, with more. */
+double sp_graph_segment(const struct sp_surface *surface, const double place[2], const double *from, const double *middle, const double *to,
+                        const double by[2]);
 
 /* Any kind: the length of a short chord with samples at its ends. */
 double sp_graph_chord(const struct sp_surface *surface, const double *from, const double *to, const double by[2]);

@@ -157,10 +157,11 @@ static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32
     if (!step_to(graph, 0, i, du, &to_i) || !step_to(graph, 1, j, dv, &to_j)) return 1;
     size_t there = vertex_at(grid, to_i, to_j);
     const double *middle = sample_at(grid, (2 * i + du + grid->count[0]) % grid->count[0], (2 * j + dv + grid->count[1]) % grid->count[1]);
-    double by[2] = {place_of(grid, 0, 2 * (i + du)) - place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * (j + dv)) - place_of(grid, 1, 2 * j)};
+    double place[2] = {place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * j)};
+    double by[2] = {place_of(grid, 0, 2 * (i + du)) - place[0], place_of(grid, 1, 2 * (j + dv)) - place[1]};
     const double *from = sample_at(grid, 2 * i, 2 * j), *to = sample_at(grid, 2 * to_i, 2 * to_j);
     const struct sp_surface *surface = grid->builder->surface;
-    double length = sp_graph_segment(surface, from, middle, to, by), chord = sp_graph_chord(surface, from, to, by);
+    double length = sp_graph_segment(surface, place, from, middle, to, by), chord = sp_graph_chord(surface, from, to, by);
     return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)there, length, chord);
 }
 

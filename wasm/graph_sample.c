@@ -5,6 +5,10 @@
 
 static const double LEAST_COSINE = 0.3, LARGEST_SINE = 0.6;
 
+/* Rules of two and of three samples differ by this part where neither is near: a metric jumps, or nearly. Then there are so many pieces. */
+static const double UNEVEN = 0.1;
+enum { PIECES = 16 };
+
 /* Numbers of positions in a sample. */
 static int32_t position_numbers(const struct sp_surface *surface) {
     return surface->kind == SP_PARAMETRIC && surface->metric == SP_TENSOR ? 0 : 3;
@@ -57,7 +61,7 @@ static double form_length(const double form[3], const double by[2]) {
     return root(form[0] * by[0] * by[0] + 2 * form[1] * by[0] * by[1] + form[2] * by[1] * by[1]);
 }
 
-double sp_graph_segment(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]) {
+static double simpson(const struct sp_surface *surface, const double *from, const double *middle, const double *to, const double by[2]) {
     if (surface->metric == SP_TENSOR) return (form_length(from, by) + 4 * form_length(middle, by) + form_length(to, by)) / 6;
     double length = distance_between(from, middle) + distance_between(middle, to);
     return surface->metric == SP_DENSITY ? length * (from[3] + 4 * middle[3] + to[3]) / 6 : length;
@@ -93,4 +97,29 @@ double sp_graph_sheet_length(const struct sp_surface *surface, const double *a, 
     int one_sheet = cosine > LEAST_COSINE && rise_a <= limit && rise_a >= -limit && rise_b <= limit && rise_b >= -limit;
     if (!one_sheet) return __builtin_inf();
     return (surface->metric == SP_INDUCED ? size : chord_in_space(surface, a, b)) * (1 + (1 - cosine) / 12);
+}
+
+/* Chords between samples at many places of a segment. */
+static double sum_pieces(const struct sp_surface *surface, const double place[2], const double by[2]) {
+    double samples[2][SP_GRAPH_WIDTH], step[2] = {by[0] / PIECES, by[1] / PIECES}, sum = 0;
+    struct sp_block block;
+    sp_block_open(&block, surface, 1);
+    for (int k = 0; k <= PIECES; k++) {
+        double at[2] = {place[0] + k * step[0], place[1] + k * step[1]};
+        sp_block_put(&block, at);
+    }
+    sp_block_evaluate(&block);
+    for (int k = 0; k <= PIECES; k++) {
+        sp_block_sample(&block, k, samples[k & 1]);
+        if (k) sum += sp_graph_chord(surface, samples[~k & 1], samples[k & 1], step);
+    }
+    return sum;
+}
+
+double sp_graph_segment(const struct sp_surface *surface, const double place[2], const double *from, const double *middle, const double *to,
+                        const double by[2]) {
+    double length = simpson(surface, from, middle, to, by);
+    if (surface->metric == SP_INDUCED) return length;
+    double off = sp_graph_chord(surface, from, to, by) - length;
+    return off * off > UNEVEN * UNEVEN * length * length ? sum_pieces(surface, place, by) : length;
 }

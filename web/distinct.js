@@ -2,7 +2,7 @@
 
 import { gap } from './vector.js';
 
-/** @typedef {import('./runtime/result.js').RawPath} RawPath */
+/** @typedef {Pick<import("./runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters">} RawPath */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;

@@ -2,6 +2,7 @@
 
 import { isShortest, rest, surveyAll } from './balance.js';
 import { cut } from './cut.js';
+import { lengthOf } from './legs.js';
 import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
 import { refract } from './refract.js';
 
@@ -17,9 +18,10 @@ const TORN = 1e-9;
 
 /**
  * The path that a polyline leads to; null: none that holds.
- * @param {Question} question @param {Float64Array} line @param {number} near it follows creases that are nearer than this part of its length @returns {Route | null}
+ * @param {Question} question @param {Float64Array} line @param {number} near it follows creases that are nearer than this part of its length
+ * @param {number} most what comes to rest longer than this is given up @returns {Route | null}
  */
-export function follow(question, line, near) {
+export function follow(question, line, near, most) {
   const width = question.ends[0].length;
   const first = cut(question.sides, line, width, { near });
   const pieces = first && landed(question, first);
@@ -33,6 +35,7 @@ export function follow(question, line, near) {
     if (again) route = join(question, again);
     else {
       const rested = settleJoints(question, route);
+      if (rested.isAtRest && lengthOf(rested.route.legs) > most) return null;
       if (rested.isAtRest) route = rested.route;
       else {
         isAtRest = false;

@@ -20,6 +20,8 @@ const DIFFERENCE = 1e-4;
 const [LONGER, SPARE] = [2, 0.02];
 /** A corner is looked at so far from it, in parts of the shorter leg. */
 const BESIDE = 1e-3;
+/** Where on the line past a corner, in parts of it, is looked whether that stays outside. */
+const SHORTLY = [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9];
 
 /** A leg, or a part of it, as it is. @param {Pick<Piece, 'signs' | 'shore'> & { line: ArrayLike<number> }} leg @param {import('./legs.js').Joint | undefined} joint at which it begins @returns {Piece} */
 const whole = ({ signs, line, shore }, joint) => ({
@@ -31,7 +33,7 @@ const whole = ({ signs, line, shore }, joint) => ({
 /** All legs as they are. @param {Route} route @returns {Piece[]} */
 const wholes = ({ legs, joints }) => legs.map((leg, i) => whole(leg, joints[i - 1]));
 
-/** A path of pieces; those on the same side, one after the other, are one leg. null: a leg does not hold. @param {Question} question @param {Piece[]} pieces @returns {Route | null} */
+/** A path of pieces; those on the same side, or along the same shore, one after the other, are one leg. null: a leg does not hold. @param {Question} question @param {Piece[]} pieces @returns {Route | null} */
 export function join(question, pieces) {
   const { sides, ends } = question;
   const width = ends[0].length;
@@ -39,8 +41,8 @@ export function join(question, pieces) {
   const joined = [];
   for (const piece of pieces) {
     const last = joined[joined.length - 1];
-    const isOne =
-      last && !last.shore && !piece.shore && !piece.isCorner && isSame(sides, last.signs, piece.signs, middleOf(piece.line, width));
+    const isAlike = last?.shore?.crease === piece.shore?.crease && last?.shore?.sense === piece.shore?.sense;
+    const isOne = last && isAlike && !piece.isCorner && isSame(sides, last.signs, piece.signs, middleOf(piece.line, width));
     if (isOne) last.line.push(...piece.line.slice(width));
     else joined.push({ ...piece, line: [...piece.line] });
   }
@@ -186,8 +188,8 @@ function free(question, { legs, joints }, pieces) {
     if (!isCorner) return false;
     const least = BESIDE * Math.min(...[legs[k], legs[k + 1]].map(({ line }) => span(line, width)));
     const [before, after] = [legs[k].line, legs[k + 1].line].map((line, side) => beside(line, width, place, least, side));
-    const [measured] = sides.measure(before.map((x, i) => 0.5 * (x + after[i])));
-    return measured[crease] * legs[k].signs[crease] > 0;
+    const past = SHORTLY.flatMap((part) => before.map((x, i) => x + part * (after[i] - x)));
+    return sides.measure(past).every((measured) => measured[crease] * legs[k].signs[crease] > 0);
   });
   return j < 0 ? null : pieces.map((piece, i) => (i === j + 1 ? { ...piece, isCorner: false } : piece));
 }

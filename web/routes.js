@@ -3,7 +3,6 @@
 import { findBranches } from './branches.js';
 import { passBranches } from './over-branches.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
-import { distinct } from './distinct.js';
 import { facePoles } from './domain.js';
 import { findPaths, findPathsFrom } from './global.js';
 import { reverse, turned } from './join.js';
@@ -48,8 +47,10 @@ const [PATIENCE, SLIPPING] = [40, 0.1];
 /** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
 const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
 const BESIDE = 1e-6;
-/** Inner points of a polyline that is only to tell which way a path leads. */
-const SKETCHED = 63;
+/** What a polyline is relaxed with that is only to tell which way a path leads. */
+const SKETCH = { ...ROUGHLY, points: 63 };
+/** What only measures a polyline. */
+const MEASURED = { ...AT_ONCE, points: 999 };
 
 /**
  * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.
@@ -110,40 +111,36 @@ export function findGlobal(field, ends, options, most) {
 }
 
 /**
- * Polylines near where paths between two ends may lead, shortest first: relaxed, if that does not fail; not further than is needed to tell which way they lead.
+ * Polylines along which paths between two ends may lead, as a graph has them.
  * @param {Field} field @param {number[][]} ends @param {import('./pieces.js').Start} start
- * @param {(lines: ArrayLike<number>[]) => Field['run']} smooth the surface on which they are relaxed, by where they lead
- * @returns {{ paths: Path[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
+ * @returns {{ ways: Float64Array[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
-export function sketch(field, ends, start, smooth) {
-  const options = { ...ROUGHLY, points: SKETCHED };
+export function findWays(field, ends, start) {
+  if (start !== 'global') return { ways: [start ?? Float64Array.from(ends.flat())], distance: Infinity };
+  /** @type {Float64Array[]} */
+  let ways = [];
   let distance = Infinity;
-  /** @type {any[]} */
-  let paths;
-  if (start === 'global')
-    paths = pose(field, ends, (problem) => {
-      const { from, domain } = problem;
-      const path = domain ? null : problem.solve(problem.to, null, options);
-      const straight = { to: problem.to, start: null };
-      const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
-      distance = found?.distance ?? Infinity;
-      const starts = [...(path ? [straight] : []), ...(found?.starts ?? [])];
-      const run = smooth(starts.map(({ to, start: given }) => given ?? [...from, ...to]));
-      return starts.map(({ to, start: given }) => {
-        const rounded = run((heap, record) => heap.solve(record, { kind: field.kind, from, to, start: given }, options));
-        const relaxed = holds({ path: rounded }) ? rounded : problem.solve(to, given, options);
-        if (relaxed.length >= 0 || !given) return relaxed;
-        const line = Float64Array.from(given);
-        return { ...relaxed, length: Infinity, lengthError: 0, points: line, parameters: domain && line };
-      });
-    });
-  else {
-    const { solve, finish } = poseNear({ ...field, run: smooth([start ?? ends.flat()]) }, ends, start);
-    paths = [finish(solve(options))];
-  }
-  const known = paths.filter(({ length }) => length >= 0).map((path) => ({ path }));
-  return { paths: distinct(known).map(({ path }) => path), distance };
+  pose(field, ends, (problem) => {
+    const { from, to, domain, solve } = problem;
+    const straight = { to, start: null };
+    const path = domain ? null : solve(to, null, SKETCH);
+    const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
+    const starts = [...(path ? [straight] : []), ...(found?.starts ?? [])];
+    ways = starts.map(({ to: end, start: given }) => Float64Array.from(given ?? [...from, ...end]));
+    distance = found?.distance ?? Infinity;
+    return [];
+  });
+  return { ways, distance };
 }
+
+/** A polyline relaxed, not further than is needed to tell which way a path leads. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points */
+export function relax(field, ends, line, points) {
+  const { solve, finish } = poseNear(field, ends, line);
+  return finish(solve({ ...SKETCH, points }));
+}
+
+/** How long a polyline is on the surface as it is. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
+export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(MEASURED).length;
 
 /**
  * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.

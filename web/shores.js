@@ -44,7 +44,8 @@ export function land(question, leg, shore, place, step) {
 const shift = (place, direction, by) => place.map((x, j) => x + by * direction[j]);
 
 /**
- * How far a leg meets a shore from as it should: the sine of its angle, less that of the critical one, whose cosine is the ratio of what both sides measure along the shore: 0 on a fold.
+ * How far a leg meets a shore from as it should: the tangent of half its angle, large where it turns back, less that of the critical one, whose cosine is the ratio of what both sides measure
+ * along the shore: 0 on a fold.
  * @param {Question} question @param {Leg} leg @param {number[][]} ends of it @param {number} end which of them is on the shore @param {Leg} beside along the shore @param {number} step of differences
  */
 export function graze(question, leg, ends, end, beside, step) {
@@ -65,10 +66,10 @@ export function graze(question, leg, ends, end, beside, step) {
   const [tt, nn, both] = [speed(leg.signs, 1, 0) ** 2, speed(leg.signs, 0, 1) ** 2, speed(leg.signs, 1, 1) ** 2];
   const skew = (both - tt - nn) / (2 * tt);
   const [alongIt, acrossIt] = [lengthAt(1, 0) - lengthAt(-1, 0), lengthAt(0, 1) - lengthAt(0, -1)].map((by) => by / (2 * step));
-  const sine = (acrossIt - skew * alongIt) / Math.sqrt(nn - skew * skew * tt);
+  const [sine, cosine] = [(acrossIt - skew * alongIt) / Math.sqrt(nn - skew * skew * tt), alongIt / Math.sqrt(tt)];
   const isOwn = isFold || leg.signs[crease] === beside.signs[crease];
-  const cosine = isOwn ? 1 : Math.min(1, speed(beside.signs, 1, 0) / Math.sqrt(tt));
-  return sine + Math.sqrt(1 - cosine * cosine);
+  const critical = isOwn ? 1 : Math.min(1, speed(beside.signs, 1, 0) / Math.sqrt(tt));
+  return sine / (1 + cosine) + Math.sqrt((1 - critical) / (1 + critical));
 }
 
 /**

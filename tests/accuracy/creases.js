@@ -1,8 +1,9 @@
-// Random pairs on surfaces with creases, judged by what is known of each (tests/accuracy/measure/creases.js). Prints a table, and each pair that is called converged
+// Random pairs on surfaces with creases, judged by what is known of each (tests/accuracy/measure/creases.js), and on a plane whose density jumps, by brute force (measure/plane.js). Prints a table, and each pair that is called converged
 // but is not right: longer, one of several ways that is not the shortest, or wrong. `node tests/accuracy/creases.js [pairs on a graph [pairs on a body [random surfaces [surface [seed]]]]]`; with VERBOSE, those that are refused, too.
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
 import { askAcross, randomCreases, SURFACES } from './measure/creases.js';
+import { askOnPlane, JUMPS } from './measure/plane.js';
 
 const [onGraph = '40', onBody = '20', surfaces = '24', only = '', given = '1'] = process.argv.slice(2);
 const seed = Number(given);
@@ -52,6 +53,12 @@ console.log('surface             pairs  right  longer  refused  wrong  error  me
 for (const [name, make] of Object.entries(SURFACES).filter(([name]) => name.includes(only))) {
   const creased = make();
   print(name, ask(creased, createRandom(seed), Number(creased.height ? onGraph : onBody)));
+}
+for (const [name, [density, measure]] of Object.entries(JUMPS).filter(([name]) => name.includes(only))) {
+  const surface = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density });
+  surface.shortestPath(...warm([-1.5, -1.3], [1.4, 1.1]));
+  print(name, askOnPlane(surface, measure, createRandom(seed), Number(onGraph)));
+  surface.dispose();
 }
 if (RANDOM.includes(only)) {
   const random = createRandom(seed);

@@ -311,6 +311,48 @@ test('a square lake is walked round from corner to corner, seed 2', () => {
   lake.dispose();
 });
 
+test('a triangular lake is walked round from corner to corner, seed 3', () => {
+  const lake = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '5 + 4*sign(min(y + 0.6, 0.8 - y - 1.2*abs(x)))' });
+  const random = createRandom(3);
+  const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
+  const inside = (/** @type {number[]} */ [x, y]) => Math.min(y + 0.6, 0.8 - y - 1.2 * Math.abs(x));
+  const corners = [[0, 0.8], ...[-1, 1].map((side) => [(side * 1.4) / 1.2, -0.6])];
+  const gap = (/** @type {number[]} */ a, /** @type {number[]} */ b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  const isDry = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    Array.from({ length: 400 }, (_, i) => (i + 0.5) / 400).every((t) => inside(a.map((x, j) => x + t * (b[j] - x))) < 1e-9);
+  let around = 0;
+  for (let i = 0; i < 24; i++) {
+    const [from, to] = [place(), place()];
+    if (inside(from) > -0.05 || inside(to) > -0.05) continue;
+    const ways = [[], ...corners.map((a) => [a]), ...corners.flatMap((a) => corners.filter((b) => b !== a).map((b) => [a, b]))]
+      .map((stops) => [from, ...stops, to])
+      .filter((stops) => stops.slice(1).every((stop, k) => isDry(stops[k], stop)))
+      .map((stops) => stops.slice(1).reduce((sum, stop, k) => sum + gap(stops[k], stop), 0));
+    const exact = Math.min(...ways);
+    const path = lake.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+    if (exact > gap(from, to) * (1 + 1e-9)) around++;
+  }
+  assert.ok(around >= 5, `${around} paths around corners`);
+  lake.dispose();
+});
+
+test('along a narrow road that winds: of several ways, the one that stays on it, no longer than what brute force finds', () => {
+  const road = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '2 - sign(0.1 - abs(y - 0.3*sin(2x)))' });
+  /* Of tests/accuracy/measure/plane.js: lengths of polylines. */
+  for (const [from, to, brute] of /** @type {[number[], number[], number][]} */ ([
+    [[1.721, -0.593], [-1.719, 1.68], 9.3041],
+    [[0.872, -0.72], [-1.454, 1.345], 8.564],
+    [[-1.918, -0.296], [0.372, -0.736], 4.8648],
+  ])) {
+    const path = road.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(path.length <= brute * 1.001 && path.length >= brute * 0.99, `${from} to ${to}: ${path.length}, brute force ${brute}`);
+  }
+  road.dispose();
+});
+
 test('by a winding bank, and on a narrow road: a path converges, and none is longer than a polyline that was drawn by hand', () => {
   /* Ends, and stops of a way that is nearly the shortest. */
   /** @type {[string, (x: number, y: number) => number, number[], number[], number[][]][]} */
