@@ -4,41 +4,30 @@
  */
 
 import { ELEMENTS } from './candidates.js';
-import { slopeOf } from './crease.js';
-import { distinct } from './distinct.js';
 import { follow } from './follow.js';
 import { joinLegs, reverse } from './join.js';
-import { LEG, lengthOf, placesOf, span } from './legs.js';
+import { LEG, lengthOf, placesOf } from './legs.js';
 import { placed } from './pieces.js';
-import { findWays, isAfter, measureLine, poseNear, relax } from './routes.js';
+import { drawLine, findWays, isAfter, poseNear } from './routes.js';
 import { writeShore } from './shores.js';
+import { isBeside, measure, roundingsOf, sketch } from './sketches.js';
 import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
-/** @typedef {import('./sides.js').Sides} Sides */
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
 /** @typedef {import('./legs.js').Route} Route */
+/** @typedef {import('./sketches.js').Sketch} Sketch */
 
 /** Steps of Newton for one question, and for following one polyline. */
 const [MOST_NEWTON, MOST_FOLLOWING] = [30_000, 10_000];
 /** A path is longer than its polyline by no more than this part: in the rectangle, where a polyline is measured, and elsewhere; and shorter by no more than the third. */
 const [ROUGH, ROUGHER, LOOSE] = [2e-3, 0.02, 0.04];
-/**
- * Creases are rounded within these parts of the length; polylines there have so many inner points, and may be longer by that part: a road that is narrow is dearer there. The first come
- * to rest more often, the second stay in what is narrow. They follow creases that are nearer to them than these parts of their length, tried in turn; 0: they follow none.
- */
-const ROUNDINGS = [
-  { within: 0.01, points: 63, dearer: 0.15, shores: [0.04, 0.01, 0] },
-  { within: 0.0025, points: 255, dearer: 0.04, shores: [0.01, 0.04, 0] },
-];
 /** A path that is longer than its polyline by this part is none of its own. */
 const ASTRAY = 0.1;
-/** Polylines that are nowhere farther apart than this part of their length lead the same way. */
-const APART = 0.02;
 /** A way through the graph, whose edges may pass what is narrow, is shorter than a path by no more than this part. */
 const COARSE = 0.25;
 /** A path that is longer than the graph's way by no more than this needs no finer look. */
@@ -46,9 +35,11 @@ const NEARLY = 1.003;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 
+/** path: `converged`, or null; most: no path is shorter than that is: beyond it a shorter way was seen; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, most: number, rough: () => Path | null }} Creased */
+
 /**
- * The shortest path near a start, or of all that are found, which is `converged` or null; and what no path is shorter than that is: beyond it a shorter way was seen.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {{ path: Path | null, most: number } | null} null: there are no creases
+ * The shortest path near a start, or of all that are found.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Creased | null} null: there are no creases
  */
 export function findCreased(field, ends, options, start) {
   const { domain, pieces } = field;
@@ -59,57 +50,61 @@ export function findCreased(field, ends, options, start) {
   if (!sides) return null;
   /* As everywhere: exchanged ends give the same path. */
   const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
-  const { path, most } = findFrom(field, sides, isTurned ? [ends[1], ends[0]] : ends, options, start);
-  return { path: path && isTurned ? placed(domain, reverse(path), ends[0]) : path, most };
+  const asked = isTurned ? [ends[1], ends[0]] : ends;
+  const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
+  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, start);
+  const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
+  return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
 }
 
-/** @param {Field} field @param {Sides} sides @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start */
-function findFrom(field, sides, ends, options, start) {
-  const question = { field, sides, ends, budget: { steps: MOST_NEWTON } };
+/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {import('./pieces.js').Start} start @returns {{ best: Route | null, least: Sketch | null, most: number }} */
+function findRoute(question, start) {
+  const { field, sides, ends } = question;
   const width = ends[0].length;
+  const { ways, distance } = findWays(field, ends, start);
+  const rough = field.domain ? ROUGH : ROUGHER;
+  /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
+  const measured = ways.map((line) => ({ line, length: measure(field, ends, line) ?? Infinity })).filter(({ length }) => length < Infinity);
+  /** @type {Sketch | null} */
+  let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */
   let best = null;
-  const { ways, distance } = findWays(field, ends, start);
-  /* Polylines in a rectangle are ways, so none is shorter than the shortest path; chords across an implicit surface may be. */
-  const rough = field.domain ? ROUGH : ROUGHER;
-  const measure = (/** @type {Float64Array} */ line) => (field.domain ? measureLine(field, ends, line) : Number.NaN);
-  let least = Math.min(Infinity, ...ways.map(measure).filter((length) => length >= 0));
   /** @type {Float64Array[]} */
   const understood = [];
-  /** @type {{ line: Float64Array, length: number }[]} */
+  /** @type {Sketch[]} */
   let missed = [];
-  /* On folds of the surface alone polylines settle as they are. */
-  for (const { within, points, dearer, shores } of field.isPlain ? ROUNDINGS.slice(0, 1) : ROUNDINGS) {
-    const smooth = field.isPlain ? field : { ...field, run: round(field, sides, ways, within) };
-    const drawn = ways.map((way) => ({ path: relax(smooth, ends, way, points) })).filter(({ path }) => path.length >= 0);
-    for (const { path } of distinct(drawn)) {
-      const line = path.parameters ?? path.points;
-      const measured = measure(line);
-      const length = measured >= 0 ? measured : path.length;
-      if (best && length * (1 - dearer) > lengthOf(best.legs)) continue;
-      if (measured < least) least = measured;
+  for (const rounding of roundingsOf(field)) {
+    for (const drawn of sketch(field, sides, ends, ways, rounding)) {
+      const { line, length } = drawn;
+      if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
+      if (field.domain) least = shortestOf(least, drawn);
       if (understood.some((other) => isBeside(line, other, width))) continue;
-      const found = followBest(question, line, shores, length * (1 + rough));
+      const found = followBest(question, line, rounding.shores, length * (1 + rough));
       if (found) best = shorter(best, found);
       /* What became longer than the polyline is another way. */
       if (found && lengthOf(found.legs) <= length * (1 + rough)) understood.push(line);
-      else missed.push({ line, length });
+      else missed.push(drawn);
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
-    if (best && lengthOf(best.legs) <= Math.min(least, distance * NEARLY, ...missed.map(({ length }) => length))) break;
+    if (best && lengthOf(best.legs) <= Math.min(least?.length ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length))) break;
   }
-  const path = best ? write({ ...question, budget: { steps: MOST_NEWTON } }, best, options) : null;
   /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
+  const seen = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
   const most = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
-    : Math.min(
-        least * (1 + ROUGH),
-        distance * (1 + COARSE),
-        ...missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE)),
-      );
-  return { path: path?.converged ? path : null, most };
+    : Math.min((least?.length ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
+  return { best, least, most };
 }
+
+/** @param {Sketch | null} one @param {Sketch} other */
+const shortestOf = (one, other) => (one && one.length <= other.length ? one : other);
+
+/** A polyline as a path. @param {Field} field @param {number[][]} ends @param {Sketch} sketch @param {number} points @returns {Path} */
+const roughly = (field, ends, { line, length }, points) => ({
+  ...drawLine(field, ends, line, points),
+  ...{ status: 'stalled', converged: false, length, lengthError: LOOSE * length },
+});
 
 /** The path that a polyline leads to, following creases or not, whichever way first is no longer than this; else the shortest. @param {Question} question @param {Float64Array} line @param {number[]} shores @param {number} most @returns {Route | null} */
 function followBest(question, line, shores, most) {
@@ -124,34 +119,6 @@ function followBest(question, line, shores, most) {
     if (best && lengthOf(best.legs) <= most) break;
   }
   return best;
-}
-
-/** Whether no node of a polyline is far from another one. @param {Float64Array} line @param {Float64Array} other @param {number} width */
-function isBeside(line, other, width) {
-  const near = APART * span(line, width);
-  const nodes = Array.from({ length: line.length / width }, (_, i) => line.subarray(width * i, width * (i + 1)));
-  return nodes.every((node) => {
-    for (let k = 0; k < other.length; k += width) if (node.every((x, j) => Math.abs(x - other[k + j]) <= near)) return true;
-    return false;
-  });
-}
-
-/**
- * The surface with its creases rounded, more widely where ends are far from each other: on it there is a path where jumps let none settle.
- * @param {Field} field @param {Sides} sides @param {ArrayLike<number>[]} lines along which paths may lead @param {number} within this part of their length
- */
-function round({ domain, run }, sides, lines, within) {
-  const width = domain ? 2 : 3;
-  const measured = lines.map((line) => sides.measure(line));
-  const reach = within * Math.min(...lines.map((line) => span(line, width)));
-  const slope = (/** @type {number[]} */ seen, /** @type {number} */ crease) =>
-    Math.sqrt(slopeOf(sides, seen, crease, width).reduce((sum, x) => sum + x * x, 0));
-  const widths = Array.from({ length: sides.count }, (_, crease) => {
-    const places = measured.flat().sort((a, b) => Math.abs(a[crease]) - Math.abs(b[crease]));
-    const steep = places.slice(0, 8).map((seen) => slope(seen, crease));
-    return reach * Math.max(...steep);
-  });
-  return sides.rounded(widths.map((x) => (x > 0 && x < Infinity ? x : reach)))?.run ?? run;
 }
 
 /** @param {Route | null} one @param {Route} other */

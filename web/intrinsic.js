@@ -25,6 +25,8 @@ const PARTS = 32;
 const PLACES = [-1, 0, 1].map((side) => 0.5 + side * Math.sqrt(0.15));
 /** The surface is torn under a line whose chords are longer than derivatives say by more than this part. */
 const TORN = 1e-9;
+/** A path that is not converged is kept where it is longer than a polyline by no more than this part. */
+const NO_LONGER = 2e-3;
 /** So much of the coordinates is what they leave open of a length. */
 const ROUNDING = 1e-15;
 
@@ -93,9 +95,13 @@ const shorter = (path, creased) => (creased && !(path.converged && path.length <
  */
 export function findPath(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
-  const path =
-    creased?.path && creased.path.length <= creased.most ? creased.path : shorter(findSmooth(field, ends, options, start), creased?.path);
-  if (!creased || !path.converged || path.length <= creased.most) return path;
+  if (!creased) return findSmooth(field, ends, options, start);
+  if (creased.path && creased.path.length <= creased.most) return creased.path;
+  const path = shorter(findSmooth(field, ends, options, start), creased.path);
+  if (path.converged && path.length <= creased.most) return path;
+  const rough = creased.rough();
+  if (rough && !(path.length <= rough.length * (1 + NO_LONGER))) return rough;
+  if (!path.converged) return path;
   return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };
 }
 

@@ -142,6 +142,12 @@ export function relax(field, ends, line, points) {
 /** How long a polyline is on the surface as it is. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
 export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(MEASURED).length;
 
+/** A polyline as it is, in so many points. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points @returns {Path} */
+export function drawLine(field, ends, line, points) {
+  const { solve, finish } = poseNear(field, ends, line);
+  return finish(solve({ ...AT_ONCE, points }));
+}
+
 /**
  * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
