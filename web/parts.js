@@ -30,8 +30,14 @@ const whole = ({ signs, line, shore }, joint) => ({
   isCorner: joint?.isCorner,
 });
 
-/** All legs as they are. @param {Route} route @returns {Piece[]} */
-const wholes = ({ legs, joints }) => legs.map((leg, i) => whole(leg, joints[i - 1]));
+/** All legs as they are; shores from where their joints have moved to. @param {Route} route @param {number} width @returns {Piece[]} */
+const wholes = ({ legs, joints }, width) =>
+  legs.map((leg, i) => {
+    const own = whole(leg, joints[i - 1]);
+    if (!leg.shore) return own;
+    const [from, to] = [joints[i - 1]?.place ?? own.line.slice(0, width), joints[i]?.place ?? own.line.slice(-width)];
+    return { ...own, line: [...from, ...own.line.slice(width, -width), ...to] };
+  });
 
 /** A path of pieces; those on the same side, or along the same shore, one after the other, are one leg. null: a leg does not hold. @param {Question} question @param {Piece[]} pieces @returns {Route | null} */
 export function join(question, pieces) {
@@ -92,7 +98,7 @@ function reachOf({ legs, joints }, i, width) {
 /** The legs without shores whose joints have passed each other; null: none have. @param {Route} route @param {number} width @returns {Piece[] | null} */
 export function withoutPassed(route, width) {
   const isPassed = (/** @type {Piece} */ { shore }, /** @type {number} */ i) => shore !== null && !(reachOf(route, i, width) > 0);
-  const all = wholes(route);
+  const all = wholes(route, width);
   return all.some(isPassed) ? without(all, width, isPassed) : null;
 }
 
@@ -208,7 +214,7 @@ export function withoutLeast(route, width) {
   const isSpare = (/** @type {number} */ i) => i > 0 && !legs[i].shore && joints[i]?.crease === joints[i - 1].crease;
   const least = spans.reduce((best, length, i) => (isSpare(i) && !(length >= spans[best]) ? i : best), -1);
   if (least < 0 || spans[least] > SPARE * spans.reduce((sum, x) => sum + x, 0)) return null;
-  return without(wholes(route), width, (_, i) => i === least);
+  return without(wholes(route, width), width, (_, i) => i === least);
 }
 
 /** The pieces of a route that a polyline was cut into; null: it is not known on which side a shore is shorter. @param {Question} question @param {Route} route @returns {Piece[] | null} */
