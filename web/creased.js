@@ -64,7 +64,7 @@ function findRoute(question, start) {
   const { ways, distance } = findWays(field, ends, start);
   const rough = field.domain ? ROUGH : ROUGHER;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
-  const measured = ways.map((line) => ({ line, length: measure(field, ends, line) ?? Infinity })).filter(({ length }) => length < Infinity);
+  const measured = ways.map((line) => ({ line, length: measure(field, ends, line) ?? Infinity, isAtRest: false })).filter(({ length }) => length < Infinity);
   /** @type {Sketch | null} */
   let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */
@@ -81,9 +81,9 @@ function findRoute(question, start) {
       if (understood.some((other) => isBeside(line, other, width))) continue;
       const found = followBest(question, line, rounding.shores, length * (1 + rough));
       if (found) best = shorter(best, found);
-      /* What became longer than the polyline is another way. */
+      /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
       if (found && lengthOf(found.legs) <= length * (1 + rough)) understood.push(line);
-      else missed.push(drawn);
+      else if (drawn.isAtRest) missed.push(drawn);
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
     if (best && lengthOf(best.legs) <= Math.min(least?.length ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length))) break;

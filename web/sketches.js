@@ -3,11 +3,12 @@
 import { slopeOf } from './crease.js';
 import { distinct } from './distinct.js';
 import { span } from './legs.js';
+import { isGeodesic } from './path.js';
 import { measureLine, relax } from './routes.js';
 
 /** @typedef {import('./routes.js').Field} Field */
 /** @typedef {import('./sides.js').Sides} Sides */
-/** @typedef {{ line: Float64Array, length: number }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed */
+/** @typedef {{ line: Float64Array, length: number, isAtRest: boolean }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed; whether that came to rest */
 /** @typedef {{ within: number, points: number, dearer: number, shores: number[] }} Rounding */
 
 /**
@@ -34,7 +35,7 @@ export function sketch(field, sides, ends, ways, { within, points }) {
   const drawn = ways.map((way) => ({ path: relax(smooth, ends, way, points) })).filter(({ path }) => path.length >= 0);
   return distinct(drawn).map(({ path }) => {
     const line = path.parameters ?? path.points;
-    return { line, length: measure(field, ends, line) ?? path.length };
+    return { line, length: measure(field, ends, line) ?? path.length, isAtRest: isGeodesic(path) };
   });
 }
 
