@@ -1,7 +1,7 @@
 /** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
 
-import { directions, settle } from './crease.js';
-import { isInside, LEG, placesOf, solveLeg, span } from './legs.js';
+import { directions, meetEdge, settle } from './crease.js';
+import { isInside, isOnEdge, LEG, placesOf, solveLeg, span } from './legs.js';
 import { solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { distance, graze, survey } from './shores.js';
@@ -15,6 +15,8 @@ import { distance, graze, survey } from './shores.js';
 const GRAZING = 1e-7;
 /** Differences of lengths are taken over this part of the shorter leg, those of angles over the second; steps are at most the third. */
 const [DIFFERENCE, BALANCE, FARTHEST] = [1e-4, 1e-3, 0.5];
+/** A joint stays on an edge of the rectangle that is no farther than this part of the shorter leg. */
+const NEAR_EDGE = 0.05;
 /** So often joints are moved, and so often a step halved; joints that have passed each other for so many steps have no shore between them. */
 const [MOST_STEPS, MOST_HALVINGS, MOST_PASSED] = [30, 12, 3];
 
@@ -52,11 +54,27 @@ export function isShortest(question, route) {
   return (
     now !== null &&
     route.joints.every(({ isCorner }, j) => {
+      if (isCorner && !isHeld(question, now, j)) return false;
       const into = route.legs[j + 1].shore?.sense ?? -(route.legs[j].shore?.sense ?? -1);
       const there = isCorner ? now : shift(question, now, only(j, into * BALANCE * least[j], least.length));
       return there && there.off[j] >= -2 * GRAZING;
     })
   );
+}
+
+/** Whether a joint on an edge of the rectangle that is crossed there would make the path longer anywhere else. @param {Question} question @param {Balanced} route @param {number} j */
+function isHeld(question, { legs, joints }, j) {
+  const { sides } = question;
+  const joint = joints[j];
+  const pair = [legs[j], legs[j + 1]];
+  if (!isOnEdge(question, joint.place) || pair.some(({ shore }) => shore)) return true;
+  const [from, place, to] = placesOf(question, joints).slice(j, j + 3);
+  const { along } = directions(sides, joint, place);
+  const step = BALANCE * Math.min(...pair.map(({ line }) => span(line, place.length)));
+  const beside = [-step, step].map((by) => place.map((x, i) => x + by * along[i])).map((at) => settle(sides, joint, at));
+  const inside = beside.find((at) => isInside(question, at));
+  const moved = inside && [solveLeg(question, pair[0], from, inside, LEG), solveLeg(question, pair[1], inside, to, LEG)];
+  return !!moved && moved.reduce((sum, leg) => sum + (leg?.length ?? Number.NaN), 0) >= pair[0].length + pair[1].length;
 }
 
 /** @param {number} j @param {number} x @param {number} count */
@@ -87,20 +105,28 @@ function rebalance(question, now) {
   let factor = Math.min(1, ...step.map((x, k) => (FARTHEST * least[loose[k]]) / Math.abs(x)));
   for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
     const by = joints.map((_, j) => (joints[j].isCorner ? 0 : factor * step[loose.indexOf(j)]));
-    const tried = shift(question, now, by);
+    const tried = shift(question, now, by, least);
     if (tried && largest(tried.off) < largest(off)) return tried;
   }
   return null;
 }
 
-/** Joints moved along their creases, by so much each; null: legs do not hold. @param {Question} question @param {Balanced} now @param {number[]} by @returns {Balanced | null} */
-function shift(question, now, by) {
+/**
+ * Joints moved along their creases, by so much each; null: legs do not hold.
+ * @param {Question} question @param {Balanced} now @param {number[]} by
+ * @param {number[]} [least] how long the shorter leg beside each is: a joint that would leave the rectangle near by stays on its edge, as at a corner
+ * @returns {Balanced | null}
+ */
+function shift(question, now, by, least) {
+  const { domain } = question.field;
   const joints = now.joints.map((joint, j) => {
     if (!by[j]) return joint;
     const on = edgeAt(now, j);
     const { along } = directions(question.sides, on, joint.place);
     const aim = joint.place.map((x, i) => x + by[j] * along[i]);
     const place = settle(question.sides, on, aim);
+    const edge = least && domain && meetEdge(question.sides, on, domain, place);
+    if (edge && span([...joint.place, ...edge], edge.length) <= NEAR_EDGE * least[j]) return { ...joint, place: edge, isCorner: true };
     return { ...joint, place, moved: (joint.moved ?? 0) + Math.sign(by[j]) * span([...joint.place, ...place], place.length) };
   });
   if (!joints.every(({ place }) => isInside(question, place))) return null;

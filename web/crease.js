@@ -28,6 +28,16 @@ export function ground(sides, on, place) {
   return place.length === 2 ? place : approach(place, (at) => implicit(sides, on, at));
 }
 
+/** Where a crease meets the edge of the rectangle that a place lies beyond; null: it lies beyond none. @param {Sides} sides @param {On} on @param {import('./domain.js').Domain} domain @param {number[]} place */
+export function meetEdge(sides, on, { lower, upper, periodic }, place) {
+  const j = place.findIndex((x, i) => !periodic[i] && !(x >= lower[i] && x <= upper[i]));
+  if (j < 0) return null;
+  const edge = place[j] < lower[j] ? lower[j] : upper[j];
+  const gradient = place.map((_, i) => Number(i === j));
+  const met = approach(place, (at) => [vanishing(sides, on, at), [at[j] - edge, gradient]]);
+  return met.map((x, i) => (i === j ? edge : x));
+}
+
 /** @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
 function approach(place, equations) {
   let at = place;

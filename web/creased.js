@@ -64,7 +64,9 @@ function findRoute(question, start) {
   const { ways, distance } = findWays(field, ends, start);
   const rough = field.domain ? ROUGH : ROUGHER;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
-  const measured = ways.map((line) => ({ line, length: measure(field, ends, line) ?? Infinity, isAtRest: false })).filter(({ length }) => length < Infinity);
+  const measured = ways
+    .map((line) => ({ line, length: measure(field, ends, line) ?? Infinity, isAtRest: false }))
+    .filter(({ length }) => length < Infinity);
   /** @type {Sketch | null} */
   let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */

@@ -54,7 +54,8 @@ const hasShores = ({ legs, joints }) => legs.some(({ shore }) => shore) || joint
 function settleJoints(question, route) {
   if (hasShores(route)) return rest(question, route);
   const rested = refract(question, route);
-  return { route: rested ?? route, isAtRest: !!rested };
+  /* On an edge of the rectangle joints rest by what pulls at them alone. */
+  return rested ? { route: rested, isAtRest: true } : rest(question, route);
 }
 
 /** @param {Question} question @param {Route} route at rest @returns {Route | null} */

@@ -62,3 +62,7 @@ export function span(line, width) {
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
 export const isInside = ({ field: { domain } }, place) =>
   !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+
+/** Whether a place is on an edge of the rectangle. @param {Question} question @param {number[]} place */
+export const isOnEdge = ({ field: { domain } }, place) =>
+  !!domain && place.some((x, j) => !domain.periodic[j] && (x === domain.lower[j] || x === domain.upper[j]));

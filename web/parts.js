@@ -1,8 +1,8 @@
 /** What a path across creases is put together from: legs where they stay on their sides, shores where they bulge, corners between them. MATH.md, "Shores". */
 
-import { settle, walk } from './crease.js';
+import { directions, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
-import { isInside, LEG, placesOf, solveAll, span } from './legs.js';
+import { isInside, isOnEdge, LEG, placesOf, solveAll, span } from './legs.js';
 import { isBulging, land } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -20,6 +20,8 @@ const DIFFERENCE = 1e-4;
 const [LONGER, SPARE] = [2, 0.02];
 /** A corner is looked at so far from it, in parts of the shorter leg. */
 const BESIDE = 1e-3;
+/** Joints begin so far inside the rectangle, in parts of its shorter side. */
+const INWARD = 1e-3;
 /** Where on the line past a corner, in parts of it, is looked whether that stays outside. */
 const SHORTLY = [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9];
 
@@ -55,11 +57,24 @@ export function join(question, pieces) {
   if (joined.length === 0) return null;
   const joints = joined.slice(1).map(({ on: { crease, signs }, line, isCorner }) => {
     const place = line.slice(0, width);
-    return { crease, signs, place: isCorner ? place : settle(sides, { crease, signs }, place), moved: 0, isCorner };
+    return { crease, signs, place: isCorner ? place : onto(question, { crease, signs }, place), moved: 0, isCorner };
   });
   const legs = joined.map(({ signs, line, shore }) => ({ signs, line: Float64Array.from(line), length: 0, shore }));
   const solved = solveAll(question, { legs, joints });
   return solved && { legs: solved, joints };
+}
+
+/** A place moved onto a crease, and from beyond the rectangle into it, a little: derivatives want both sides. @param {Question} question @param {On} on @param {number[]} place */
+function onto(question, on, place) {
+  const { sides } = question;
+  const { domain } = question.field;
+  const there = settle(sides, on, place);
+  const edge = domain && (isOnEdge(question, there) ? there : meetEdge(sides, on, domain, there));
+  if (!edge) return there;
+  const step = INWARD * Math.min(...edge.map((_, j) => domain.upper[j] - domain.lower[j]));
+  const { along } = directions(sides, on, edge);
+  const beside = [-step, step].map((by) => edge.map((x, j) => x + by * along[j])).map((at) => settle(sides, on, at));
+  return beside.find((at) => isInside(question, at)) ?? edge;
 }
 
 /** @param {ArrayLike<number>} line @param {number} width */
@@ -191,7 +206,7 @@ function free(question, { legs, joints }, pieces) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const j = joints.findIndex(({ isCorner, place, crease }, k) => {
-    if (!isCorner) return false;
+    if (!isCorner || isOnEdge(question, place)) return false;
     const least = BESIDE * Math.min(...[legs[k], legs[k + 1]].map(({ line }) => span(line, width)));
     const [before, after] = [legs[k].line, legs[k + 1].line].map((line, side) => beside(line, width, place, least, side));
     const past = SHORTLY.flatMap((part) => before.map((x, i) => x + part * (after[i] - x)));
@@ -219,8 +234,8 @@ export function withoutLeast(route, width) {
 
 /** The pieces of a route that a polyline was cut into; null: it is not known on which side a shore is shorter. @param {Question} question @param {Route} route @returns {Piece[] | null} */
 export function landed(question, { legs, joints }) {
-  const { sides, ends } = question;
-  const settled = joints.map((joint) => ({ ...joint, place: settle(sides, joint, joint.place) }));
+  const { ends } = question;
+  const settled = joints.map((joint) => ({ ...joint, place: onto(question, joint, joint.place) }));
   const places = placesOf(question, settled);
   const pieces = legs.map((leg, i) => {
     if (!leg.shore) return [whole(leg, settled[i - 1])];
