@@ -14,7 +14,7 @@ function open(z, size = 2.5) {
   return { surface, drawn: surface, definition };
 }
 
-/** The corners of each triangle. @param {import('../../../demo/compute/drawable.js').SurfaceMesh} mesh */
+/** The corners of each triangle. @param {import('../../../web/view/drawable.js').SurfaceMesh} mesh */
 function trianglesOf({ positions, indices }) {
   const corners = Array.from(indices, (i) => Array.from(positions.subarray(3 * i, 3 * i + 3)));
   return Array.from({ length: corners.length / 3 }, (_, i) => corners.slice(3 * i, 3 * i + 3));

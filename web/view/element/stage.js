@@ -245,7 +245,8 @@ export class Stage {
     if (this.#mesh.geometry.index?.count === 0) return;
     this.#isFitted = true;
     const margin = Math.min(MARGIN + COVERED / this.#size.height, 0.5);
-    const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin);
+    const shown = this.#ends.map(({ position }) => position.toArray());
+    const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin, shown);
     if (!this.#controls) return;
     const distance = this.#camera.position.distanceTo(target);
     Object.assign(this.#controls, { minDistance: distance / 4, maxDistance: 2 * distance });
