@@ -7,8 +7,10 @@ import { cross, subtract } from './vectors.js';
 /** @typedef {import('./tasks.js').Opened} Opened */
 /** @typedef {import('../../web/view/drawable.js').SurfaceMesh} SurfaceMesh */
 
-/** Cells a direction: what is carried along a curve is much longer than wide. */
-const CELLS_ALONG = 160;
+/** Cells a direction of what is carried along a curve, which is much longer than wide, and of what has many waves. */
+const FINE = 160;
+/** How far apart, in radians, the normals of neighbouring vertices are on average where waves are drawn with too few cells: the gallery's surfaces have up to 0.13. */
+const WAVY = 0.2;
 /** Places a direction of a box at which a formula is tried. */
 const SAMPLES = 9;
 /** Share of its box below which a surface is drawn in a smaller one. */
@@ -17,14 +19,34 @@ const TINY = 0.1;
 /** @param {Opened} opened @param {number | undefined} resolution cells a direction; default: what suits it @param {import('surfpath').Surfpath} surfpath @returns {SurfaceMesh} */
 export function meshOf(opened, resolution, surfpath) {
   const { drawn, definition } = opened;
-  const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
-  const given = drawn.mesh(wanted ? { resolution: wanted } : {});
+  const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? FINE : undefined);
+  const coarse = drawn.mesh(wanted ? { resolution: wanted } : {});
+  const given = !wanted && isWavy(coarse) ? drawn.mesh({ resolution: FINE }) : coarse;
   const mesh = drawableMesh(drawn, given);
   const isSurface = hasArea(mesh);
   const bounds = isSurface && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
   if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
   if (isSurface) return mesh;
   throw new RangeError(drawn.kind === 'implicit' ? whyNowhere(drawn, definition.bounds) : whyNothing(given));
+}
+
+/** Whether a grid of vertices is too coarse for what it shows, along its lines or across. @param {SurfaceMesh} mesh */
+function isWavy({ normals, parameters }) {
+  const side = Math.sqrt(normals.length / 3);
+  return parameters !== undefined && [3, 3 * side].some((step) => meanTurn(normals, step) > WAVY);
+}
+
+/** @param {Float64Array} normals @param {number} step from one to the next */
+function meanTurn(normals, step) {
+  let [sum, count] = [0, 0];
+  for (let i = 0; i + step < normals.length; i += 3) {
+    const [j, k] = [i + step, i + step + 1];
+    const cosine = normals[i] * normals[j] + normals[i + 1] * normals[k] + normals[i + 2] * normals[k + 1];
+    if (Number.isNaN(cosine)) continue;
+    sum += Math.acos(Math.max(-1, Math.min(cosine, 1)));
+    count++;
+  }
+  return sum / count;
 }
 
 /** Whether some triangle is one. @param {SurfaceMesh} mesh */
