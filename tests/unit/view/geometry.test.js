@@ -143,10 +143,11 @@ for (const [title, { draw, THREE }] of await loadReleases())
     test('refuses what it cannot draw, in words', () => {
       const abstract = surfpath.metric({ E: 1, F: 0, G: 1, u: [0, 1], v: [0, 1] });
       assert.throws(() => draw.surfaceGeometry(abstract), { name: 'TypeError', message: /^surfaceGeometry: .* no positions/ });
-      assert.throws(() => draw.surfaceGeometry(/** @type {any} */ (null)), {
-        name: 'TypeError',
-        message: /^surfaceGeometry: surface must be/,
-      });
+      for (const wrong of /** @type {any[]} */ ([null, gallery.parametricTorus]))
+        assert.throws(() => draw.surfaceGeometry(wrong), {
+          name: 'TypeError',
+          message: /^surfaceGeometry: surface must be a Surface that /,
+        });
       assert.throws(() => draw.surfaceGeometry(torus, { colour: 'distance' }), { name: 'TypeError', message: /options.from/ });
       assert.throws(() => draw.surfaceGeometry(torus, { colour: /** @type {any} */ ('red') }), RangeError);
       assert.throws(() => draw.surfaceGeometry(torus, /** @type {any} */ ({ color: 'curvature' })), /no option 'color'/);
