@@ -4,7 +4,7 @@ import { load } from 'surfpath';
 import { change, history, openAddress, redo, undo } from './state/change.js';
 import { find, say } from './panels/dom.js';
 import { startExports } from './export/exports.js';
-import { connect, recolour, showIn } from './compute/flow.js';
+import { connect, recolour, reframe, showIn } from './compute/flow.js';
 import { startFormula } from './panels/formula.js';
 import { startGallery } from './panels/gallery.js';
 import { startMeasure } from './panels/measure.js';
@@ -52,8 +52,7 @@ function showStep(step) {
   render();
 }
 
-/** @param {View | null} view */
-function listen(view) {
+function listen() {
   find('form').addEventListener('submit', (event) => event.preventDefault());
   find('colour').addEventListener('change', ({ target }) =>
     change({ colour: /** @type {any} */ (/** @type {HTMLSelectElement} */ (target).value) }),
@@ -68,7 +67,7 @@ function listen(view) {
   });
   find('undo').addEventListener('click', undo);
   find('redo').addEventListener('click', redo);
-  find('reframe').addEventListener('click', () => view?.frame(null));
+  find('reframe').addEventListener('click', reframe);
   find('toggle-panel').addEventListener('click', togglePanel);
   find('tabs').addEventListener('click', ({ target }) => showTab(/** @type {HTMLElement} */ (target).dataset.tab));
   addEventListener('keydown', pressed);
@@ -158,7 +157,7 @@ async function start() {
   const view = makeView();
   showIn(view);
   startExports(view);
-  listen(view);
+  listen();
 }
 
 start();

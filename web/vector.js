@@ -8,3 +8,6 @@ export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * 
 
 /** The distance of two points. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
+
+/** Whether a place lies in ranges, one a coordinate. @param {ArrayLike<number>} place @param {number[][]} ranges none: it does */
+export const isWithin = (place, ranges) => ranges.every(([low, high], k) => place[k] >= low && place[k] <= high);

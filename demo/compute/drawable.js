@@ -1,14 +1,16 @@
-/** Meshes as they are drawn: without what has a place that is no number, or one that graphics cannot compute with. */
+/** Meshes as the page draws them, or why there is nothing to draw. */
 
-import { cutMesh, LARGEST } from './cuts.js';
+import { drawableMesh } from '../../web/view/drawable.js';
 import { cross, subtract } from './vectors.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('./tasks.js').Opened} Opened */
-/** @typedef {{ positions: Float64Array, normals: Float64Array, parameters?: Float64Array, indices: Uint32Array, twins?: number[] }} SurfaceMesh twins: after a mesh's own vertices, others, each beside one of those */
+/** @typedef {import('../../web/view/drawable.js').SurfaceMesh} SurfaceMesh */
 
-/** Cells a direction: what is carried along a curve is much longer than wide. */
-const CELLS_ALONG = 160;
+/** Cells a direction of what is carried along a curve, which is much longer than wide, and of what has many waves. */
+const FINE = 160;
+/** How far apart, in radians, the normals of neighbouring vertices are on average where waves are drawn with too few cells: the gallery's surfaces have up to 0.13. */
+const WAVY = 0.2;
 /** Places a direction of a box at which a formula is tried. */
 const SAMPLES = 9;
 /** Share of its box below which a surface is drawn in a smaller one. */
@@ -17,14 +19,34 @@ const TINY = 0.1;
 /** @param {Opened} opened @param {number | undefined} resolution cells a direction; default: what suits it @param {import('surfpath').Surfpath} surfpath @returns {SurfaceMesh} */
 export function meshOf(opened, resolution, surfpath) {
   const { drawn, definition } = opened;
-  const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? CELLS_ALONG : undefined);
-  const given = drawn.mesh(wanted ? { resolution: wanted } : {});
-  const mesh = drawable(given.parameters ? cutMesh(given, (places) => drawn.evaluate(places)) : given);
+  const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? FINE : undefined);
+  const coarse = drawn.mesh(wanted ? { resolution: wanted } : {});
+  const given = !wanted && isWavy(coarse) ? drawn.mesh({ resolution: FINE }) : coarse;
+  const mesh = drawableMesh(drawn, given);
   const isSurface = hasArea(mesh);
   const bounds = isSurface && drawn.kind === 'implicit' && findTighter(mesh.positions, definition.bounds);
   if (bounds) return meshInside(surfpath, { ...definition, bounds }, resolution);
   if (isSurface) return mesh;
   throw new RangeError(drawn.kind === 'implicit' ? whyNowhere(drawn, definition.bounds) : whyNothing(given));
+}
+
+/** Whether a grid of vertices is too coarse for what it shows, along its lines or across. @param {SurfaceMesh} mesh */
+function isWavy({ normals, parameters }) {
+  const side = Math.sqrt(normals.length / 3);
+  return parameters !== undefined && [3, 3 * side].some((step) => meanTurn(normals, step) > WAVY);
+}
+
+/** @param {Float64Array} normals @param {number} step from one to the next */
+function meanTurn(normals, step) {
+  let [sum, count] = [0, 0];
+  for (let i = 0; i + step < normals.length; i += 3) {
+    const [j, k] = [i + step, i + step + 1];
+    const cosine = normals[i] * normals[j] + normals[i + 1] * normals[k] + normals[i + 2] * normals[k + 1];
+    if (Number.isNaN(cosine)) continue;
+    sum += Math.acos(Math.max(-1, Math.min(cosine, 1)));
+    count++;
+  }
+  return sum / count;
 }
 
 /** Whether some triangle is one. @param {SurfaceMesh} mesh */
@@ -76,22 +98,4 @@ function findTighter(positions, bounds) {
   const size = Math.max(...box.map(([low, high]) => high - low));
   const isSmall = box.every((_, k) => size < TINY * (bounds[k][1] - bounds[k][0]));
   return isSmall && size > 0 ? box.map(([low, high]) => [low - size / 2, high + size / 2]) : null;
-}
-
-/** Triangles whose corners can be drawn: a formula may have no value on a part of its range, or a huge one. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */
-function drawable(mesh) {
-  const { positions, normals } = mesh;
-  const isPlace = (/** @type {number} */ x) => Math.abs(x) <= LARGEST;
-  if (positions.every(isPlace) && normals.every(Number.isFinite)) return mesh;
-  const good = (/** @type {number} */ i) => [0, 1, 2].every((k) => isPlace(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
-  /** @type {number[]} */ const indices = [];
-  for (let i = 0; i < mesh.indices.length; i += 3) {
-    const corners = mesh.indices.subarray(i, i + 3);
-    if (corners.every(good)) indices.push(...corners);
-  }
-  // Vertices of no triangle are put onto one that is drawn: what is fitted into the view is what is seen.
-  const used = new Set(indices);
-  const place = (/** @type {Float64Array} */ list) =>
-    list.map((x, i) => (used.has(Math.floor(i / 3)) ? x : indices.length > 0 ? list[3 * indices[0] + (i % 3)] : 0));
-  return { ...mesh, positions: place(positions), normals: place(normals), indices: Uint32Array.from(indices) };
 }

@@ -2,7 +2,7 @@
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
 import { areFar, chooseEnds, describeFar, findBadEnd } from '../state/ends.js';
-import { areInside, areLeftBehind, endPlaces, mended, meshNow, middle, moveEnds, repairEnds, surfaceNow } from './footing.js';
+import { areInside, areLeftBehind, endPlaces, mended, meshNow, middle, middleOfPath, moveEnds, repairEnds, surfaceNow } from './footing.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -49,6 +49,9 @@ export function showIn(view) {
   stage?.frame(middle(), toLookFrom);
   render();
 }
+
+/** Looks at all of the surface again, as when it was opened; at one of the reader's own from the side of the path. */
+export const reframe = () => stage?.frame(middleOfPath() ?? middle(), toLookFrom);
 
 /** A new question about the path: older answers do not count any more. */
 function begin() {

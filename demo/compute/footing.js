@@ -53,3 +53,10 @@ export function middle() {
   const [from, to] = endPlaces();
   return to ? from.map((x, k) => (x + to[k]) / 2) : null;
 }
+
+/** A better one, once there is a path: where its middle is. */
+export function middleOfPath() {
+  const points = chosenPath()?.points ?? [];
+  const at = 3 * Math.floor(points.length / 6);
+  return points.length > 0 ? points.slice(at, at + 3) : null;
+}

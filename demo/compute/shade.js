@@ -20,17 +20,18 @@ import { determinantOf, tangentForm, Tensor } from './tensor.js';
  */
 export function shade(opened, { colour, from, resolution }, job, surfpath) {
   const mesh = meshOf(opened, resolution, surfpath);
-  if (colour === 'distance') return distances(opened, from, job, mesh);
+  if (colour === 'distance') return distances(opened.surface, from, job, mesh);
   return colour === 'curvature'
     ? gaussianCurvature(/** @type {any} */ (opened.drawn), mesh.parameters ?? mesh.positions)
     : stretches(opened, mesh, surfpath);
 }
 
-/** @param {import('./tasks.js').Opened} opened @param {number[]} from @param {import('./slices.js').Job} job @param {SurfaceMesh} drawn */
-async function distances({ surface, definition }, from, job, { twins = [] }) {
+/** @param {import('surfpath').Surface} surface @param {number[]} from @param {import('./slices.js').Job} job @param {SurfaceMesh} drawn */
+async function distances(surface, from, job, { positions, parameters, twins = [] }) {
   if (surface.kind === 'metric') throw new RangeError('distances from a point are there only for surfaces in space');
-  const along = ['tube', 'sweep'].includes(definition.kind) ? { resolution: 160 } : {};
-  const { mesh, distances: rough } = surface.distanceField(from, along);
+  // The vertices that are drawn: of a rectangle a square grid, and twins.
+  const cells = Math.sqrt(positions.length / 3 - twins.length) - 1;
+  const { mesh, distances: rough } = surface.distanceField(from, parameters ? { resolution: cells } : {});
   const withTwins = (/** @type {Shade} */ shade) => Float64Array.from([...shade, ...twins.map((i) => shade[i])]);
   job.report({ shade: withTwins(rough) });
   const start = surface.kind === 'implicit' ? surface.project(from, from) : from;

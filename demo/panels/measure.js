@@ -98,7 +98,7 @@ function fields(names) {
       { className: 'hint' },
       inSpace
         ? 'In place of space’s: ds² = dxᵀ T dx, a symmetric matrix T over x, y, z.'
-        : 'In place of space’s: ds² = E du² + 2F du dv + G dv².',
+        : 'In place of space’s: ds²\u00a0= E\u00a0du² + 2F\u00a0du\u00a0dv + G\u00a0dv².',
     ),
     create('div', { className: inSpace ? 'entries-of-tensor' : '' }, ...entries),
   ];

@@ -35,7 +35,7 @@ const OUTCOMES = {
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };
 
-/** Advice as it is where there is one point already. */
+/** Advice as it is where fewer points help nobody. */
 const withoutFewer = (/** @type {string} */ advice) =>
   advice.replace('choose fewer points or ', '').replace(', fewer points or', ' or').replace(': choose fewer points', '');
 
@@ -105,9 +105,10 @@ const ROUGHLY = ['stalled', 'iteration-limit', 'tolerance-not-met'];
  * @returns {[string, string]} what happened, what to do
  */
 export function describeStatus(status, sketch, { isFollowed = false, leaps = false } = {}) {
-  const { start, task, points } = sketch;
+  const { start, task, points, algorithm } = sketch;
   const [words, given] = OUTCOMES[status] ?? [status, ''];
-  const advice = points > 1 ? given : withoutFewer(given);
+  // Elements are as many as the tolerance asks for, whatever the points.
+  const advice = points > 1 && algorithm !== 'elements' ? given : withoutFewer(given);
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
   if (ROUGHLY.includes(status)) return [words, isCoarse(sketch) ? COARSE : adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];

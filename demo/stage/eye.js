@@ -2,7 +2,9 @@
 
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView, pointsWithin, rangesWithoutSpikes, shareOfView } from './fit.js';
+import { fitView } from '../../web/view/fit.js';
+import { pointsWithin, rangesWithoutSpikes } from '../../web/view/spikes.js';
+import { shareOfView } from './fit.js';
 
 const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
@@ -28,7 +30,7 @@ export class Eye {
   #bounds = new Sphere(new Vector3(), 1);
   /** About all of the surface. */
   #whole = new Sphere(new Vector3(), 1);
-  /** What must fit into the view. @type {import('./fit.js').Points | null} */ #points = null;
+  /** What must fit into the view. @type {import('../../web/view/spikes.js').Points | null} */ #points = null;
   #size = { width: 1, height: 1 };
   /** @type {Covered} */ #covered = { top: 0, bottom: 0 };
   /** Where the camera looked at, and from how far, when all of the surface was fitted. */
@@ -139,7 +141,13 @@ export class Eye {
   #plan(towards) {
     const { width, height } = this.#size;
     const slopes = this.#slopes(Math.max(MARGIN * Math.min(width, height), LEAST_MARGIN));
-    return fitView(/** @type {import('./fit.js').Points} */ (this.#points), this.#bounds.center, towards, this.camera.up, slopes);
+    return fitView(
+      /** @type {import('../../web/view/spikes.js').Points} */ (this.#points),
+      this.#bounds.center,
+      towards,
+      this.camera.up,
+      slopes,
+    );
   }
 
   /** @param {Vector3} towards the camera, unit length */

@@ -2,9 +2,9 @@
 
 import { HemisphereLight, NeutralToneMapping, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { Marker } from 'surfpath/three';
+import { addLights } from '../../web/view/light.js';
 import { CurveLines } from './curve-lines.js';
 import { Eye } from './eye.js';
-import { addLights } from './light.js';
 import { Strokes } from './strokes.js';
 import { SurfaceObject } from './surface-object.js';
 

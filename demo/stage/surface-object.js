@@ -2,7 +2,8 @@
 
 import { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from '../../web/view/colouring.js';
-import { surfaceGeometry, surfaceMaterial } from 'surfpath/three';
+import { bareGeometry } from '../../web/view/geometry.js';
+import { surfaceMaterial } from 'surfpath/three';
 
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('surfpath/three').ColourScale} ColourScale */
@@ -52,9 +53,8 @@ export class SurfaceObject extends Mesh {
 
   /** @param {SurfaceMesh} mesh */
   setMesh(mesh) {
-    const drawn = /** @type {import('surfpath').Surface} */ (/** @type {unknown} */ ({ kind: 'parametric', mesh: () => mesh }));
     const last = this.geometry;
-    this.geometry = surfaceGeometry(drawn);
+    this.geometry = bareGeometry(mesh);
     last.dispose();
     this.visible = true;
     this.#dress();

@@ -1,7 +1,7 @@
 /** The ends of a path and the points on its way: what is wrong with them, and where to put them instead. */
 
 import { coordinates } from './definition.js';
-import { isWithin } from '../compute/vectors.js';
+import { isWithin } from '../../web/vector.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */

@@ -70,7 +70,7 @@ export const KINDS = {
   },
   metric: {
     title: 'Metric',
-    hint: 'No surface in space: length is ds² = E du² + 2F du dv + G dv²; drawn in the plane of u and v',
+    hint: 'No surface in space: length is ds²\u00a0= E\u00a0du² + 2F\u00a0du\u00a0dv + G\u00a0dv²; drawn in the plane of u and v',
     formulas: { E: 'E(u, v)', F: 'F(u, v)', G: 'G(u, v)' },
     ranges: ['u', 'v'],
     coordinates: ['u', 'v'],

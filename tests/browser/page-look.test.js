@@ -197,6 +197,27 @@ describe('the view follows a surface that changes its size', () => {
   });
 });
 
+test('all of the surface is looked at again as when it was opened, or from where the path is', async () => {
+  const towards = () =>
+    page.evaluate(() => {
+      const { camera, controls } = /** @type {any} */ (window).surfpathView;
+      return camera.position.clone().sub(controls.target).normalize().toArray();
+    });
+  await openEntry(page, 'genus2');
+  const before = await towards();
+  await page.click('#reframe');
+  const after = await towards();
+  assert.ok(Math.hypot(...before.map((/** @type {number} */ x, /** @type {number} */ k) => x - after[k])) < 1e-3, `${before} ${after}`);
+  await openEntry(page, 'own-graph');
+  await page.fill('#field-z', 'sqrt(6-x^2-y^2)');
+  await page.waitForTimeout(300);
+  await settled(page);
+  await page.click('#reframe');
+  // The middle of a great circle is over that of its chord, (-1.9, -1.2) to (1.8, 1.4).
+  const [x, y] = await towards();
+  assert.ok((y - x / 2) / Math.hypot(x, y) > 0.95 * Math.hypot(1, 0.5), `${x}, ${y}`);
+});
+
 describe('colours that the system forces', () => {
   before(async () => {
     await page.setViewportSize({ width: 1040, height: 640 });

@@ -31,14 +31,14 @@ export function countProcessors() {
  * @returns {Thread}
  */
 export function startThread(script, listener) {
-  return getModule ? startNodeThread(getModule('node:worker_threads').Worker, script, listener) : startPageWorker(script, listener);
+  // Bundlers find the file by exactly this expression, and copy it as it is: within `new Worker(…)` they would bundle it again, once for each kind of worker.
+  const place = script ?? new URL('./worker.js', import.meta.url);
+  return getModule ? startNodeThread(getModule('node:worker_threads').Worker, place, listener) : startPageWorker(place, listener);
 }
 
-/* Bundlers find the worker's script by exactly this expression, `new Worker(new URL('…', import.meta.url))`. */
-
-/** @param {URL | undefined} script @param {Listener} listener @returns {Thread} */
+/** @param {URL} script @param {Listener} listener @returns {Thread} */
 function startPageWorker(script, { message, death }) {
-  const worker = script ? new Worker(script, { type: 'module' }) : new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  const worker = new Worker(script, { type: 'module' });
   const fail = (/** @type {string} */ text) => {
     worker.terminate();
     death(new Error(text));
@@ -47,15 +47,15 @@ function startPageWorker(script, { message, death }) {
   worker.onmessageerror = () => fail('its message cannot be read');
   worker.onerror = (event) => {
     event.preventDefault();
-    fail(event.message || `the script ${script ?? 'worker.js'} cannot be loaded`);
+    fail(event.message || `the script ${script} cannot be loaded`);
   };
   return { post: (given) => worker.postMessage(given), end: async () => worker.terminate(), hold() {} };
 }
 
-/** @param {any} Worker of Node.js @param {URL | undefined} script @param {Listener} listener @returns {Thread} */
+/** @param {any} Worker of Node.js @param {URL} script @param {Listener} listener @returns {Thread} */
 function startNodeThread(Worker, script, { message, death }) {
   /* Without the flags of this process, some of which no thread takes. */
-  const worker = script ? new Worker(script, { execArgv: [] }) : new Worker(new URL('./worker.js', import.meta.url), { execArgv: [] });
+  const worker = new Worker(script, { execArgv: [] });
   const exit = () => death(null);
   worker.on('message', message);
   worker.on('error', death);

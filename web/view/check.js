@@ -6,10 +6,11 @@ import { refuse } from '../arguments.js';
 
 /** Refuses what has no place in space. @param {string} caller @param {unknown} surface */
 export function checkDrawable(caller, surface) {
-  const { kind } = /** @type {{ kind?: unknown }} */ (surface ?? {});
+  const { kind, evaluate } = /** @type {{ kind?: unknown, evaluate?: unknown }} */ (surface ?? {});
   if (kind === 'metric')
     throw new TypeError(`${caller}: a surface given by E, F and G has no positions in space; draw its paths in the parameter plane`);
-  if (kind !== 'parametric' && kind !== 'implicit') refuse(`${caller}: surface`, 'a Surface', surface);
+  // A definition has a kind, too.
+  if (typeof evaluate !== 'function') refuse(`${caller}: surface`, 'a Surface that surfpath made', surface);
 }
 
 /** Refuses what is no geometry of a surface. @param {string} caller @param {unknown} geometry */

@@ -12,6 +12,7 @@ import {
   readOptions,
   SURFACE_ATTRIBUTES,
 } from './element/attributes.js';
+import { adopt, reflect, TypedElement } from './element/base.js';
 import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
 import { Stage } from './element/stage.js';
@@ -27,29 +28,11 @@ import { describePath, describeProblem } from './element/words.js';
 /** What must be done again, from the least to the most. */
 const [LOOK, PATH, SURFACE] = [1, 2, 3];
 
-/** @param {Element} element @param {string} name @param {string | null | undefined} value */
-function reflect(element, name, value) {
-  if (value === null || value === undefined) element.removeAttribute(name);
-  else element.setAttribute(name, value);
-}
-
-/** What was set before the element was defined does not reach its setters: set it again. @param {any} element */
-function adopt(element) {
-  for (const name of ['definition', 'from', 'to', 'path', 'animate']) {
-    if (!Object.hasOwn(element, name)) continue;
-    const value = element[name];
-    delete element[name];
-    element[name] = value;
-  }
-}
-
-const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
-
 /**
  * `<surface-path surface="parametricTorus" from="0,0" to="2,1" controls></surface-path>`. The attributes stand in the manual. Events: `path`, its detail the Path,
  * each time one was computed; `error`, its detail the Error, where a formula, a point or the browser does not allow it. Neither bubbles.
  */
-export class SurfacePathElement extends Base {
+export class SurfacePathElement extends TypedElement {
   static observedAttributes = [...SURFACE_ATTRIBUTES, ...PATH_ATTRIBUTES, ...LOOK_ATTRIBUTES];
   #canvas = document.createElement('canvas');
   #words = document.createElement('p');
@@ -136,28 +119,6 @@ export class SurfacePathElement extends Base {
     reflect(this, name, text || null);
     delete this.#asked[end];
     this.#renew(PATH);
-  }
-
-  /**
-   * @overload @param {'path'} type @param {(this: SurfacePathElement, event: CustomEvent<Path>) => void} listener @param {boolean | AddEventListenerOptions} [options]
-   * @returns {void}
-   */
-  /**
-   * @overload @param {'error'} type @param {(this: SurfacePathElement, event: CustomEvent<Error>) => void} listener @param {boolean | AddEventListenerOptions} [options]
-   * @returns {void}
-   */
-  /**
-   * @template {keyof HTMLElementEventMap} K
-   * @overload @param {K} type @param {(this: SurfacePathElement, event: HTMLElementEventMap[K]) => void} listener @param {boolean | AddEventListenerOptions} [options]
-   * @returns {void}
-   */
-  /**
-   * @overload @param {string} type @param {EventListenerOrEventListenerObject | null} listener @param {boolean | AddEventListenerOptions} [options]
-   * @returns {void}
-   */
-  /** As everywhere; here the types know what events of the element bring. @param {string} type @param {any} listener @param {boolean | AddEventListenerOptions} [options] */
-  addEventListener(type, listener, options) {
-    super.addEventListener(type, listener, options);
   }
 
   connectedCallback() {
@@ -346,15 +307,5 @@ export class SurfacePathElement extends Base {
     this.dispatchEvent(new CustomEvent('error', { detail }));
   }
 }
-
-/* The attribute `animate` has the name of a method of all elements. React sets attributes as properties where there are such: set, it is the attribute. */
-Object.defineProperty(SurfacePathElement.prototype, 'animate', {
-  configurable: true,
-  get: () => Base.prototype.animate,
-  /** @this {SurfacePathElement} @param {unknown} on */
-  set(on) {
-    this.toggleAttribute('animate', on !== null && on !== undefined && on !== false);
-  },
-});
 
 if (globalThis.customElements && !customElements.get('surface-path')) customElements.define('surface-path', SurfacePathElement);

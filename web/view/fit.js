@@ -1,33 +1,37 @@
 /** Where a camera must stand so that a surface just fills its view. */
 
-import { Vector3 } from 'three';
+import { Box3, Sphere, Vector3 } from 'three';
 import { refuse, refuseNumber } from '../arguments.js';
 import { checkGeometry } from './check.js';
+import { ENOUGH, pointsWithin, rangesWithoutSpikes } from './spikes.js';
 
-/** The fit is exact for the distance, and centred to a per cent after so many rounds: perspective moves the middle a little. */
-const ROUNDS = 3;
+/** @typedef {import('./spikes.js').Points} Points */
+
+/** The fit is exact for the distance, and centred to less than a per cent after so many rounds: perspective moves the middle a little. */
+const ROUNDS = 4;
 /** Of the distance: room to go near, and far. */
 const [NEAR, FAR] = [0.02, 4];
 
 /**
- * Moves a perspective camera so that a geometry fills its view, centred, seen from a direction; sets its near and far planes for turning around it.
+ * Moves a perspective camera so that a geometry fills its view, centred, seen from a direction; sets its near and far planes for turning around it. Of spikes, as
+ * beside a pole, and of what is so steep that all of it would be a thread, a part is looked at.
  * @param {import('three').PerspectiveCamera} camera `fov`, `aspect` and `up` set
  * @param {import('three').BufferGeometry} geometry of {@link surfaceGeometry}, with a bounding sphere
  * @param {ArrayLike<number>} towards the camera from the surface, x y z of any length; not along `up`
  * @param {number} [margin] share of the view that stays free around it, in [0, 1); default 0.1
+ * @param {readonly ArrayLike<number>[]} [shown] places on it that should be seen whatever is left out, x y z each
  * @returns {Vector3} the point that the camera looks at: the target for its controls. Throws TypeError or RangeError naming the argument
  */
-export function fitCamera(camera, geometry, towards, margin = 0.1) {
+export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
   check(camera, geometry, towards, margin);
-  const { center } = /** @type {import('three').Sphere} */ (geometry.boundingSphere);
+  const all = geometry.getAttribute('position');
+  const points = pointsWithin(all, rangesWithoutSpikes(all, shown), shown) ?? all;
+  const { center } = new Box3()
+    .setFromBufferAttribute(/** @type {import('three').BufferAttribute} */ (points))
+    .getBoundingSphere(new Sphere());
   const back = new Vector3(towards[0], towards[1], towards[2]).normalize();
-  const right = new Vector3().crossVectors(camera.up, back).normalize();
-  const axes = [right, new Vector3().crossVectors(back, right)];
   const slope = Math.tan((camera.fov * Math.PI) / 360) * (1 - margin);
-  const slopes = [slope * camera.aspect, slope];
-  const target = center.clone();
-  let distance = 0;
-  for (let round = 0; round < ROUNDS; round++) distance = centre(geometry, target, back, axes, slopes);
+  const { target, distance } = fitView(points, center, back, camera.up, [slope * camera.aspect, slope]);
   camera.position.copy(target).addScaledVector(back, distance);
   camera.lookAt(target);
   [camera.near, camera.far] = [NEAR * distance, FAR * distance];
@@ -47,27 +51,38 @@ function check(camera, geometry, towards, margin) {
 }
 
 /**
- * Moves the target to the middle of what is seen of the geometry.
- * @param {import('three').BufferGeometry} geometry @param {Vector3} target @param {Vector3} back @param {Vector3[]} axes @param {number[]} slopes
- * @returns {number} how far the camera must be to see all
+ * Moves a camera along a direction, and its target across it, until all points lie inside the view, centred.
+ * @param {Points} points
+ * @param {Vector3} center about which the camera turns
+ * @param {Vector3} towards the camera from there, unit length
+ * @param {Vector3} up
+ * @param {number[]} slopes tangents of half the angles of view, across and up, that the points may fill
+ * @returns {{ target: Vector3, distance: number }} distance: of the camera from the target
  */
-function centre({ attributes, index }, target, back, axes, slopes) {
-  const { position } = attributes;
+export function fitView(points, center, towards, up, slopes) {
+  const right = new Vector3().crossVectors(up, towards).normalize();
+  const axes = [right, new Vector3().crossVectors(towards, right)];
+  const target = center.clone();
+  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
   const point = new Vector3();
-  const count = index ? index.count : position.count;
-  const places = Array.from({ length: count }, (_, i) => {
-    point.fromBufferAttribute(position, index ? index.getX(i) : i).sub(target);
-    return [point.dot(axes[0]), point.dot(axes[1]), point.dot(back)];
-  });
   let distance = 0;
-  for (const [x, y, depth] of places) distance = Math.max(distance, depth + Math.max(Math.abs(x) / slopes[0], Math.abs(y) / slopes[1]));
-  for (const [k, axis] of axes.entries()) {
-    let [least, most] = [Infinity, -Infinity];
-    for (const place of places) {
-      const seen = (place[k] * distance) / (distance - place[2]);
-      [least, most] = [Math.min(least, seen), Math.max(most, seen)];
+  for (let round = 0; round < ROUNDS; round++) {
+    distance = 0;
+    for (let i = 0; i < points.count; i += stride) {
+      point.fromBufferAttribute(points, i).sub(target);
+      const depth = point.dot(towards);
+      for (const [k, axis] of axes.entries()) distance = Math.max(distance, depth + Math.abs(point.dot(axis)) / slopes[k]);
     }
-    target.addScaledVector(axis, (least + most) / 2);
+    const ranges = axes.map(() => [Infinity, -Infinity]);
+    for (let i = 0; i < points.count; i += stride) {
+      point.fromBufferAttribute(points, i).sub(target);
+      const scale = distance / (distance - point.dot(towards));
+      for (const [k, axis] of axes.entries()) {
+        const seen = point.dot(axis) * scale;
+        ranges[k] = [Math.min(ranges[k][0], seen), Math.max(ranges[k][1], seen)];
+      }
+    }
+    for (const [k, axis] of axes.entries()) target.addScaledVector(axis, (ranges[k][0] + ranges[k][1]) / 2);
   }
-  return distance;
+  return { target, distance };
 }

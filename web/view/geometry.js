@@ -5,16 +5,18 @@ import { checkOptions, refuse } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
+import { drawableMesh } from './drawable.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 /** @typedef {import('../mesh.js').Mesh} Mesh */
+/** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('./colouring.js').ColourScale} ColourScale */
 
 /**
  * @typedef {object} GeometryOptions
  * @property {number} [resolution] cells a direction, as for `surface.mesh`
  * @property {'none' | 'curvature' | 'distance' | ((mesh: Mesh) => ArrayLike<number>)} [colour] 'curvature': Gaussian curvature, zero neutral; 'distance': geodesic
- *   distance `from` a point; or a function that gives one number a vertex of the mesh; default 'none'
+ *   distance `from` a point; or a function that gives one number a vertex of the mesh as it is drawn; default 'none'
  * @property {ArrayLike<number>} [from] 'distance': u v or x y z
  * @property {boolean} [exact] 'distance': as for `surface.distanceField`
  */
@@ -22,23 +24,6 @@ import { gaussianCurvature } from './curvature.js';
 /** Cells between parameter lines along the surface's longer side. */
 const CELLS = 22;
 const NAMES = ['resolution', 'colour', 'from', 'exact'];
-
-/** Triangles whose corners are all numbers: a formula may have no value on a part of its range. @param {Mesh} mesh @returns {Uint32Array} */
-function drawableTriangles({ positions, normals, indices }) {
-  const bad = (/** @type {number} */ i) => !Number.isFinite(positions[i]) || !Number.isFinite(normals[i]);
-  if (!positions.some((_, i) => bad(i))) return indices;
-  return indices.filter((_, i) => {
-    const first = i - (i % 3);
-    return [0, 1, 2].every((corner) => [0, 1, 2].every((k) => !bad(3 * indices[first + corner] + k)));
-  });
-}
-
-/** Numbers as the graphics card takes them. (A loop: `from` with a function takes ten times as long, 30 ms for a large mesh.) @param {Float64Array} numbers */
-function toFloat(numbers) {
-  const floats = new Float32Array(numbers);
-  for (let i = 0; i < floats.length; i++) if (!Number.isFinite(floats[i])) floats[i] = 0;
-  return floats;
-}
 
 /** How long the lines of a grid are on average, between vertices a step apart. @param {Float64Array} positions @param {number} side vertices a side @param {number} step @param {number} across */
 function gridLength(positions, side, step, across) {
@@ -68,9 +53,12 @@ function textureCoordinates(parameters, side) {
   return Float32Array.from(parameters, (x, i) => (x - low[i & 1]) / (high[i & 1] - low[i & 1]));
 }
 
-/** The numbers that colours are to show, and their scale. @param {Surface} surface @param {Mesh} mesh @param {Float64Array | undefined} distances @param {GeometryOptions['colour']} colour @param {number} size */
+/** The numbers that colours are to show, and their scale. @param {Surface} surface @param {SurfaceMesh} mesh @param {Float64Array | undefined} distances @param {GeometryOptions['colour']} colour @param {number} size */
 function measure(surface, mesh, distances, colour, size) {
-  if (distances) return { values: distances, scale: bandScale('distance', distances) };
+  if (distances) {
+    const values = Float64Array.from([...distances, ...(mesh.twins ?? []).map((i) => distances[i])]);
+    return { values, scale: bandScale('distance', values) };
+  }
   if (colour === 'curvature') {
     const values = gaussianCurvature(surface, mesh.parameters ?? mesh.positions);
     return { values, scale: curvatureScale(values, size) };
@@ -80,6 +68,21 @@ function measure(surface, mesh, distances, colour, size) {
   const count = mesh.positions.length / 3;
   if (values?.length !== count) throw new RangeError(`surfaceGeometry: options.colour must give ${count} numbers, one a vertex`);
   return { values, scale: bandScale('values', values) };
+}
+
+/** A mesh as geometry, without colours. @param {SurfaceMesh} mesh */
+export function bareGeometry(mesh) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
+  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(mesh.normals), 3));
+  geometry.setIndex(new BufferAttribute(mesh.indices, 1));
+  geometry.computeBoundingSphere();
+  geometry.userData.isOneSided = mesh.isOneSided === true;
+  if (!mesh.parameters) return geometry;
+  const side = sideOf(mesh.parameters);
+  geometry.setAttribute('uv', new BufferAttribute(textureCoordinates(mesh.parameters, side), 2));
+  geometry.userData.cells = countCells(mesh.positions, side);
+  return geometry;
 }
 
 /**
@@ -101,17 +104,8 @@ export function surfaceGeometry(surface, options = {}) {
     refuse(`${caller}: options.colour`, "'none', 'curvature', 'distance' or a function", colour, RangeError);
   if (colour === 'distance' && from === undefined) throw new TypeError(`${caller}: options.colour 'distance' needs options.from, a point`);
   const field = colour === 'distance' ? surface.distanceField(/** @type {ArrayLike<number>} */ (from), { resolution, exact }) : null;
-  const mesh = field ? field.mesh : surface.mesh({ resolution });
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(toFloat(mesh.positions), 3));
-  geometry.setAttribute('normal', new BufferAttribute(toFloat(mesh.normals), 3));
-  geometry.setIndex(new BufferAttribute(drawableTriangles(mesh), 1));
-  geometry.computeBoundingSphere();
-  if (mesh.parameters) {
-    const side = sideOf(mesh.parameters);
-    geometry.setAttribute('uv', new BufferAttribute(textureCoordinates(mesh.parameters, side), 2));
-    geometry.userData.cells = countCells(mesh.positions, side);
-  }
+  const mesh = drawableMesh(surface, field ? field.mesh : surface.mesh({ resolution }));
+  const geometry = bareGeometry(mesh);
   const size = geometry.boundingSphere?.radius || 1;
   const measured = measure(surface, mesh, field?.distances, colour, size);
   if (measured) {

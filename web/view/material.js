@@ -1,6 +1,6 @@
 /** The look of a surface: matte, lit on both sides, with thin antialiased parameter lines and contours that keep their width at any zoom. */
 
-import { DoubleSide, MeshStandardMaterial, Vector2 } from 'three';
+import { DoubleSide, MeshStandardMaterial, Vector2, Vector3 } from 'three';
 import { checkGeometry } from './check.js';
 
 /**
@@ -11,6 +11,8 @@ import { checkGeometry } from './check.js';
 
 /** How much bands between contours differ in brightness. */
 const BAND = 0.07;
+/** What the far side takes of red, green and blue. What has one side only has none that is far: the seam would be a step. */
+const FAR_SHADE = /** @type {const} */ ([0.93, 0.9, 0.86]);
 
 const VERTEX = /* glsl */ `
 #ifdef CONTOURS
@@ -27,6 +29,7 @@ const VERTEX_MAIN = /* glsl */ `
 
 const FRAGMENT = /* glsl */ `
 uniform vec2 cells;
+uniform vec3 farShade;
 #ifdef CONTOURS
   varying float vContour;
   uniform float band;
@@ -53,7 +56,7 @@ vec3 nonPerturbedNormal = normal;`;
  */
 const SHADING = /* glsl */ `
 #include <color_fragment>
-if (farSide) diffuseColor.rgb *= vec3(0.93, 0.9, 0.86);
+if (farSide) diffuseColor.rgb *= farShade;
 #ifdef PARAMETER_LINES
   vec2 place = vUv * cells;
   vec2 widths = max(fwidth(place), vec2(1e-6));
@@ -80,7 +83,7 @@ export function surfaceMaterial(geometry, options = {}) {
   checkGeometry('surfaceMaterial', geometry);
   const coloured = geometry.hasAttribute('contour') && geometry.hasAttribute('color');
   const { lines = !coloured, contours = true, ...parameters } = options;
-  const { scale, cells = [CELLS, CELLS] } = geometry.userData;
+  const { scale, cells = [CELLS, CELLS], isOneSided = false } = geometry.userData;
   const color = coloured ? '#ffffff' : '#cfd6dc';
   const material = new MeshStandardMaterial({
     color,
@@ -93,7 +96,11 @@ export function surfaceMaterial(geometry, options = {}) {
   material.defines = { ...material.defines };
   if (lines && geometry.hasAttribute('uv')) Object.assign(material.defines, { USE_UV: '', PARAMETER_LINES: '' });
   if (contours && coloured) material.defines.CONTOURS = '';
-  const uniforms = { cells: { value: new Vector2(cells[0], cells[1]) }, band: { value: scale?.spacing > 0 ? BAND : 0 } };
+  const uniforms = {
+    cells: { value: new Vector2(cells[0], cells[1]) },
+    band: { value: scale?.spacing > 0 ? BAND : 0 },
+    farShade: { value: new Vector3(...(isOneSided ? [1, 1, 1] : FAR_SHADE)) },
+  };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = shader.vertexShader.replace('#include <common>', VERTEX).replace('#include <begin_vertex>', VERTEX_MAIN);

@@ -1,9 +1,11 @@
 // A stranger's TypeScript: what must be accepted, and what must not. Checked by package.test.js where the package is installed.
 import { createPool } from 'surfpath/pool';
-import { type DistanceField, ExpressionError, type FieldOptions, load } from 'surfpath';
-import { load as loadSlim } from 'surfpath/slim';
+import { type DistanceField, ExpressionError, type FieldOptions, type Iterate, load, type LoadOptions } from 'surfpath';
+import { type GalleryEntry, gallery } from 'surfpath/gallery';
+import { load as loadSlim, type LoadOptions as SlimOptions } from 'surfpath/slim';
 
-const surfpath = await load();
+const options: LoadOptions & SlimOptions = {};
+const surfpath = await load(options);
 const torus = surfpath.implicit({ f: '(sqrt(x^2 + y^2) - R)^2 + z^2 - 1', parameters: { R: 3 } });
 const path = torus.shortestPath([4, 0, 0], [0, 3, 1], { points: 100, start: 'straight' });
 const length: number = path.length;
@@ -14,6 +16,10 @@ const slim = await loadSlim({ wasm: new URL('./surfpath.wasm', 'file:///') });
 slim.dispose();
 const wanted: FieldOptions = { resolution: 8, exact: false };
 const field: DistanceField = torus.distanceField([4, 0, 0], wanted);
+
+const decrements: number[] = path.history.map(({ decrement }: Iterate) => decrement);
+const entries: GalleryEntry[] = Object.values(gallery);
+const named: string[] = entries.map(({ title, parameters = {} }) => `${title}: ${Object.keys(parameters)}`);
 
 const pool = createPool({ workers: 2 });
 const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' } as const;
@@ -49,4 +55,4 @@ surfpath.implicit({
   ],
 });
 
-export { converged, field, length, lengths, one, points, range };
+export { converged, decrements, field, length, lengths, named, one, points, range };

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { meshOf } from '../../../demo/compute/drawable.js';
 import { shade } from '../../../demo/compute/shade.js';
 import { load } from 'surfpath';
+import { gallery } from 'surfpath/gallery';
 
 const surfpath = await load();
 const SQUARE = { u: [-1, 1], v: [-1, 1] };
@@ -54,4 +55,19 @@ test('where a formula has no value there are no vertices either: what is fitted 
 test('what is too large for graphics is not drawn, and the rest is', () => {
   const { positions, indices } = meshOf(open({ kind: 'graph', z: 'exp(20x)', x: [-2.5, 2.5], y: [-1, 1] }), 32, surfpath);
   assert.ok(indices.length > 0 && positions.every((x) => Math.abs(x) <= 1e18));
+});
+
+test('many waves have cells enough, along one direction too, and a number for each vertex', async () => {
+  const graph = { kind: 'graph', x: [-2.5, 2.5], y: [-2.5, 2.5] };
+  const cellsOf = (/** @type {any} */ definition) => {
+    const { positions, twins = [] } = meshOf(open(definition), undefined, surfpath);
+    return Math.sqrt(positions.length / 3 - twins.length) - 1;
+  };
+  for (const z of ['sin(20x)*sin(20y)', 'sin(40x)', 'sin(40y)']) assert.equal(cellsOf({ ...graph, z }), 160, z);
+  for (const z of ['sin(x)*sin(y)', 'abs(x)', 'floor(x)', '1/(x*y)', 'sqrt(1-x^2-y^2)']) assert.equal(cellsOf({ ...graph, z }), 96, z);
+  for (const [name, entry] of Object.entries(gallery)) if (entry.kind === 'parametric') assert.equal(cellsOf(entry), 96, name);
+  /** @type {number[]} */ const lengths = [];
+  const job = { report: (/** @type {any} */ { shade }) => lengths.push(shade.length), isStopped: () => true };
+  await shade(open({ ...graph, z: 'sin(40x)/9' }), { colour: 'distance', from: [0, 0] }, job, surfpath);
+  assert.deepEqual(lengths, [161 ** 2]);
 });

@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BufferAttribute, Matrix4, PerspectiveCamera, Vector3 } from 'three';
-import { fitView, pointsWithin, rangesWithoutSpikes, shareOfView } from '../../../demo/stage/fit.js';
+import { shareOfView } from '../../../demo/stage/fit.js';
+import { fitView } from '../../../web/view/fit.js';
+import { pointsWithin, rangesWithoutSpikes } from '../../../web/view/spikes.js';
 
 const SLOPES = [0.4, 0.3];
 const CUBE = new BufferAttribute(Float32Array.from([-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].flatMap((z) => [x, y, z])))), 3);

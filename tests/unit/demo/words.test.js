@@ -22,12 +22,15 @@ test('each status is said in words', () => {
     }
 });
 
-test('fewer points are advised where there are fewer', () => {
+test('fewer points are advised where there are fewer, and they count', () => {
   for (const status of ['stalled', 'iteration-limit', 'out-of-memory']) {
-    assert.match(describeStatus(status, sketchOf('saddle'))[1], /fewer points/);
-    const [, advice] = describeStatus(status, { ...sketchOf('saddle'), points: 1 });
-    assert.doesNotMatch(advice, /fewer points/);
-    assert.match(advice, /^[A-Z][^:]*(?:: (?:try another algorithm or a less|move the ends)[^:]*)?\.$/, status);
+    const polyline = { ...sketchOf('saddle'), algorithm: /** @type {const} */ ('polyline') };
+    assert.match(describeStatus(status, polyline)[1], /fewer points/);
+    for (const sketch of [sketchOf('saddle'), { ...sketchOf('saddle'), points: 1 }]) {
+      const [, advice] = describeStatus(status, sketch);
+      assert.doesNotMatch(advice, /fewer points/);
+      assert.match(advice, /^[A-Z][^:]*(?:: (?:try another algorithm or a less|move the ends)[^:]*)?\.$/, status);
+    }
   }
 });
 

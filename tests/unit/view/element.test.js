@@ -79,6 +79,11 @@ describe('attributes', () => {
       ],
     });
     assert.deepEqual(readOptions(attributes({ start: '0,0; 0.5,1; 1,1' })), { start: [0, 0, 0.5, 1, 1, 1] });
+    for (const tolerance of ['1e-6, 1e-7', '', 'exact'])
+      assert.throws(() => readOptions(attributes({ tolerance })), {
+        name: 'TypeError',
+        message: /^surface-path: tolerance must be a number, not '/,
+      });
   });
 
   test('are a look', () => {

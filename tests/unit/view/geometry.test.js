@@ -68,6 +68,35 @@ for (const [title, { draw, THREE }] of await loadReleases())
       for (const vertex of index.array) assert.ok(attributes.position.getX(vertex) > 0);
     });
 
+    test('ends on the rim of where a formula has a value, whatever it is coloured by', () => {
+      const dome = surfpath.graph({ z: 'sqrt(1 - x^2 - y^2)', x: [-1.1, 1.1], y: [-1.1, 1.1] });
+      const z = (/** @type {{ positions: Float64Array }} */ { positions }) => positions.filter((_, i) => i % 3 === 2);
+      for (const colour of /** @type {const} */ (['none', 'curvature', 'distance', z])) {
+        const { index, attributes } = draw.surfaceGeometry(dome, { resolution: 24, colour, from: [0, 0] });
+        assert.ok(index);
+        assert.equal(attributes.color?.count ?? attributes.position.count, attributes.position.count);
+        const lowest = new Array(36).fill(1);
+        for (const i of index.array) {
+          const turn = Math.atan2(attributes.position.getY(i), attributes.position.getX(i)) / (2 * Math.PI);
+          const sector = Math.floor(36 * (turn + 0.5)) % 36;
+          lowest[sector] = Math.min(lowest[sector], attributes.position.getZ(i));
+        }
+        assert.ok(Math.max(...lowest) < 2e-3, `${colour}: ${Math.max(...lowest)}`);
+      }
+    });
+
+    test('what has one side only is not shaded where it is seen from behind', () => {
+      const shadeOf = (/** @type {import('../../../web/surface.js').Surface} */ surface) => {
+        const shader = { uniforms: /** @type {any} */ ({}), vertexShader: '', fragmentShader: '' };
+        draw
+          .surfaceMaterial(draw.surfaceGeometry(surface, { resolution: 8 }))
+          .onBeforeCompile(/** @type {any} */ (shader), /** @type {any} */ (null));
+        return shader.uniforms.farShade.value.toArray();
+      };
+      assert.deepEqual(shadeOf(surfpath.surface(gallery.moebius)), [1, 1, 1]);
+      assert.ok(shadeOf(torus).every((/** @type {number} */ share) => share < 1));
+    });
+
     test('colours by curvature: the neutral colour is at zero, the two sides differ in hue', () => {
       const geometry = draw.surfaceGeometry(torus, { resolution: 32, colour: 'curvature' });
       const { scale } = geometry.userData;
@@ -114,10 +143,11 @@ for (const [title, { draw, THREE }] of await loadReleases())
     test('refuses what it cannot draw, in words', () => {
       const abstract = surfpath.metric({ E: 1, F: 0, G: 1, u: [0, 1], v: [0, 1] });
       assert.throws(() => draw.surfaceGeometry(abstract), { name: 'TypeError', message: /^surfaceGeometry: .* no positions/ });
-      assert.throws(() => draw.surfaceGeometry(/** @type {any} */ (null)), {
-        name: 'TypeError',
-        message: /^surfaceGeometry: surface must be/,
-      });
+      for (const wrong of /** @type {any[]} */ ([null, gallery.parametricTorus]))
+        assert.throws(() => draw.surfaceGeometry(wrong), {
+          name: 'TypeError',
+          message: /^surfaceGeometry: surface must be a Surface that /,
+        });
       assert.throws(() => draw.surfaceGeometry(torus, { colour: 'distance' }), { name: 'TypeError', message: /options.from/ });
       assert.throws(() => draw.surfaceGeometry(torus, { colour: /** @type {any} */ ('red') }), RangeError);
       assert.throws(() => draw.surfaceGeometry(torus, /** @type {any} */ ({ color: 'curvature' })), /no option 'color'/);
@@ -186,5 +216,17 @@ for (const [title, { draw, THREE }] of await loadReleases())
         for (const k of /** @type {const} */ (['x', 'y'])) assert.ok(Math.abs(seen.max[k] + seen.min[k]) < 0.02, 'centred');
         assert.ok(seen.min.z > -1 && seen.max.z < 1, 'between near and far');
       }
+    });
+
+    test('fitCamera leaves out spikes, but no place that should be seen', () => {
+      const pole = surfpath.graph({ z: '1/(x^2 + y^2)', x: [-2, 2], y: [-2, 2] });
+      const geometry = draw.surfaceGeometry(pole, { resolution: 47 });
+      const camera = new THREE.PerspectiveCamera(32, 1);
+      camera.up.set(0, 0, 1);
+      const distanceOf = (/** @type {number[][]} */ ...shown) =>
+        draw.fitCamera(camera, geometry, [1, -2, 1], 0.1, shown).distanceTo(camera.position);
+      assert.ok((geometry.boundingSphere?.radius ?? 0) > 100);
+      assert.ok(distanceOf() < 20, `${distanceOf()}`);
+      assert.ok(distanceOf([0.25, 0, 16]) > 25, `${distanceOf([0.25, 0, 16])}`);
     });
   });

@@ -48,6 +48,12 @@ export function readNumbers(name, text) {
   refuse(`surface-path: ${name}`, 'numbers between commas', text);
 }
 
+/** @param {string} name @param {string} text */
+function readNumber(name, text) {
+  const number = text.trim() ? Number(text) : Number.NaN;
+  return Number.isFinite(number) ? number : refuse(`surface-path: ${name}`, 'a number', text);
+}
+
 /** @param {string} text 'R = 3, r = 1' @returns {Record<string, number>} */
 function readParameters(text) {
   /** @type {[string, number][]} */
@@ -150,7 +156,7 @@ export function readOptions(attribute) {
   const options = {};
   for (const name of ['tolerance', 'points']) {
     const text = attribute(name);
-    if (text !== null) [options[name]] = readNumbers(name, text);
+    if (text !== null) options[name] = readNumber(name, text);
   }
   const algorithm = attribute('algorithm');
   if (algorithm !== null) options.algorithm = algorithm;
@@ -178,7 +184,7 @@ export function readLook(attribute, definition, from) {
   return {
     colour: /** @type {any} */ (colour ?? 'none'),
     ...(colour === 'distance' ? { from } : {}),
-    ...(resolution === null ? {} : { resolution: readNumbers('resolution', resolution)[0] }),
+    ...(resolution === null ? {} : { resolution: readNumber('resolution', resolution) }),
     camera: towards,
   };
 }

@@ -1,10 +1,11 @@
 /** What <surface-path> shows: surface, path, ends, light and camera. Draws when something has changed and it is on screen. Knows no attributes and no solver. */
 
-import { DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
 import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
+import { addLights } from '../light.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */
@@ -49,14 +50,8 @@ export class Stage {
     this.#canvas = canvas;
     this.#listen();
     this.#camera.up.set(0, 0, 1);
-    const sky = new HemisphereLight('#ffffff', '#b9b2a6', 1.45);
-    sky.position.set(0, 0, 1);
-    const key = new DirectionalLight('#fffaf2', 2.1);
-    key.position.set(-0.7, 1, 0.75);
-    const fill = new DirectionalLight('#dfe9ff', 0.5);
-    fill.position.set(1, -0.2, 0.5);
-    this.#camera.add(key, key.target, fill, fill.target);
-    this.#scene.add(this.#camera, sky, this.#line);
+    addLights(this.#scene, this.#camera, new HemisphereLight('#ffffff', '#b9b2a6'));
+    this.#scene.add(this.#camera, this.#line);
   }
 
   /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held on the way past it. */
@@ -245,7 +240,8 @@ export class Stage {
     if (this.#mesh.geometry.index?.count === 0) return;
     this.#isFitted = true;
     const margin = Math.min(MARGIN + COVERED / this.#size.height, 0.5);
-    const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin);
+    const shown = this.#ends.map(({ position }) => position.toArray());
+    const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin, shown);
     if (!this.#controls) return;
     const distance = this.#camera.position.distanceTo(target);
     Object.assign(this.#controls, { minDistance: distance / 4, maxDistance: 2 * distance });

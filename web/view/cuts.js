@@ -10,7 +10,7 @@ const [LONG, FARTHEST] = [2.5, 200];
 const SOME = 7;
 const HALVINGS = 20;
 /** Where an edge is halved, as in the very middle there may be a pole; and what stays of its length, at least, where something jumps. */
-const [MIDDLE, LEAP] = [0.493, 0.6];
+const [MIDDLE, LEAP] = [0.493, 0.3];
 /** Coordinates beyond are not drawn: their squares, and products with those, are too large for 32 bits, and keep some machines busy for minutes. */
 export const LARGEST = 1e18;
 
@@ -60,7 +60,9 @@ export function cutMesh(mesh, evaluate) {
   for (const side of leaps) {
     const [vertex, other] = [ends[side], ends[side ^ 1]];
     marks[vertex] = CUT;
-    const isFar = gap(table.values, vertex, sides.values, side) > FARTHEST * usual;
+    // Where an edge leaps twice, what lies between is not on either side.
+    const away = gap(table.values, vertex, sides.values, side);
+    const isFar = away > FARTHEST * usual || away >= gap(sides.values, side, sides.values, side ^ 1);
     cuts.set(vertex * count + other, isFar ? vertex : count + added.length);
     if (!isFar) added.push(side);
   }

@@ -1,0 +1,74 @@
+/** What a view of a surface leaves out: spikes, as beside a pole, that would make all else tiny, and most of what would be a thread. */
+
+import { BufferAttribute } from 'three';
+import { isWithin } from '../vector.js';
+
+/** @typedef {import('three').BufferAttribute | import('three').InterleavedBufferAttribute} Points */
+
+/** Of many points, about so many are looked at. */
+export const ENOUGH = 4000;
+
+/** Of a surface's points along an axis, what lies between these shares is its bulk. */
+const BULK = [0.05, 0.95];
+/** A surface has spikes where it is so many times longer than its bulk, and than that is wide; */
+const [SPIKY, TALL] = [3, 2];
+/** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly, and so large a share of all. */
+const [DENSE, SOME] = [8, 0.1];
+/** Whatever it is like, what is so many times longer than wide would be a thread. */
+const THREAD = 200;
+/** In parts of its width: a bulk up to here is seen, and ends of a path that lie so far apart. */
+const [LONG, FARTHEST] = [4, 6];
+
+const AXES = /** @type {const} */ (['getX', 'getY', 'getZ']);
+
+/** Where in a sorted list most numbers lie within a size, near its middle if that is anywhere, and how many. @param {Float64Array} list @param {number} size */
+function densest(list, size) {
+  let [from, most] = [0, 0];
+  for (let i = 0, j = 0; i < list.length; i++) {
+    while (j < list.length && list[j] - list[i] <= size) j++;
+    if (j - i > most || (j - i === most && i <= list.length / 2)) [from, most] = [i, j - i];
+  }
+  return { from: list[from], share: most / list.length };
+}
+
+/**
+ * What a view of a surface must show along each axis: far out on spikes, as beside a pole, there is what would make all else tiny.
+ * @param {Points} points @param {readonly ArrayLike<number>[]} [ends] places that should be seen, too, x y z each
+ * @returns {number[][]} from and to, infinite where it is all
+ */
+export function rangesWithoutSpikes(points, ends = []) {
+  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
+  const lists = AXES.map((get) =>
+    Float64Array.from({ length: Math.floor((points.count - 1) / stride) + 1 }, (_, i) => points[get](i * stride)).sort(),
+  );
+  const bulks = lists.map((list) => BULK.map((share) => list[Math.floor(share * (list.length - 1))]));
+  const sizes = bulks.map(([low, high]) => high - low);
+  return lists.map((list, k) => {
+    const [low, high] = bulks[k];
+    const length = list[list.length - 1] - list[0];
+    const width = Math.max(...sizes.filter((_, other) => other !== k));
+    if (!(length > TALL * width)) return [-Infinity, Infinity];
+    const { from: dense, share } = densest(list, width);
+    const isEven = length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME);
+    if (isEven && length <= THREAD * width) return [-Infinity, Infinity];
+    const size = Math.max(sizes[k], width);
+    const isLong = size > LONG * width;
+    let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);
+    let to = from + (isLong ? width : size);
+    for (const { [k]: end } of ends)
+      if (Math.max(to, end) - Math.min(from, end) <= FARTHEST * width) [from, to] = [Math.min(from, end), Math.max(to, end)];
+    return [from, to];
+  });
+}
+
+/** The points, and ends, that lie in such ranges; null: all. @param {Points} points @param {number[][]} ranges @param {readonly ArrayLike<number>[]} [ends] */
+export function pointsWithin(points, ranges, ends = []) {
+  if (ranges.flat().every((x) => !Number.isFinite(x))) return null;
+  /** @type {number[]} */ const kept = [];
+  for (let i = 0; i < points.count; i++) {
+    const place = AXES.map((get) => points[get](i));
+    if (isWithin(place, ranges)) kept.push(...place);
+  }
+  for (const end of ends) if (isWithin(end, ranges)) kept.push(...Array.from(end));
+  return new BufferAttribute(Float32Array.from(kept), 3);
+}
