@@ -10,6 +10,9 @@ static const double NOTHING = 1e-9, BESIDE[3] = {0.5, -0.6, 0.62};
 /* Where there is no normal any will do. */
 static const double LEAST_SIZE = 1e-150;
 
+/* A step of so small a part of the size of things may be rounding of f. */
+static const double NOISE = 1e-12;
+
 enum { BLOCK = 32, JETS = SP_IMPLICIT_JET * BLOCK, SETTLE_LIMIT = 12 };
 
 /* One tangent vector of a right-handed orthonormal frame with normal n; continuous except across n.z = 0. Duff et al., "Building an
@@ -100,7 +103,7 @@ struct settling {
 };
 
 /* One step of Eq. 37 for the lanes that still move; the others are left alone, so that no point depends on its neighbours. Settled: f = 0,
- * the step is below 4e-15 of the size of things, or it has stopped shrinking below 1e-12 of it. */
+ * the step is below 4e-15 of the size of things, or it has stopped shrinking where it may be rounding. */
 static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *state) {
     struct sp_vector gradient = sp_load(values + 1), at = sp_load(place);
     sp_pair unit = 1.0 / magnitude(gradient);
@@ -111,7 +114,7 @@ static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *
     place[0] = sp_select(moves, next.x, at.x);
     place[1] = sp_select(moves, next.y, at.y);
     place[2] = sp_select(moves, next.z, at.z);
-    state->moving = moves & ~((length < 4e-15 * size) | ((length >= state->last) & (length < 1e-12 * size)));
+    state->moving = moves & ~((length < 4e-15 * size) | ((length >= state->last) & (length < NOISE * size)));
     state->last = length;
 }
 
@@ -151,7 +154,8 @@ int sp_implicit_is_node(const struct sp_surface *surface, const double place[3],
     return nothing > 0 && squared[0] <= nothing && seen[0][0] * seen[0][0] <= nothing * near * near;
 }
 
-/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
+/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was, and not only by rounding: another
+ * sheet. */
 static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                          const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     (void)straight;
@@ -165,7 +169,7 @@ static int implicit_move(const struct sp_surface *surface, int32_t pair_count, c
     int near = 1;
     for (int32_t k = 0; k < pair_count; k++) {
         struct sp_vector displacement = sp_subtract(sp_load(moved + 3 * k), sp_load(places + 3 * k)), place = sp_load(places + 3 * k);
-        sp_pair u = scale * steps[2 * k], v = scale * steps[2 * k + 1], rounding = 1e-14 * sp_square_root(sp_dot(place, place));
+        sp_pair u = scale * steps[2 * k], v = scale * steps[2 * k + 1], rounding = NOISE * sp_square_root(sp_dot(place, place));
         near &= !sp_any(sp_square_root(sp_dot(displacement, displacement)) > 2.0 * sp_square_root(u * u + v * v) + rounding);
     }
     return near;
