@@ -4,13 +4,17 @@
  * The paper composes the energy with the projection, which makes its Hessian singular along the normals; two tangent coordinates a node do
  * not. */
 #include "metric.h"
+#include <string.h>
 
 /* Of gradients, beside those in this direction. */
 static const double NOTHING = 1e-9, BESIDE[3] = {0.5, -0.6, 0.62};
 /* Where there is no normal any will do. */
 static const double LEAST_SIZE = 1e-150;
 
-enum { BLOCK = 32, JETS = SP_IMPLICIT_JET * BLOCK, SETTLE_LIMIT = 12 };
+/* A step of so small a part of the size of things may be rounding of f. */
+static const double NOISE = 1e-12;
+
+enum { BLOCK = 32, JETS = SP_IMPLICIT_JET * BLOCK, SETTLE_LIMIT = 12, CAREFUL_LIMIT = 40 };
 
 /* One tangent vector of a right-handed orthonormal frame with normal n; continuous except across n.z = 0. Duff et al., "Building an
  * orthonormal basis, revisited", JCGT 6 (2017). */
@@ -93,51 +97,90 @@ static void implicit_charts(const struct sp_surface *surface, int32_t pair_count
     }
 }
 
-/* How far a pair of points has come: lanes that still move, their last step, and the size of the coordinates. */
+/* How far a pair of points has come: lanes that still move, their last step's length, and the size of the coordinates. Of those that are
+ * looked after: which have just gone to where f has no value, the last step, and how many they may still take. */
 struct settling {
-    sp_mask moving;
-    sp_pair last, size;
+    sp_mask moving, lost;
+    sp_pair last, size, left;
+    struct sp_vector step;
 };
 
+/* A step to where f has no value, as beyond the rim of a root, is taken back by half. It counts for nothing. */
+static struct sp_vector look_after(sp_pair value, struct sp_vector step, struct settling *state) {
+    sp_mask none = ~(value - value == sp_splat(0.0)), lost = none & (state->last < sp_splat(__builtin_inf()));
+    struct sp_vector half = sp_scale(state->step, sp_splat(-0.5));
+    step = (struct sp_vector){sp_select(lost, half.x, step.x), sp_select(lost, half.y, step.y), sp_select(lost, half.z, step.z)};
+    sp_pair sign = sp_select(lost, sp_splat(-1.0), sp_splat(1.0));
+    state->lost = lost, state->step = sp_scale(step, sign);
+    state->left = sp_select(none & ~lost, sp_splat(-1.0), state->left - sign);
+    return step;
+}
+
 /* One step of Eq. 37 for the lanes that still move; the others are left alone, so that no point depends on its neighbours. Settled: f = 0,
- * the step is below 4e-15 of the size of things, or it has stopped shrinking below 1e-12 of it. */
-static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *state) {
+ * the step is below 4e-15 of the size of things, or it has stopped shrinking where it may be rounding. */
+static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *state, int careful) {
     struct sp_vector gradient = sp_load(values + 1), at = sp_load(place);
     sp_pair unit = 1.0 / magnitude(gradient);
     gradient = sp_scale(gradient, unit);
-    struct sp_vector step = sp_scale(gradient, values[0] * unit / sp_dot(gradient, gradient)), next = sp_subtract(at, step);
+    struct sp_vector step = sp_scale(gradient, values[0] * unit / sp_dot(gradient, gradient));
+    if (careful) step = look_after(values[0], step, state);
+    struct sp_vector next = sp_subtract(at, step);
     sp_pair length = sp_square_root(sp_dot(step, step)), size = state->size;
-    sp_mask exact = values[0] == sp_splat(0.0), moves = state->moving & ~exact;
+    sp_mask exact = values[0] == sp_splat(0.0), goes = ~exact & (state->left >= sp_splat(0.0)), moves = state->moving & goes;
     place[0] = sp_select(moves, next.x, at.x);
     place[1] = sp_select(moves, next.y, at.y);
     place[2] = sp_select(moves, next.z, at.z);
-    state->moving = moves & ~((length < 4e-15 * size) | ((length >= state->last) & (length < 1e-12 * size)));
+    sp_mask rests = (length < 4e-15 * size) | ((length >= state->last) & (length < NOISE * size));
+    state->moving &= ~exact & ~(goes & rests & ~state->lost);
     state->last = length;
 }
 
-static int settle_block(const struct sp_surface *surface, int32_t count, sp_pair *places, double scale) {
+static int settle_block(const struct sp_surface *surface, int32_t count, sp_pair *places, double scale, int careful) {
     sp_pair values[SP_IMPLICIT_VALUES * BLOCK];
     struct settling states[BLOCK];
     for (int32_t i = 0; i < count; i++) {
         sp_pair size = sp_square_root(sp_dot(sp_load(places + 3 * i), sp_load(places + 3 * i)));
-        states[i] = (struct settling){{-1, -1}, sp_splat(__builtin_inf()), sp_larger(sp_splat(scale), size)};
+        states[i] = (struct settling){.moving = {-1, -1},
+                                      .last = sp_splat(__builtin_inf()),
+                                      .size = sp_larger(sp_splat(scale), size),
+                                      .left = sp_splat(SETTLE_LIMIT)};
     }
     int open = 1;
-    for (int round = 0; round < SETTLE_LIMIT && open; round++) {
+    for (int round = 0; round < (careful ? CAREFUL_LIMIT : SETTLE_LIMIT) && open; round++) {
         surface->value(count, places, values);
         open = 0;
         for (int32_t i = 0; i < count; i++) {
-            settle_pair(values + SP_IMPLICIT_VALUES * i, places + 3 * i, states + i);
-            open |= sp_any(states[i].moving);
+            settle_pair(values + SP_IMPLICIT_VALUES * i, places + 3 * i, states + i, careful);
+            open |= sp_any(states[i].moving & (states[i].left >= sp_splat(0.0)));
         }
     }
-    return !open;
+    int settled = 1;
+    for (int32_t i = 0; i < count; i++)
+        settled &= !sp_any(states[i].moving);
+    return settled;
+}
+
+/* Whether a place is none, as f had no value on the way to it. */
+static int is_lost(int32_t pair_count, const sp_pair *places) {
+    sp_pair sum = sp_splat(0.0);
+    for (int32_t k = 0; k < 3 * pair_count; k++)
+        sum += places[k] - places[k];
+    return sp_any(sum != sp_splat(0.0));
 }
 
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale) {
     int settled = 1;
-    for (int32_t k = 0; k < pair_count; k += BLOCK)
-        settled &= settle_block(surface, pair_count - k < BLOCK ? pair_count - k : BLOCK, places + 3 * k, scale);
+    for (int32_t k = 0; k < pair_count; k += BLOCK) {
+        int32_t count = pair_count - k < BLOCK ? pair_count - k : BLOCK;
+        sp_pair given[3 * BLOCK], *block = places + 3 * k;
+        memcpy(given, block, 3 * (size_t)count * sizeof *given);
+        int rests = settle_block(surface, count, block, scale, 0);
+        if (!rests && is_lost(count, block)) {
+            memcpy(block, given, 3 * (size_t)count * sizeof *given);
+            rests = settle_block(surface, count, block, scale, 1);
+        }
+        settled &= rests;
+    }
     return settled;
 }
 
@@ -151,7 +194,8 @@ int sp_implicit_is_node(const struct sp_surface *surface, const double place[3],
     return nothing > 0 && squared[0] <= nothing && seen[0][0] * seen[0][0] <= nothing * near * near;
 }
 
-/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was: another sheet. */
+/* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was, and not only by rounding: another
+ * sheet. */
 static int implicit_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,
                          const sp_pair *steps, const sp_mask *straight, double scale, sp_pair *moved) {
     (void)straight;
@@ -165,7 +209,7 @@ static int implicit_move(const struct sp_surface *surface, int32_t pair_count, c
     int near = 1;
     for (int32_t k = 0; k < pair_count; k++) {
         struct sp_vector displacement = sp_subtract(sp_load(moved + 3 * k), sp_load(places + 3 * k)), place = sp_load(places + 3 * k);
-        sp_pair u = scale * steps[2 * k], v = scale * steps[2 * k + 1], rounding = 1e-14 * sp_square_root(sp_dot(place, place));
+        sp_pair u = scale * steps[2 * k], v = scale * steps[2 * k + 1], rounding = NOISE * sp_square_root(sp_dot(place, place));
         near &= !sp_any(sp_square_root(sp_dot(displacement, displacement)) > 2.0 * sp_square_root(u * u + v * v) + rounding);
     }
     return near;

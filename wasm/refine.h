@@ -5,16 +5,16 @@
 #include "newton.h"
 #include "sample.h"
 
-/* The rung with the largest matrices; the last one, and its inner nodes; inner nodes of the first path of chords, and the most chords that
- * one may be begun again with. */
+/* The rung with the largest matrices; the last one; inner nodes of the first path of chords, and the most chords that one may be begun
+ * again with; the most inner nodes of either. */
 enum {
     SP_REFINE_DEGREE = 24,
     SP_REFINE_COUNT = 128,
     SP_REFINE_LAST_DEGREE = 16,
     SP_REFINE_LAST_COUNT = 254,
-    SP_REFINE_INNER = SP_REFINE_LAST_DEGREE * SP_REFINE_LAST_COUNT - 1,
     SP_REFINE_FIRST = 31,
-    SP_REFINE_CHORDS = 2048
+    SP_REFINE_CHORDS = 4096,
+    SP_REFINE_INNER = SP_REFINE_CHORDS - 1
 };
 
 /* What the ladder found: as sp_newton_run, and the length with its error. */

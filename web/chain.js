@@ -9,14 +9,14 @@ import { mostOf } from './path.js';
 const MOST_LEGS = 64;
 
 /**
- * The shortest way from place 0 to place 1. @param {number} count of places @param {Float64Array} lengths of each to each
+ * The shortest way from one place to another. @param {number} count of places @param {Float64Array} lengths of each to each @param {number} [from] @param {number} [to]
  * @returns {{ way: number[], length: number }} places, none: there is no way
  */
-function shortestWay(count, lengths) {
-  const far = Array.from({ length: count }, (_, i) => (i ? Infinity : 0));
+function shortestWay(count, lengths, from = 0, to = 1) {
+  const far = Array.from({ length: count }, (_, i) => (i === from ? 0 : Infinity));
   const before = Array(count).fill(-1);
   const open = new Set(far.keys());
-  while (open.has(1)) {
+  while (open.has(to)) {
     const here = [...open].reduce((best, i) => (far[i] < far[best] ? i : best));
     open.delete(here);
     for (const i of open) {
@@ -24,9 +24,9 @@ function shortestWay(count, lengths) {
       if (through < far[i]) [far[i], before[i]] = [through, here];
     }
   }
-  const way = [1];
-  for (let i = before[1]; i >= 0; i = before[i]) way.unshift(i);
-  return { way: way.length > 1 ? way : [], length: far[1] };
+  const way = [to];
+  for (let i = before[to]; i >= 0; i = before[i]) way.unshift(i);
+  return { way: way.length > 1 ? way : [], length: far[to] };
 }
 
 /**
@@ -34,16 +34,17 @@ function shortestWay(count, lengths) {
  * @param {number} count of places @param {(i: number, j: number) => number} bound at least as long is a leg, infinite where there is none
  * @param {(i: number, j: number) => Path} solve a leg from a place to one of a larger number: it counts as long as it is at most, whatever its status
  * @param {number} [most] what is longer is of no interest
- * @returns {{ way: number[], length: number, legs: (Path | undefined)[], legOf: (i: number, j: number) => Path | undefined }} way: none where there is none;
- *   legs: from each place of it to the next, as far as they were solved; legOf: from any place to one of a larger number
+ * @returns {{ way: number[], length: number, legsOf: (way: number[]) => (Path | undefined)[], solvedWay: (i: number, j: number) => number[],
+ *   least: (isOpen: (i: number, j: number) => boolean) => number }} way: none where there is none; legsOf: from each place of a way to the next, as far as they were solved;
+ *   solvedWay: the shortest between two places of legs that were; least: the length of the shortest way if those that came to nothing, and may be legs all the same, count as long as they are at least
  */
 export function findChain(count, bound, solve, most = Infinity) {
-  const lengths = Float64Array.from({ length: count ** 2 }, (_, k) => bound(Math.floor(k / count), k % count));
+  const bounds = Float64Array.from({ length: count ** 2 }, (_, k) => bound(Math.floor(k / count), k % count));
+  const lengths = Float64Array.from(bounds);
   /** @type {Map<number, Path>} */
   const solved = new Map();
-  const legOf = (/** @type {number} */ i, /** @type {number} */ j) => solved.get(count * i + j);
   const legFrom = (/** @type {number} */ i, /** @type {number} */ j) => {
-    const path = legOf(Math.min(i, j), Math.max(i, j));
+    const path = solved.get(count * Math.min(i, j) + Math.max(i, j));
     return path && i > j ? reverse(path) : path;
   };
   let { way, length } = shortestWay(count, lengths);
@@ -56,5 +57,21 @@ export function findChain(count, bound, solve, most = Infinity) {
     lengths[count * i + j] = lengths[count * j + i] = mostOf(leg);
     ({ way, length } = shortestWay(count, lengths));
   }
-  return { way, length, legs: way.slice(1).map((place, k) => legFrom(way[k], place)), legOf };
+  const isSolved = lengths.map((_, k) => +solved.has(Math.min(k, count * (k % count) + Math.floor(k / count))));
+  return {
+    way,
+    length,
+    legsOf: (path) => path.slice(1).map((place, k) => legFrom(path[k], place)),
+    solvedWay(from, to) {
+      const own = lengths.map((known, k) => (isSolved[k] ? known : Infinity));
+      return shortestWay(count, own, from, to).way;
+    },
+    least(isOpen) {
+      const own = lengths.map((known, k) => {
+        const isMissing = isSolved[k] && known === Infinity && bounds[k] > 0;
+        return isMissing && isOpen(Math.floor(k / count), k % count) ? bounds[k] : known;
+      });
+      return shortestWay(count, own).length;
+    },
+  };
 }

@@ -19,6 +19,8 @@ const FLAT = 1e-3;
 const [CELLS, AROUND] = [48, 2.5];
 /** A point belongs to what lies so many cells farther from it than the nearest. */
 const BESIDE = 1.5;
+/** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
+const SMALL = 3.5;
 
 /** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
 const times = (matrix, v) => matrix.map((row) => dot(row, v));
@@ -65,7 +67,7 @@ function findNodes(jets, box, grid) {
       if (!(here.step <= SAME * SAME * size)) continue;
       const largest = Math.max(...here.second.flat().map(Math.abs));
       const isNode = Math.abs(own[0]) <= ZERO * largest * size ** 2 && Math.abs(here.determinant) > SINGULAR * largest ** 3;
-      if (isNode && !nodes.some((node) => gap(node.at, place) <= SAME * size)) nodes.push({ at: place, ...here });
+      if (isNode && !nodes.some((node) => gap(node.at, place) <= SAME * size)) nodes.push({ ...here, at: here.next });
       return;
     }
   };
@@ -142,5 +144,5 @@ export function findNet({ jets, mesh }, box, grid) {
   const nodes = findNodes(jets, box, grid);
   const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
   const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => [];
-  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt };
+  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt, near: SMALL * cell };
 }

@@ -83,7 +83,8 @@ function findLegs({ from, to, branches, leg }, positions, options, most) {
     const path = leg([places[i].at, places[j].at], asked);
     return isGeodesic(path) ? path : { ...path, length: Number.NaN };
   };
-  const { way, length, legs } = findChain(places.length, bound, solve, most);
+  const { way, length, legsOf } = findChain(places.length, bound, solve, most);
+  const legs = legsOf(way);
   const known = legs.flatMap((path) => path ?? []);
   const isWhole = length <= most && known.length === legs.length;
   return { places: way.map((i) => places[i]), legs: isWhole ? known : [] };

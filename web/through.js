@@ -14,24 +14,28 @@ import { dot, gap } from './vector.js';
 
 /** Legs are solved with so many points, to learn how long they are. */
 const POINTS = 31;
-/** Points a direction of the bounds from which nodes are looked for; and of a box around the ends, where there are none. */
+/** Points a direction of the bounds from which nodes are looked for; and where there are no bounds, near the ends. */
 const [FINE, ROUGH] = [24, 12];
-/** Without bounds a box around the ends, this part of their distance larger on each side, is searched for nodes. */
-const MARGIN = 0.5;
+/** Without bounds nodes are looked for where ways of so many times the ends' distance lead; twice as far where none was found, so many times. */
+const [NEAR, MOST_ROUNDS] = [2, 2];
+/** And where ways lead that are longer than a known path by this factor: as much room as cells need. */
+const LONGER = 1.1;
 /** An end nearer to a node than this part of what is between the ends is that node. */
 const SAME = 3e-12;
 
-/** @param {number[][]} ends */
-function boxAround([from, to]) {
-  const margin = MARGIN * gap(from, to);
-  return from.flatMap((x, j) => [Math.min(x, to[j]) - margin, Math.max(x, to[j]) + margin]);
+/** The box around all places that ways up to a length pass, as these lie in an ellipsoid whose foci are the ends. @param {number[][]} ends @param {number} length */
+function boxAround([from, to], length) {
+  const short = length ** 2 - gap(from, to) ** 2;
+  return from.flatMap((x, j) => {
+    const [middle, half] = [(x + to[j]) / 2, Math.sqrt(short + (to[j] - x) ** 2) / 2];
+    return [middle - half, middle + half];
+  });
 }
 
-/** @param {Field} field of an implicit surface @param {number[][]} ends of which a box is made, where there are no bounds */
-export function netOf(field, ends) {
+/** The nodes within the bounds, none where there are none. @param {Field} field of an implicit surface */
+export function netOf(field) {
   const { box, graphs } = field;
-  if (!box) return findNet(field, boxAround(ends), ROUGH);
-  graphs.net ??= findNet(field, box, FINE);
+  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0 };
   return graphs.net;
 }
 
@@ -42,43 +46,71 @@ export function netOf(field, ends) {
  */
 export function findThrough(field, ends, options) {
   const { box, domain } = field;
-  const solve = () => findGlobal(field, ends, options, 1)[0];
-  const isStraight = () => isGeodesic(solveNear(field, ends, { ...ROUGHLY, points: POINTS }, null));
-  if (domain || (!box && isStraight())) return solve();
-  const net = netOf(field, ends);
-  if (net.nodes.length === 0) return solve();
-  return isAfter(ends[0], ends[1]) ? reverse(joinThrough(field, net, [ends[1], ends[0]], options)) : joinThrough(field, net, ends, options);
+  /** @type {Path | undefined} */
+  let within;
+  const solve = () => (within ??= findGlobal(field, ends, options, 1)[0]);
+  /** @param {ReturnType<typeof findNet>} net */
+  const through = (net) => {
+    if (net.nodes.length === 0) return solve();
+    return isAfter(ends[0], ends[1])
+      ? reverse(joinThrough(field, net, [ends[1], ends[0]], options, () => reverse(solve())))
+      : joinThrough(field, net, ends, options, solve);
+  };
+  if (domain) return solve();
+  return box ? through(netOf(field)) : findFarther(field, ends, through);
+}
+
+/**
+ * Without bounds: the shortest path through what nodes there are where it may lead.
+ * @param {Field} field @param {number[][]} ends @param {(net: ReturnType<typeof findNet>) => Path} through @returns {Path}
+ */
+function findFarther(field, ends, through) {
+  const nearest = NEAR * gap(ends[0], ends[1]);
+  const straight = solveNear(field, ends, { ...ROUGHLY, points: POINTS }, null);
+  let reach = field.isPlain && isGeodesic(straight) ? LONGER * straight.length : nearest;
+  for (let round = 0; ; round++) {
+    const path = through(findNet(field, boxAround(ends, reach), reach > nearest ? FINE : ROUGH));
+    const isFound = path.length >= 0;
+    if (round === MOST_ROUNDS || (isFound && !(field.isPlain && path.length > reach))) return path;
+    reach = isFound ? LONGER * path.length : NEAR * reach;
+  }
 }
 
 /**
  * The shortest path, of whatever it passes.
- * @param {Field} field @param {ReturnType<typeof findNet>} net @param {number[][]} ends @param {SolveOptions} options
+ * @param {Field} field @param {ReturnType<typeof findNet>} net @param {number[][]} ends @param {SolveOptions} options @param {() => Path} within one that passes no node
  * @returns {Path}
  */
-function joinThrough(field, { nodes, partsAt }, ends, options) {
+function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
   const passed = nodes.filter(({ at }) => ends.every((end) => gap(at, end) > SAME * gap(ends[0], ends[1])));
   const places = [...ends.map((at) => ({ at, parts: partsAt(at) })), ...passed];
   const solve = (/** @type {number} */ i, /** @type {number} */ j, /** @type {SolveOptions} */ asked) =>
     findGlobal(field, [places[i].at, places[j].at], asked, 1)[0];
-  const isJoined = (/** @type {number} */ i, /** @type {number} */ j) => places[i].parts.some((part) => places[j].parts.includes(part));
+  const isNear = (/** @type {number} */ i, /** @type {number} */ j) => gap(places[i].at, places[j].at) < near * (+(i > 1) + +(j > 1));
+  const isJoined = (/** @type {number} */ i, /** @type {number} */ j) =>
+    isNear(i, j) || places[i].parts.some((part) => places[j].parts.includes(part));
   const bound = (/** @type {number} */ i, /** @type {number} */ j) =>
     isJoined(i, j) ? (field.isPlain ? gap(places[i].at, places[j].at) : 0) : Infinity;
-  const { way, length, legs, legOf } = findChain(places.length, bound, (i, j) =>
-    solve(i, j, j > 1 ? { ...options, points: POINTS, record: false } : options),
+  const { way, legsOf, solvedWay, least } = findChain(places.length, bound, (i, j) =>
+    j > 1 ? solve(i, j, { ...options, points: POINTS, record: false }) : within(),
   );
-  const known = legs.flatMap((leg) => leg ?? []);
-  const isSmooth =
-    known.length === legs.length &&
-    way.slice(1, -1).every((node, k) => crosses(passed[node - 2], leaving(reverse(known[k])), leaving(known[k + 1])));
-  if (way.length < 3 || !isSmooth) {
-    const path = legOf(0, 1) ?? solve(0, 1, options);
-    /* A way over nodes that is shorter and no path, or not all of which was solved, leaves it open what is the shortest. */
-    const isOpen = isGeodesic(path) && known.reduce((sum, leg) => sum + leg.lengthError, length) < path.length;
-    return isOpen ? { ...path, status: 'stalled', converged: false } : path;
-  }
+  const known = legsOf(way).flatMap((leg) => leg ?? []);
+  /** Whether a way leads through nodes, one at least, as paths do. @param {number[]} over @param {Path[]} legs */
+  const isSmooth = (over, legs) =>
+    over.length > 2 &&
+    legs.length === over.length - 1 &&
+    over.slice(1, -1).every((node, k) => node > 1 && crosses(passed[node - 2], leaving(reverse(legs[k])), leaving(legs[k + 1])));
   const solveAgain = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
     solveNear(field, [places[way[k]].at, places[way[k + 1]].at], asked, known[k].points);
-  return joinLegs(known, options, solveAgain, null).path;
+  const path = isSmooth(way, known) ? joinLegs(known, options, solveAgain, null).path : within();
+  /* What lies on two sides of nodes is joined by no other leg. */
+  const isOpen = (/** @type {number} */ i, /** @type {number} */ j) => {
+    const over = solvedWay(i, j);
+    return !isSmooth(over, /** @type {Path[]} */ (legsOf(over)));
+  };
+  /* A way over nodes that is shorter and no path, or not all of which was solved, leaves it open what is the shortest. */
+  const shortest = known.reduce((sum, leg) => sum + leg.lengthError, least(isOpen));
+  return isGeodesic(path) && shortest < path.length ? { ...path, status: 'stalled', converged: false } : path;
 }
 
 /** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */

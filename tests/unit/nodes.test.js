@@ -237,3 +237,63 @@ for (const { name, definition, nodes, places } of [
       }
     }
   });
+
+describe('where little tells which nodes hang together', () => {
+  const [kummer13, cayley2] = [{ ...kummer, parameters: { m: 1.3 } }, { f: 'x^2 + y^2 - x^2*z + y^2*z + z^2 - 1' }];
+  /* Lengths are those that other bounds give, to 1e-9, and polylines on a mesh, to 1e-3. */
+  for (const { name, definition, from, to, length } of [
+    {
+      name: 'legs between nodes that bounds cut off from others',
+      definition: { ...barth, bounds: within(1.6) },
+      ...{
+        from: [-0.23623861499257567, -0.5250437061229143, -0.9308479933050055],
+        to: [0.546011446029579, 0.9237366980048216, 0.17449162987523534],
+      },
+      length: 2.34005262970205,
+    },
+    {
+      name: 'a piece smaller than the cells around its nodes',
+      definition: { ...kummer13, bounds: within(3) },
+      ...{
+        from: [0.6084130848434596, 0.036616842496378726, -0.2212269985613427],
+        to: [-0.7132870380380958, -1.161541801392447, 0.4858338918108149],
+      },
+      length: 2.09109508382114,
+    },
+    {
+      name: 'without bounds, a piece smaller than the cells around its nodes',
+      definition: { ...kummer13, bounds: undefined },
+      ...{
+        from: [-0.9986780045866162, -0.173766704770605, -0.6984359181852247],
+        to: [0.831010898670666, 1.4430683887760005, 0.5981073336926783],
+      },
+      length: 3.0196742549254,
+    },
+    {
+      name: 'without bounds, a way through nodes far from both ends',
+      definition: cayley2,
+      ...{
+        from: [-0.37645305131471796, 0.8247979856823952, 0.2312194258866734],
+        to: [-0.33686029344379814, -1.9118950477002188, -1.1648073734165794],
+      },
+      length: 3.60940100182616,
+    },
+  ])
+    test(name, () => {
+      const path = surfpath.implicit(anything(definition)).shortestPath(from, to);
+      assert.equal(path.status, 'converged');
+      close(path.length, length, 1e-9);
+    });
+
+  test('between two nodes, where f rounds more than its coordinates', () => {
+    const surface = surfpath.implicit(anything({ ...kummer13, bounds: undefined }));
+    const [from, to] = [
+      [-9.821007251739502e-17, 0.21213203435596423, 0.15000000000000005],
+      [-0.2121320343559642, 5.885074138641357e-17, -0.14999999999999988],
+    ];
+    for (const points of [7, 31, 63]) {
+      const path = surface.shortestPath(from, to, { start: 'straight', algorithm: 'polyline', points });
+      assert.equal(path.status, 'converged', `${points}`);
+    }
+  });
+});

@@ -1,0 +1,52 @@
+// Rims of implicit surfaces: where f has no more value, against great circles; and of flat bodies, sharper than chords, against the same body in u and v.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+import { anything, close } from '../helpers/refuses.js';
+
+const surfpath = await load();
+const RADIUS = Math.SQRT2;
+const PAIRS = 6;
+
+describe('between ends beside the rim of a hemisphere, where a step of the projection leads beyond it', () => {
+  for (const f of ['z - sqrt(2 - x^2 - y^2)', 'sqrt(2 - x^2 - y^2) - z'])
+    for (const bounds of [anything(Array(3).fill([-1.5, 1.5])), undefined])
+      test(`${f}, ${bounds ? 'within' : 'without'} bounds`, () => {
+        const surface = surfpath.implicit({ f, bounds });
+        const random = createRandom(61);
+        for (const beside of [0.99, 0.999, 0.9999])
+          for (let i = 0; i < PAIRS; i++) {
+            const [from, to] = [0, 1].map(() => {
+              const angle = random.between(0, 2 * Math.PI);
+              const out = RADIUS * beside;
+              return [out * Math.cos(angle), out * Math.sin(angle), Math.sqrt(2 - out ** 2)];
+            });
+            const { status, length } = surface.shortestPath(from, to);
+            assert.equal(status, 'converged', `${from} to ${to}`);
+            const cosine = from.reduce((sum, x, j) => sum + (x * to[j]) / 2, 0);
+            close(length, RADIUS * Math.acos(cosine), 1e-9);
+          }
+      });
+});
+
+test('around the rim of an ellipsoid of half axes 3, 3 and 0.06, no jump', () => {
+  const flat = surfpath.implicit({
+    f: 'x^2/9 + y^2/9 + z^2/0.0036 - 1',
+    bounds: anything([
+      [-3.2, 3.2],
+      [-3.2, 3.2],
+      [-0.3, 0.3],
+    ]),
+  });
+  const same = surfpath.parametric({ x: '3cos(v)cos(u)', y: '3cos(v)sin(u)', z: '0.06sin(v)', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
+  const random = createRandom(62);
+  for (let i = 0; i < 5; i++) {
+    const places = [1, -1].map((side) => [random.between(0, 2 * Math.PI), side * Math.acos(Math.sqrt(random.between(0, 1)))]);
+    const [from, to] = places.map(([u, v]) => [3 * Math.cos(v) * Math.cos(u), 3 * Math.cos(v) * Math.sin(u), 0.06 * Math.sin(v)]);
+    const { length, lengthError } = flat.shortestPath(from, to);
+    const known = same.shortestPath(places[0], places[1]);
+    assert.equal(known.status, 'converged');
+    assert.ok(Math.abs(length - known.length) <= Math.max(lengthError, 1e-9), `${length} ± ${lengthError}, not ${known.length}`);
+  }
+});
