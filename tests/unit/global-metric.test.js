@@ -124,6 +124,18 @@ test('where steps run out on elements that hide from the density, what the chord
   }
 });
 
+test('a well of the density that nodes step over is not a place where it is nothing', () => {
+  /* Its fourth power, the determinant, is 1e-8 of what it is at both nodes beside it, and had been taken for zero: no path, `singular-metric`. The length is that of a relaxed polyline. */
+  const well = make({ kind: 'graph', z: 0, x: [-2, 2], y: [-2, 2], density: '0.0001 + x^2 + y^2' });
+  const path = well.shortestPath([-1.659, 0.369], [0.88, -0.168], { start: 'straight' });
+  assert.ok(
+    Math.abs(path.length / 1.87629048 - 1) < 1e-7 && path.lengthError < 1e-6,
+    `${path.status} ${path.length} ± ${path.lengthError}`,
+  );
+  const zero = make({ kind: 'graph', z: 0, x: [-2, 2], y: [-2, 2], density: '(x + 0.1y - 0.3)^2' });
+  assert.equal(zero.shortestPath([-1.6, 0.3], [0.9, -0.1], { start: 'straight' }).status, 'singular-metric');
+});
+
 test('the hyperbolic plane: one geodesic, and pieces through a point', () => {
   const half = make({ kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-3, 3], v: [0.05, 5] });
   const distance = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
