@@ -7,9 +7,6 @@
 /* Implicit, measured: 2 to 9 N^2 cells with a change of sign, 40 to 60 edges each. */
 enum { IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
 
-/* With so many cells a direction a parametric graph has room for the usual edges only: finer graphs are to join what is apart. */
-enum { FINE_RESOLUTION = 128 };
-
 /* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it, or a metric that changes as much along it; how
  * many may be. */
 static const double BENT = 0.02, MOST_BENT = 0.01;
@@ -22,8 +19,8 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     double edge = sizeof(struct sp_graph_edge);
     if (kind == SP_PARAMETRIC) {
         double vertices = 1.2 * (resolution + 2) * (resolution + 2);
-        return vertices * (vertex + (resolution < FINE_RESOLUTION ? SP_WIDE_EDGES : SP_USUAL_EDGES) * edge + 4 * 4 * sizeof(double) + 1) +
-               4096;
+        int wide = resolution < SP_FINE_RESOLUTION;
+        return vertices * (vertex + (wide ? SP_WIDE_EDGES : SP_USUAL_EDGES) * edge + (wide ? 16 : 4) * (4.0 * sizeof(double)) + 1) + 4096;
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
     double lookup = options->cell > 0 ? 1 << 17 : 2 * resolution * resolution * resolution;

@@ -7,6 +7,7 @@
 
 enum { SP_GRAPH_BLOCK = 32 };                     /* pairs evaluated at once */
 enum { SP_USUAL_EDGES = 32, SP_WIDE_EDGES = 80 }; /* of a vertex of a parametric graph: by steps up to 3 and 5 */
+enum { SP_FINE_RESOLUTION = 128 }; /* from so many cells a direction on only the usual ones: finer graphs are to join what is apart */
 
 struct sp_builder {
     const struct sp_surface *surface;

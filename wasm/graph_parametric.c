@@ -1,13 +1,13 @@
 /* The graph of a parametric surface: a grid over its rectangle with wide steps, so that ways in 32 directions are straight. Its lines are
- * spread so that the cells are about square on the surface. It is sampled once, on a grid twice as fine, which holds the vertices and the
- * middles of all edges. */
+ * spread so that the cells are about square on the surface. It is sampled on a grid twice as fine, which holds the vertices and the middles
+ * of all edges; where edges do not resolve a density or a tensor, on one four times as fine, which holds their quarters. */
 #include "graph_build.h"
 #include "metric.h"
 #include "normal.h"
 #include "scalar.h"
 #include <string.h>
 
-enum { REACH = 3, WIDE_REACH = 5, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
+enum { REACH = 3, WIDE_REACH = 5, HALVES = 2, QUARTERS = 4, BISECTIONS = 12, STEPS = 32, ACROSS = 8 };
 
 /* A pole: the samples of an edge of the rectangle vary by less than this part of what lies beside it: the surface may be far larger
  * elsewhere, or infinite. A curve where the normal vanishes: after the
@@ -22,8 +22,9 @@ static const double LEAST_RATIO = 0.3, LEAST_SPREAD = 0.05;
 
 struct grid {
     const struct sp_builder *builder;
-    int32_t cells[2], count[2]; /* samples of the fine grid: twice the cells, and one more between walls */
-    double *lines[2];           /* places of its lines, 2 cells + 1 */
+    int32_t parts;              /* of a cell in the fine grid */
+    int32_t cells[2], count[2]; /* samples of the fine grid: `parts` times the cells, and one more between walls */
+    double *lines[2];           /* places of its lines, parts * cells + 1 */
     double *samples;            /* v fastest */
     double *normals;            /* 3 a vertex: S_u x S_v */
     double size;                /* how long the surface is both ways */
@@ -32,7 +33,7 @@ struct grid {
 /* Where a line of the fine grid lies, beyond a seam too. */
 static double place_of(const struct grid *grid, int direction, int32_t line) {
     const double *lines = grid->lines[direction];
-    int32_t last = 2 * grid->cells[direction];
+    int32_t last = grid->parts * grid->cells[direction];
     if (line < 0) return lines[line + last] - (lines[last] - lines[0]);
     return line <= last ? lines[line] : lines[line - last] + (lines[last] - lines[0]);
 }
@@ -151,18 +152,38 @@ static int step_to(const struct sp_graph *graph, int direction, int32_t from, in
     return *to >= 0 && *to < count;
 }
 
+/* The sample on line i, j of the fine grid, around the seams. */
+static const double *sample_around(const struct grid *grid, int32_t i, int32_t j) {
+    return sample_at(grid, (i + grid->count[0]) % grid->count[0], (j + grid->count[1]) % grid->count[1]);
+}
+
+/* What leads from one line of the fine grid to another in a direction. */
+static double way_between(const struct grid *grid, int direction, int32_t from, int32_t to) {
+    return place_of(grid, direction, to) - place_of(grid, direction, from);
+}
+
+/* The length of an edge, measured in halves of cells, or in quarters. */
+static double edge_length(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32_t dv) {
+    double length = 0;
+    for (int32_t k = 0; k < grid->parts; k += 2) {
+        int32_t at[2] = {grid->parts * i + k * du, grid->parts * j + k * dv};
+        double place[2] = {place_of(grid, 0, at[0]), place_of(grid, 1, at[1])};
+        double by[2] = {way_between(grid, 0, at[0], at[0] + 2 * du), way_between(grid, 1, at[1], at[1] + 2 * dv)};
+        length += sp_graph_segment(grid->builder->surface, place, sample_around(grid, at[0], at[1]),
+                                   sample_around(grid, at[0] + du, at[1] + dv), sample_around(grid, at[0] + 2 * du, at[1] + 2 * dv), by);
+    }
+    return length;
+}
+
 static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32_t dv) {
     struct sp_graph *graph = grid->builder->graph;
-    int32_t to_i, to_j;
+    int32_t to_i, to_j, parts = grid->parts;
     if (!step_to(graph, 0, i, du, &to_i) || !step_to(graph, 1, j, dv, &to_j)) return 1;
-    size_t there = vertex_at(grid, to_i, to_j);
-    const double *middle = sample_at(grid, (2 * i + du + grid->count[0]) % grid->count[0], (2 * j + dv + grid->count[1]) % grid->count[1]);
-    double place[2] = {place_of(grid, 0, 2 * i), place_of(grid, 1, 2 * j)};
-    double by[2] = {place_of(grid, 0, 2 * (i + du)) - place[0], place_of(grid, 1, 2 * (j + dv)) - place[1]};
-    const double *from = sample_at(grid, 2 * i, 2 * j), *to = sample_at(grid, 2 * to_i, 2 * to_j);
-    const struct sp_surface *surface = grid->builder->surface;
-    double length = sp_graph_segment(surface, place, from, middle, to, by), chord = sp_graph_chord(surface, from, to, by);
-    return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)there, length, chord);
+    double by[2] = {way_between(grid, 0, parts * i, parts * (i + du)), way_between(grid, 1, parts * j, parts * (j + dv))};
+    double chord =
+        sp_graph_chord(grid->builder->surface, sample_at(grid, parts * i, parts * j), sample_at(grid, parts * to_i, parts * to_j), by);
+    return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)vertex_at(grid, to_i, to_j), edge_length(grid, i, j, du, dv),
+                           chord);
 }
 
 static int is_coprime(int32_t a, int32_t b) {
@@ -196,16 +217,25 @@ static void write_vertices(const struct grid *grid) {
     struct sp_graph *graph = grid->builder->graph;
     for (int32_t i = 0; i < graph->count[0]; i++)
         for (int32_t j = 0; j < graph->count[1]; j++)
-            memcpy(graph->samples + (size_t)graph->width * vertex_at(grid, i, j), sample_at(grid, 2 * i, 2 * j),
+            memcpy(graph->samples + (size_t)graph->width * vertex_at(grid, i, j), sample_at(grid, HALVES * i, HALVES * j),
                    (size_t)graph->width * sizeof(double));
     for (int d = 0; d < 2; d++)
         for (int32_t i = 0; i <= grid->cells[d]; i++)
-            graph->lines[d][i] = grid->lines[d][2 * i];
+            graph->lines[d][i] = grid->lines[d][HALVES * i];
 }
+
+static int may_be_wide(const struct grid *grid) {
+    return grid->builder->options->resolution < SP_FINE_RESOLUTION && grid->cells[0] > WIDE_REACH && grid->cells[1] > WIDE_REACH;
+}
+
+/* Whether wide edges are measured in quarters: where they are long beside the waves of a metric. In space chords over the middle are
+ * better: a way around a steep bump is shorter than edges straight over it, by about what these cut off. */
+static int may_be_quartered(const struct grid *grid) { return may_be_wide(grid) && grid->builder->surface->metric != SP_INDUCED; }
 
 static int take_grid(struct grid *grid) {
     struct sp_builder *builder = (struct sp_builder *)grid->builder;
-    size_t samples = (size_t)grid->count[0] * (size_t)grid->count[1], vertices = (size_t)builder->graph->vertex_count;
+    size_t vertices = (size_t)builder->graph->vertex_count, parts = may_be_quartered(grid) ? QUARTERS : HALVES,
+           samples = parts * parts * vertices;
     grid->samples = sp_arena_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
     grid->normals = sp_arena_take(builder->arena, vertices, 3 * sizeof(double));
     return grid->samples && grid->normals && sp_builder_take(builder);
@@ -260,11 +290,29 @@ static int choose_lines(struct grid *grid) {
     grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
     grid->size = length[0] + length[1];
     for (int d = 0; d < 2; d++) {
-        grid->lines[d] = sp_arena_take(grid->builder->arena, 2 * (size_t)grid->cells[d] + 1, sizeof(double));
+        grid->lines[d] = sp_arena_take(grid->builder->arena, QUARTERS * (size_t)grid->cells[d] + 1, sizeof(double));
         if (!grid->lines[d]) return 0;
-        spread_lines(grid->lines[d], 2 * grid->cells[d], grid->builder->options->box + 2 * d, steps[d], length[d]);
+        spread_lines(grid->lines[d], HALVES * grid->cells[d], grid->builder->options->box + 2 * d, steps[d], length[d]);
     }
     return 1;
+}
+
+/* A fine grid of so many parts of a cell. */
+static void set_parts(struct grid *grid, int32_t parts) {
+    grid->parts = parts;
+    for (int j = 0; j < 2; j++)
+        grid->count[j] = parts * grid->cells[j] + !grid->builder->graph->wraps[j];
+}
+
+/* Halves of cells in halves. */
+static void quarter(struct grid *grid) {
+    for (int d = 0; d < 2; d++) {
+        double *lines = grid->lines[d];
+        for (int32_t i = HALVES * grid->cells[d]; i > 0; i--)
+            lines[2 * i] = lines[i], lines[2 * i - 1] = 0.5 * (lines[i - 1] + lines[i]);
+    }
+    set_parts(grid, QUARTERS);
+    take_samples(grid);
 }
 
 int32_t sp_graph_build_parametric(struct sp_builder *builder) {
@@ -274,8 +322,8 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     for (int j = 0; j < 2; j++) {
         graph->wraps[j] = !is_finite(builder->surface->lower[j]);
         graph->count[j] = grid.cells[j] + !graph->wraps[j];
-        grid.count[j] = 2 * grid.cells[j] + !graph->wraps[j];
     }
+    set_parts(&grid, HALVES);
     graph->vertex_count = graph->count[0] * graph->count[1];
     if (!take_grid(&grid)) return SP_OUT_OF_MEMORY;
     take_samples(&grid);
@@ -286,9 +334,9 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
         curvature <= flat && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1] && inspect(&grid, 1) <= flat;
     write_vertices(&grid);
     if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
+    if (sp_builder_resolves(builder) || !may_be_wide(&grid)) return SP_CONVERGED;
     /* On slopes ways along them are few among 32. */
-    int is_wide = !sp_builder_resolves(builder) && grid.cells[0] > WIDE_REACH && grid.cells[1] > WIDE_REACH &&
-                  builder->edge_capacity / SP_WIDE_EDGES >= graph->vertex_count;
-    if (is_wide) builder->bent = 0;
-    return !is_wide || join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
+    builder->bent = 0;
+    if (may_be_quartered(&grid)) quarter(&grid);
+    return join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

@@ -4,6 +4,9 @@
 #include "scalar.h"
 
 static const double VANISHING = 1e-8;
+/* A determinant that is nothing is less than this part of what it is so far away, in parts of the chord; one that is only small there is
+ * not. */
+static const double BESIDE = 1e-4, FALLS = 1e-2;
 enum { SEARCH_ROUNDS = 40 };
 /* Middles differ by more than this part of the length only where the metric changes between nodes that do not see it: else, as the nodes
  * are at rest, the trapezoidal rule is much better than that. */
@@ -19,7 +22,7 @@ static sp_pair determinant_at(const struct sp_polyline *line, int32_t k, sp_pair
     return sp_metric_determinant(line->surface, place, scale);
 }
 
-/* The smallest determinant between pairs k and k + 1, if it has one minimum there. */
+/* The smallest determinant between pairs k and k + 1, if it has one minimum there; infinite where it is not falling to nothing. */
 static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, double scale) {
     sp_pair from = sp_splat(0.0), third = sp_splat(1.0 / 3.0), least = from;
     for (int round = 0; round < SEARCH_ROUNDS; round++, third *= 2.0 / 3.0) {
@@ -27,7 +30,8 @@ static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, doubl
         least = sp_select(first < second, first, second);
         from = sp_select(first < second, from, from + third);
     }
-    return least;
+    sp_pair before = determinant_at(line, k, from - BESIDE, scale), after = determinant_at(line, k, from + BESIDE, scale);
+    return sp_select((FALLS * before <= least) | (FALLS * after <= least), sp_splat(__builtin_inf()), least);
 }
 
 /* Whether the determinant comes down to nothing around a half step where it is smallest: no node need be near enough to see it. */

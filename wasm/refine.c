@@ -163,6 +163,17 @@ static int begin_again(struct climb *climb) {
     return 1;
 }
 
+/* The end of a climb that has no steps left. In a metric what is not at rest, and of another length than the first path, hides its nodes
+ * from what is dear: it is no path, and less than the chords are, as long as they say. */
+static struct sp_refined give_up(struct climb *climb) {
+    const struct sp_polyline *line = &climb->first->line;
+    if (!climb->astray || !climb->chords || line->kind->components == 0) return finish(climb, absolute(climb->now.length - climb->last));
+    climb->arena->used = climb->floor;
+    struct sp_refined chords = sp_refine_chords(climb->newton, climb->options, line->fold.inner + 1, climb->first, climb->arena);
+    if (chords.outcome.status >= 0) chords.outcome.status = SP_ITERATION_LIMIT;
+    return chords;
+}
+
 /* What the rung that was climbed is wrong by. Returns whether that is allowed. */
 static int measure(struct climb *climb, int from_elements) {
     const struct sp_climbed *now = &climb->now;
@@ -199,7 +210,8 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         aim(newton, climb->options, r < rungs - (climb->follows ? LAST_RUNGS : 1));
         if (uneven) rung.spread = memcpy(present, spread, sizeof spread);
         int agrees = climb_rung(climb, rung, from_elements), status = now->outcome.status;
-        if ((status == SP_TOLERANCE_NOT_MET && !climb->astray) || status == SP_OUT_OF_MEMORY || status == SP_ITERATION_LIMIT)
+        if (status == SP_ITERATION_LIMIT) return give_up(climb);
+        if ((status == SP_TOLERANCE_NOT_MET && !climb->astray) || status == SP_OUT_OF_MEMORY)
             return finish(climb, absolute(now->length - climb->last));
         if (wants_chords(climb, rung)) {
             if (!begin_again(climb)) return finish(climb, absolute(now->length - climb->last));

@@ -17,6 +17,7 @@ import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
  * @property {number[]} to
  * @property {import('./domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
+ * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('./runtime/heap.js').Passage | null) => RawPath} solve from `from`
  * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none

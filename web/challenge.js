@@ -22,13 +22,13 @@ const STEPS = 100;
  * @returns {RawPath}
  */
 export function challenge(problem, options, best, tried) {
-  const { isPlain, positions, solve } = problem;
+  const { isSpatial, positions, solve } = problem;
   let path = besideStraight(problem, options, best, tried);
   if (!holds({ path })) return path;
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
-  for (const { to, start } of isPlain && positions ? open.slice(0, MOST_MEASURED) : []) {
+  for (const { to, start } of isSpatial && positions ? open.slice(0, MOST_MEASURED) : []) {
     let length = 0;
     // Fewer chords are shorter.
     for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)

@@ -24,7 +24,7 @@ export const BESIDE = 0.1;
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
 /** In space the error of a rough path is known by its sign, in a metric by its size only, and that not well from few points. @param {Problem} problem @param {RawPath} path */
-const doubt = (problem, path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : (isJudged(problem, path) ? 2 : 4) * path.lengthError);
+const doubt = (problem, path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : (isJudged(problem, path) ? 2 : 8) * path.lengthError);
 
 /** What the path under a rough one is long at least. @param {Problem} problem @param {RawPath} path */
 export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
@@ -36,12 +36,12 @@ export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
  * @returns {[usable: Found[], failed: RawPath[]]}
  */
 export function solveFinely(problem, options, most, { rough, passing, over }) {
-  /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. */
+  /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. In a metric it may as well be much shorter, and what it looked like says no more. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
     begun.length < MOST_FINE &&
     atLeast(problem, path) <=
       Math.max(
-        estimate(rough[0].path) + doubt(problem, rough[0].path),
+        problem.isPlain || usable.length === 0 ? estimate(rough[0].path) + doubt(problem, rough[0].path) : 0,
         Math.min(lengthOfShortest(usable), SURELY * Math.min(...failed.filter(isOnSurface).map(estimate))),
       );
   /** @type {Found[]} */
@@ -54,7 +54,9 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
     queue = rest;
-    if (most > 1 ? usable.length === most : !mayBeShortest(found)) break;
+    if (most > 1 && usable.length === most) break;
+    /* The next one may be, if there is more doubt of it. */
+    if (most === 1 && !mayBeShortest(found)) continue;
     const beside = over.filter(({ at }) => comesNear(found.path, at));
     if (isAmong(passing, found) || isAmong(beside, found, BESIDE)) continue;
     if (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path)) continue;

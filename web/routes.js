@@ -36,6 +36,7 @@ import { gap } from './vector.js';
  * @property {boolean} [isLeg] paths are legs of ways through branch points
  * @property {import('./graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
+ * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>) => T} run
  * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
@@ -170,7 +171,7 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, box, graphs, isPlain, positions, run } = field;
+  const { kind, domain, box, graphs, isPlain, isSpatial, positions, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
@@ -188,6 +189,7 @@ function pose(field, [from, to], find) {
       from: first,
       to: last,
       isPlain,
+      isSpatial,
       positions,
       domain,
       solve: (end, start, asked, passage = null) =>

@@ -29,7 +29,7 @@ const plane = (answer, factor = 1) => {
     asked.push(start);
     return answer;
   };
-  return { problem: anything({ from, to, domain: null, isPlain: true, positions, solve }), asked };
+  return { problem: anything({ from, to, domain: null, isSpatial: true, positions, solve }), asked };
 };
 
 describe('a way that was not followed', () => {

@@ -217,3 +217,16 @@ test('who allows few steps learns where they end', () => {
   assert.equal(surface.shortestPath(from, to).status, 'converged');
   assert.notEqual(surface.shortestPath(from, to, { maxIterations: 60 }).status, 'converged');
 });
+
+test('where a way along a singular line is shorter, and neither space nor E, F and G lead to it, there is no path that is converged', () => {
+  /* A seashell: along v = π it is its own axis, on which S_u and S_v are parallel. What E, F and G led to was 5.5 % longer than the axis, and 'converged'. */
+  const surface = surfpath.parametric({
+    x: '2(1 - exp(u/(6pi)))*cos(u)*cos(v/2)^2',
+    y: '2(exp(u/(6pi)) - 1)*sin(u)*cos(v/2)^2',
+    z: '1 - exp(u/(3pi)) - sin(v) + exp(u/(6pi))*sin(v)',
+    u: [0.5, '6pi'],
+    v: [0, '2pi'],
+  });
+  const path = surface.shortestPath([9.105, 1.1204], [17.9238, 3.4336]);
+  assert.ok(!path.converged, `${path.status} ${path.length}`);
+});
