@@ -126,9 +126,14 @@ function shift(question, now, by, least) {
     const aim = joint.place.map((x, i) => x + by[j] * along[i]);
     const place = settle(question.sides, on, aim);
     const edge = least && domain && meetEdge(question.sides, on, domain, place);
-    if (edge && span([...joint.place, ...edge], edge.length) <= NEAR_EDGE * least[j]) return { ...joint, place: edge, isCorner: true };
-    return { ...joint, place, moved: (joint.moved ?? 0) + Math.sign(by[j]) * span([...joint.place, ...place], place.length) };
+    const isPressed = !!edge && span([...joint.place, ...edge], edge.length) <= NEAR_EDGE * least[j];
+    const there = isPressed ? edge : place;
+    const moved = (joint.moved ?? 0) + Math.sign(by[j]) * span([...joint.place, ...there], there.length);
+    return { ...joint, place: there, moved, isCorner: joint.isCorner || isPressed };
   });
+  /* One that has passed another is only on its way to nowhere. */
+  const isAnyPressed = joints.some(({ isCorner }, j) => isCorner && !now.joints[j].isCorner);
+  if (isAnyPressed && withoutPassed({ legs: now.legs, joints }, joints[0].place.length)) return null;
   if (!joints.every(({ place }) => isInside(question, place))) return null;
   return weigh(question, { legs: now.legs, joints }, now);
 }

@@ -2,23 +2,23 @@
 
 import { gap } from './vector.js';
 
-/** @typedef {Pick<import("./runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters">} RawPath */
+/** @typedef {Pick<import("./runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters">} Compared */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
 /** Places at which two paths are compared. */
 const SAMPLES = 16;
 
-/** The length of the geodesic under a rough polyline, to fourth order. @param {RawPath} path */
+/** The length of the geodesic under a rough polyline, to fourth order. @param {Compared} path */
 export const estimate = (path) => path.length + path.lengthError;
 
-/** Each path once: the first of those that are the same. @template {{ path: RawPath }} T @param {T[]} list @returns {T[]} */
+/** Each path once: the first of those that are the same. @template {{ path: Compared }} T @param {T[]} list @returns {T[]} */
 export const firsts = (list) => list.filter((found, i) => !isAmong(list.slice(0, i), found));
 
-/** Sorted by length, each path once. @template {{ path: RawPath }} T @param {T[]} found @returns {T[]} */
+/** Sorted by length, each path once. @template {{ path: Compared }} T @param {T[]} found @returns {T[]} */
 export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.path) - estimate(b.path)));
 
-/** @param {RawPath} a @param {RawPath} b @param {number} [apart] in place of 0.01 of the length */
+/** @param {Compared} a @param {Compared} b @param {number} [apart] in place of 0.01 of the length */
 export function isSame(a, b, apart = APART) {
   if (Math.abs(estimate(a) - estimate(b)) > apart * estimate(a)) return false;
   const [p, q] = [samplesOf(a), samplesOf(b)];
@@ -30,13 +30,13 @@ export function isSame(a, b, apart = APART) {
   return away <= apart * size;
 }
 
-/** Whether a path is one of these. @param {{ path: RawPath }[]} list @param {{ path: RawPath }} found @param {number} [apart] as for `isSame` */
+/** Whether a path is one of these. @param {{ path: Compared }[]} list @param {{ path: Compared }} found @param {number} [apart] as for `isSame` */
 export const isAmong = (list, { path }, apart) => list.some((other) => isSame(other.path, path, apart));
 
-/** Whether a path comes so near to a place that a rough one may cut its corner there, and be shorter than any. @param {RawPath} path @param {Float64Array | null} at */
+/** Whether a path comes so near to a place that a rough one may cut its corner there, and be shorter than any. @param {Compared} path @param {Float64Array | null} at */
 export const comesNear = (path, at) => !!at && samplesOf(path).some((point) => gap(point, at) < path.length / SAMPLES);
 
-/** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {RawPath} path @returns {number[][]} */
+/** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {Compared} path @returns {number[][]} */
 function samplesOf({ points, parameters }) {
   const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
   const last = numbers.length / width - 1;

@@ -391,6 +391,14 @@ test('by a winding bank, and on a narrow road: a path converges, and none is lon
         [1.361, 0.026],
       ],
     ],
+    /* Pressed against the edge of the rectangle, where it comes to the bank. */
+    [
+      '3 - 2*sign(y - 0.5*sin(3x))',
+      (x, y) => 3 - 2 * Math.sign(y - 0.5 * Math.sin(3 * x)),
+      [-1.918, -0.2957],
+      [0.3717, -0.736],
+      [...Array.from({ length: 400 }, (_, i) => -2 + (0.57 * i) / 399).map((x) => [x, 0.5 * Math.sin(3 * x) + 1e-4]), [-0.207, -0.29]],
+    ],
   ];
   for (const [density, at, from, to, stops] of cases) {
     const plane = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density });
