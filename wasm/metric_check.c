@@ -6,7 +6,7 @@
 static const double VANISHING = 1e-8;
 /* A determinant that is nothing is less than this part of what it is so far away, in parts of the chord; one that is only small there is
  * not. */
-static const double BESIDE = 1e-4, FALLS = 1e-2;
+static const double BESIDE = 1e-3, FALLS = 1e-2;
 enum { SEARCH_ROUNDS = 40 };
 /* Middles differ by more than this part of the length only where the metric changes between nodes that do not see it: else, as the nodes
  * are at rest, the trapezoidal rule is much better than that. */

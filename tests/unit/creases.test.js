@@ -338,6 +338,28 @@ test('a triangular lake is walked round from corner to corner, seed 3', () => {
   lake.dispose();
 });
 
+test('a maximum of 0 and a sign has the crease of the sign alone', () => {
+  const [asked, plain] = ['1 + 3*max(0, sign(0.6 - hypot(x, y)))', '2.5 + 1.5*sign(0.6 - hypot(x, y))'].map((density) =>
+    surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density }),
+  );
+  for (const [from, to] of /** @type {[number[], number[]][]} */ ([
+    [
+      [1.221, 1.028],
+      [-0.172, -1.579],
+    ],
+    [
+      [1.513, 0.163],
+      [0.06, -0.074],
+    ],
+  ])) {
+    const [path, expected] = [asked, plain].map((surface) => surface.shortestPath(from, to));
+    assert.equal(path.status, 'converged');
+    assert.ok(Math.abs(path.length / expected.length - 1) < 1e-9);
+  }
+  asked.dispose();
+  plain.dispose();
+});
+
 test('along a narrow road that winds: of several ways, the one that stays on it, no longer than what brute force finds', () => {
   const road = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '2 - sign(0.1 - abs(y - 0.3*sin(2x)))' });
   /* Of tests/accuracy/measure/plane.js: lengths of polylines. */

@@ -30,14 +30,14 @@ export class Creases {
     if (this.#widths) return this.#round(this.#widths, graph, calculus, name, operands);
     const [a] = operands;
     if (name === 'abs' || name === 'sign') {
-      const side = this.#pass(a.value);
+      const side = this.#pass(graph, a.value);
       if (!side) return calculus.call(name, operands);
       if (name === 'sign') return calculus.constant(graph.constant(side));
       return side > 0 ? a : calculus.call('negate', [a]);
     }
     if (name !== 'min' && name !== 'max') return calculus.call(name, operands);
     return operands.reduce((one, other) => {
-      const side = this.#pass(graph.subtract(one.value, other.value));
+      const side = this.#pass(graph, graph.subtract(one.value, other.value));
       if (!side) return calculus.call(name, [one, other]);
       return side > 0 === (name === 'max') ? one : other;
     });
@@ -61,9 +61,9 @@ export class Creases {
     });
   }
 
-  /** @param {number} node @returns {number | undefined} the side that is wanted */
-  #pass(node) {
+  /** @param {Graph} graph @param {number} node @returns {number | undefined} the side that is wanted; where other sides leave no choice, as in max(0, sign(g)), the one there is */
+  #pass(graph, node) {
     this.nodes.push(node);
-    return this.#sides?.[this.nodes.length - 1];
+    return this.#sides && (Math.sign(graph.numberOf(node)) || this.#sides[this.nodes.length - 1]);
   }
 }
