@@ -6,6 +6,7 @@ import { measureDistances } from './distances.js';
 import { meshOf } from './drawable.js';
 import { NAMES } from '../state/names.js';
 import { runInSlices } from './slices.js';
+import { soften } from './soften.js';
 import { determinantOf, tangentForm, Tensor } from './tensor.js';
 
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
@@ -45,7 +46,9 @@ function stretches({ definition, drawn }, mesh, surfpath) {
   const ranges = drawn.domain ?? { u: [0, 1], v: [0, 1] };
   const tensor = kind === 'metric' ? definition : metric;
   const values =
-    density === undefined ? new Float64Array(mesh.positions.length / 3).fill(1) : densities(definition, ranges, mesh, surfpath);
+    density === undefined
+      ? new Float64Array(mesh.positions.length / 3).fill(1)
+      : drawnDensities({ definition, drawn }, ranges, mesh, surfpath);
   // Where length counts nothing, or less, it is not measured.
   const positive = values.map((x) => (x > 0 ? x : Number.NaN));
   if (!tensor) return positive;
@@ -53,6 +56,17 @@ function stretches({ definition, drawn }, mesh, surfpath) {
     ? areasInPlane(tensor, definition, ranges, mesh.parameters, surfpath)
     : areasInSpace(definition, mesh, surfpath);
   return positive.map((x, i) => x * areas[i] ** 0.25);
+}
+
+/** ρ at the vertices, softened where it jumps. @param {Pick<import('./tasks.js').Opened, 'definition' | 'drawn'>} opened @param {{ u: number[], v: number[] }} ranges @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath */
+function drawnDensities({ definition, drawn }, ranges, mesh, surfpath) {
+  const values = densities(definition, ranges, mesh, surfpath);
+  if (!mesh.parameters || drawn.kind !== 'parametric') return values;
+  return soften(values, mesh.parameters, mesh.twins ?? [], ranges, (parameters) => {
+    const seen = drawn.evaluate(parameters);
+    const positions = Float64Array.from({ length: (3 * parameters.length) / 2 }, (_, i) => seen[6 * Math.floor(i / 3) + (i % 3)]);
+    return densities(definition, ranges, { parameters, positions }, surfpath);
+  });
 }
 
 /** EG − F² of a metric over u and v; NaN where there is no length. @param {any} tensor @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {Float64Array} places u v … @param {import('surfpath').Surfpath} surfpath */
@@ -86,7 +100,7 @@ function inPlane(text, { kind, parameters }) {
 
 /**
  * ρ at the vertices: a formula of x, y, z as an implicit surface, one of u and v as a height; of both, with the positions' formulas in place of x, y, z.
- * @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {SurfaceMesh} mesh @param {import('surfpath').Surfpath} surfpath
+ * @param {any} definition @param {{ u: number[], v: number[] }} ranges @param {Pick<SurfaceMesh, 'positions' | 'parameters'>} mesh @param {import('surfpath').Surfpath} surfpath
  */
 function densities(definition, { u, v }, mesh, surfpath) {
   const { density, kind, parameters } = definition;

@@ -11,6 +11,9 @@ import { surfaceMaterial } from 'surfpath/three';
 /** Colours are a little brighter than paint: the light takes some away. */
 const PALE = '#ffffff';
 
+/** Values jump if they differ by more than this part of their scale in one triangle. */
+const MOST = 0.5;
+
 export class SurfaceObject extends Mesh {
   #colour = '#c3d0dc';
   /** @type {BufferGeometry} */ geometry;
@@ -76,7 +79,9 @@ export class SurfaceObject extends Mesh {
       const scale =
         quantity === 'curvature' ? curvatureScale(values, size) : bandScale(quantity === 'distance' ? 'distance' : 'values', values);
       geometry.setAttribute('color', new BufferAttribute(colourVertices(values, scale), 3));
-      geometry.setAttribute('contour', new BufferAttribute(contourLevels(values, scale), 1));
+      /* Where a density jumps, lines of its levels would run along cells. */
+      const isLined = quantity !== 'density' || !jumps(geometry, values, scale);
+      geometry.setAttribute('contour', new BufferAttribute(contourLevels(isLined ? values : values.map(() => Number.NaN), scale), 1));
       geometry.userData.scale = scale;
     }
     this.#dress();
@@ -90,4 +95,14 @@ export class SurfaceObject extends Mesh {
     else this.#last = this.material;
     this.material = surfaceMaterial(this.geometry, { color: this.isColoured ? PALE : this.#colour });
   }
+}
+
+/** Whether values differ by most of their scale within a triangle. @param {import('three').BufferGeometry} geometry @param {Float64Array} values @param {ColourScale} scale */
+function jumps({ index }, values, { low, high }) {
+  const corners = index?.array ?? [];
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = [values[corners[i]], values[corners[i + 1]], values[corners[i + 2]]];
+    if (Math.max(a, b, c) - Math.min(a, b, c) > MOST * (high - low)) return true;
+  }
+  return false;
 }

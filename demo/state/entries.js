@@ -38,6 +38,15 @@ const MEASURES = {
     from: [-1.5, -1.2],
     to: [1.5, 1.1],
   },
+  lake: {
+    ...PLATE,
+    title: 'Round a lake',
+    source: 'a density that jumps: dear inside, so that paths follow the shore',
+    density: '1+d/2*(1+sign(r+0.3*cos(3*atan2(v,u))-hypot(u,v)))',
+    parameters: { d: 4, r: 0.9 },
+    from: [-1.7, -0.5],
+    to: [1.65, 0.9],
+  },
   halfPlane: {
     kind: 'metric',
     title: 'Hyperbolic half-plane',

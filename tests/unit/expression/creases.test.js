@@ -49,6 +49,12 @@ function assertNear(actual, expected, what) {
     assert.ok(Math.abs(value - expected[k]) <= ROUNDING * size, `${what}, derivative ${k}: ${value}, expected ${expected[k]}`);
 }
 
+/** A side that was drawn, but where a formula is a number: then that is its sign. @param {string} chosen @param {number} side */
+function sideOf(chosen, side) {
+  const { graph, jet } = compiled(chosen, new Creases());
+  return Math.sign(graph.numberOf(jet[0])) || side;
+}
+
 /** A formula full of creases, and the same on sides that are drawn, written by hand. @param {import('../../helpers/random.js').Random} random @param {number} depth @returns {{ source: string, sides: number[], chosen: string }} */
 function drawFormula(random, depth) {
   if (depth === 0) {
@@ -66,12 +72,19 @@ function drawFormula(random, depth) {
   const side = draw();
   if (name === 'abs' || name === 'sign') {
     const [a] = operands(1);
-    return { source: `${name}(${a.source})`, sides: [...a.sides, side], chosen: name === 'sign' ? `(${side})` : `(${side}*(${a.chosen}))` };
+    const taken = sideOf(a.chosen, side);
+    return {
+      source: `${name}(${a.source})`,
+      sides: [...a.sides, side],
+      chosen: name === 'sign' ? `(${taken})` : `(${taken}*(${a.chosen}))`,
+    };
   }
   const all = operands(2 + random.integer(2));
   const own = all.slice(1).map((_, k) => (k ? draw() : side));
   /* One after the other: on side 1 the first of two is larger. */
-  const chosen = all.reduce((one, other, k) => (own[k - 1] > 0 === (name === 'max') ? one : other)).chosen;
+  const chosen = all.reduce((one, other, k) =>
+    sideOf(`(${one.chosen})-(${other.chosen})`, own[k - 1]) > 0 === (name === 'max') ? one : other,
+  ).chosen;
   return {
     source: `${name}(${all.map(({ source }) => source).join(', ')})`,
     sides: [...all.flatMap(({ sides }) => sides), ...own],
