@@ -37,8 +37,18 @@ const wholes = ({ legs, joints }, width) =>
   legs.map((leg, i) => {
     const own = whole(leg, joints[i - 1]);
     if (!leg.shore) return own;
-    const [from, to] = [joints[i - 1]?.place ?? own.line.slice(0, width), joints[i]?.place ?? own.line.slice(-width)];
-    return { ...own, line: [...from, ...own.line.slice(width, -width), ...to] };
+    const [before, after] = [joints[i - 1], joints[i]];
+    const nodes = Array.from({ length: own.line.length / width }, (_, k) => own.line.slice(width * k, width * (k + 1)));
+    /* What joints have moved past is behind them. */
+    const begin = leg.shore.sense * (before?.moved ?? 0);
+    const end = span(own.line, width) + leg.shore.sense * (after?.moved ?? 0);
+    let along = 0;
+    const inner = nodes.slice(1, -1).filter((node, k) => {
+      along += span([...nodes[k], ...node], width);
+      return along > begin && along < end;
+    });
+    const places = [before?.place ?? nodes[0], ...inner, after?.place ?? nodes[nodes.length - 1]];
+    return { ...own, line: places.flat() };
   });
 
 /** A path of pieces; those on the same side, or along the same shore, one after the other, are one leg. null: a leg does not hold. @param {Question} question @param {Piece[]} pieces @returns {Route | null} */

@@ -360,19 +360,22 @@ test('a maximum of 0 and a sign has the crease of the sign alone', () => {
   plain.dispose();
 });
 
-test('along a narrow road that winds: of several ways, the one that stays on it, no longer than what brute force finds', () => {
-  const road = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '2 - sign(0.1 - abs(y - 0.3*sin(2x)))' });
+test('on a narrow road that winds, along an edge of a lake and past its corner: no longer than what brute force finds', () => {
+  const [road, lake] = ['2 - sign(0.1 - abs(y - 0.3*sin(2x)))', '2 + sign(min(y + 0.6, 0.8 - y - 1.2*abs(x)))'].map((density) =>
+    surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density }),
+  );
   /* Of tests/accuracy/measure/plane.js: lengths of polylines. */
-  for (const [from, to, brute] of /** @type {[number[], number[], number][]} */ ([
-    [[1.721, -0.593], [-1.719, 1.68], 9.3041],
-    [[0.872, -0.72], [-1.454, 1.345], 8.564],
-    [[-1.918, -0.296], [0.372, -0.736], 4.8648],
+  for (const [plane, from, to, brute] of /** @type {[typeof road, number[], number[], number][]} */ ([
+    [road, [1.721, -0.593], [-1.719, 1.68], 9.3041],
+    [road, [0.872, -0.72], [-1.454, 1.345], 8.564],
+    [road, [-1.918, -0.296], [0.372, -0.736], 4.8648],
+    [lake, [1.65405, 1.73031], [-1.46511, -0.62792], 3.9465],
   ])) {
-    const path = road.shortestPath(from, to);
+    const path = plane.shortestPath(from, to);
     assert.equal(path.status, 'converged', `${from} to ${to}`);
     assert.ok(path.length <= brute * 1.001 && path.length >= brute * 0.99, `${from} to ${to}: ${path.length}, brute force ${brute}`);
   }
-  road.dispose();
+  for (const plane of [road, lake]) plane.dispose();
 });
 
 test('by a winding bank, and on a narrow road: a path converges, and none is longer than a polyline that was drawn by hand', () => {
