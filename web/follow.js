@@ -54,8 +54,10 @@ const hasShores = ({ legs, joints }) => legs.some(({ shore }) => shore) || joint
 function settleJoints(question, route) {
   if (hasShores(route)) return rest(question, route);
   const rested = refract(question, route);
-  /* On an edge of the rectangle joints rest by what pulls at them alone. */
-  return rested ? { route: rested, isAtRest: true } : rest(question, route);
+  if (rested) return { route: rested, isAtRest: true };
+  /* Joints may be held by an edge of the rectangle; where none is, what pulls at none of them may be no minimum. */
+  const balanced = rest(question, route);
+  return { ...balanced, isAtRest: balanced.isAtRest && hasShores(balanced.route) };
 }
 
 /** @param {Question} question @param {Route} route at rest @returns {Route | null} */
