@@ -1,13 +1,14 @@
 /* Bisection between a vertex of the surface, where there is surface, and one of a wall, where there is none: each place in between is
  * brought onto f = 0 by Newton steps, halved where they lead out of where f is a number. A block of vertices at a time. */
 #include "mesh_rim.h"
+#include "mesh_points.h"
 #include "scalar.h"
 
 #include <stdbool.h>
 
 enum {
-    BLOCK = 64,      /* vertices */
-    BISECTIONS = 12, /* to 1e-4 of a cell */
+    BLOCK = SP_MESH_POINTS, /* vertices */
+    BISECTIONS = 12,        /* to 1e-4 of a cell */
     STEPS = 12,
     SURFACE = -1, /* in place of the nearest vertex of the surface: it is one itself */
     WALL = -2     /* there is none */
@@ -22,29 +23,20 @@ static const double most_slope = 0.7;
 
 /* Vertices of a rim, each on its way. */
 struct block {
-    int32_t count, vertex[BLOCK];
+    struct sp_mesh_points points;
+    int32_t vertex[BLOCK];
     double start[BLOCK][3], edge[BLOCK][3], normal[BLOCK][3]; /* the vertex of the surface, the way to the wall's, the normal there */
     double low[BLOCK], high[BLOCK];                           /* part of the way where the surface ends */
-    double largest[BLOCK], at[BLOCK][3];
-    sp_pair in[BLOCK / 2 * SP_IMPLICIT_INPUTS], out[BLOCK / 2 * SP_IMPLICIT_VALUES];
+    double largest[BLOCK];
 };
 
 static double *position_of(const struct sp_mesh *mesh, int32_t vertex) { return mesh->positions + 3 * (size_t)vertex; }
 
 static double *normal_of(const struct sp_mesh *mesh, int32_t vertex) { return mesh->normals + 3 * (size_t)vertex; }
 
-static double component(const struct block *block, int32_t i, int number) { return block->out[i / 2 * SP_IMPLICIT_VALUES + number][i & 1]; }
-
-static void evaluate_block(sp_evaluate value, struct block *block) {
-    for (int32_t i = 0; i < block->count + (block->count & 1); i++)
-        for (int axis = 0; axis < 3; axis++)
-            block->in[i / 2 * SP_IMPLICIT_INPUTS + axis][i & 1] = block->at[i < block->count ? i : i - 1][axis];
-    value((block->count + 1) / 2, block->in, block->out);
-}
-
 static void put_between(struct block *block, int32_t i, double part) {
     for (int axis = 0; axis < 3; axis++)
-        block->at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
+        block->points.at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
 }
 
 /* The Newton step at vertex i, as evaluated last. A vertex stays on the face of the box on which its whole way lies. */
@@ -52,9 +44,9 @@ static void newton_step(const struct block *block, int32_t i, const double box[6
     for (int axis = 0; axis < 3; axis++) {
         double x = block->start[i][axis];
         bool bound = block->edge[i][axis] == 0 && (x == box[2 * axis] || x == box[2 * axis + 1]);
-        step[axis] = bound ? 0 : component(block, i, axis + 1);
+        step[axis] = bound ? 0 : sp_mesh_value(&block->points, i, axis + 1);
     }
-    double factor = -component(block, i, 0) / dot(step, step);
+    double factor = -sp_mesh_value(&block->points, i, 0) / dot(step, step);
     for (int axis = 0; axis < 3; axis++)
         step[axis] *= factor;
 }
@@ -62,75 +54,77 @@ static void newton_step(const struct block *block, int32_t i, const double box[6
 /* Brings the vertices onto f = 0, as far as they come. */
 static void approach(sp_evaluate value, const double box[6], struct block *block) {
     double last[BLOCK][3], step[BLOCK][3] = {{0}};
-    for (int32_t i = 0; i < block->count; i++)
+    for (int32_t i = 0; i < block->points.count; i++)
         for (int axis = 0; axis < 3; axis++)
-            last[i][axis] = block->at[i][axis];
-    int32_t moving = block->count;
+            last[i][axis] = block->points.at[i][axis];
+    int32_t moving = block->points.count;
     for (int count = 0; moving > 0 && count < STEPS; count++) {
-        evaluate_block(value, block);
+        sp_mesh_evaluate(value, &block->points);
         moving = 0;
-        for (int32_t i = 0; i < block->count; i++) {
+        for (int32_t i = 0; i < block->points.count; i++) {
             double next[3];
             newton_step(block, i, box, next);
             bool goes_on = is_finite(dot(next, next));
             for (int axis = 0; axis < 3; axis++) {
-                if (goes_on) last[i][axis] = block->at[i][axis];
+                if (goes_on) last[i][axis] = block->points.at[i][axis];
                 step[i][axis] = goes_on ? next[axis] : 0.5 * step[i][axis];
-                block->at[i][axis] = last[i][axis] + step[i][axis];
+                block->points.at[i][axis] = last[i][axis] + step[i][axis];
             }
             moving += dot(step[i], step[i]) > at_rest * dot(block->edge[i], block->edge[i]);
         }
     }
-    evaluate_block(value, block);
+    sp_mesh_evaluate(value, &block->points);
 }
 
 /* Whether vertex i has come to rest on f = 0, inside the box, not far from where it set out, on the side of the surface that it began on.
  */
 static bool rests(const struct block *block, int32_t i, const double box[6]) {
-    double step[3], away[3], gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
+    double step[3], away[3],
+        gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2), sp_mesh_value(&block->points, i, 3)};
     double part = 0.5 * (block->low[i] + block->high[i]), size = dot(block->edge[i], block->edge[i]);
     bool inside = true;
     for (int axis = 0; axis < 3; axis++) {
-        double x = block->at[i][axis];
+        double x = block->points.at[i][axis];
         away[axis] = x - block->start[i][axis] - part * block->edge[i][axis];
         inside = inside && x >= box[2 * axis] && x <= box[2 * axis + 1];
     }
     newton_step(block, i, box, step);
     return inside && dot(step, step) <= at_rest * size && dot(away, away) <= 0.25 * size && dot(gradient, block->normal[i]) > 0 &&
-           absolute(component(block, i, 0)) <= least_fall * block->largest[i] && dot(gradient, gradient) < 1e300;
+           absolute(sp_mesh_value(&block->points, i, 0)) <= least_fall * block->largest[i] && dot(gradient, gradient) < 1e300;
 }
 
 /* Moves the vertices of a block to the rim: what was last found of the surface on their way, or NaN. */
 static void draw_block(sp_evaluate value, const double box[6], struct block *block, struct sp_mesh *mesh, int32_t *near) {
-    for (int32_t i = 0; i < block->count; i++)
+    for (int32_t i = 0; i < block->points.count; i++)
         put_between(block, i, 1);
-    evaluate_block(value, block);
-    for (int32_t i = 0; i < block->count; i++) {
-        block->low[i] = 0, block->high[i] = 1, block->largest[i] = absolute(component(block, i, 0));
+    sp_mesh_evaluate(value, &block->points);
+    for (int32_t i = 0; i < block->points.count; i++) {
+        block->low[i] = 0, block->high[i] = 1, block->largest[i] = absolute(sp_mesh_value(&block->points, i, 0));
         near[block->vertex[i]] = WALL;
     }
     for (int count = 0; count < BISECTIONS; count++) {
-        for (int32_t i = 0; i < block->count; i++)
+        for (int32_t i = 0; i < block->points.count; i++)
             put_between(block, i, 0.5 * (block->low[i] + block->high[i]));
         approach(value, box, block);
-        for (int32_t i = 0; i < block->count; i++) {
+        for (int32_t i = 0; i < block->points.count; i++) {
             bool found = rests(block, i, box);
-            double gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
+            double gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2),
+                                  sp_mesh_value(&block->points, i, 3)};
             *(found ? &block->low[i] : &block->high[i]) = 0.5 * (block->low[i] + block->high[i]);
             if (!found) continue;
             int32_t vertex = block->vertex[i];
             near[vertex] = vertex;
             for (int axis = 0; axis < 3; axis++) {
-                position_of(mesh, vertex)[axis] = block->at[i][axis];
+                position_of(mesh, vertex)[axis] = block->points.at[i][axis];
                 normal_of(mesh, vertex)[axis] = gradient[axis] / norm(gradient);
             }
         }
     }
-    block->count = 0;
+    block->points.count = 0;
 }
 
 static void add_to_block(struct block *block, const struct sp_mesh *mesh, int32_t vertex, int32_t from) {
-    int32_t i = block->count++;
+    int32_t i = block->points.count++;
     block->vertex[i] = vertex;
     for (int axis = 0; axis < 3; axis++) {
         block->start[i][axis] = position_of(mesh, from)[axis];
@@ -202,11 +196,11 @@ static void leave_walls_out(struct sp_mesh *mesh, int32_t *near) {
 }
 
 void sp_draw_rims(sp_evaluate value, const double box[6], struct sp_mesh *mesh, int32_t *near) {
-    struct block block = {.count = 0};
+    struct block block = {.points.count = 0};
     if (!link_walls(mesh, near)) return;
     for (int32_t i = 0; i < mesh->vertex_count; i++) {
         if (near[i] >= 0) add_to_block(&block, mesh, i, near[i]);
-        if (block.count == BLOCK || i == mesh->vertex_count - 1) draw_block(value, box, &block, mesh, near);
+        if (block.points.count == BLOCK || i == mesh->vertex_count - 1) draw_block(value, box, &block, mesh, near);
     }
     leave_walls_out(mesh, near);
 }

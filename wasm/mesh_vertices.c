@@ -4,16 +4,17 @@
  * So every vertex is right to rounding, and the mesh keeps the topology that the lattice gave it. Where f changes sign and is not 0, at a
  * jump, a pole or the end of where it is a number, there is no surface, but a wall: the normal is NaN. */
 #include "mesh_vertices.h"
+#include "mesh_points.h"
 #include "scalar.h"
 
 #include <stdbool.h>
 #include <string.h>
 
 enum {
-    BLOCK = 64,     /* vertices */
-    BISECTIONS = 8, /* enough to see past an f that is far from linear on the edge */
-    BITS = 53,      /* bisections that exhaust a double */
-    PROJECTIONS = 8 /* Newton steps; most vertices need three */
+    BLOCK = SP_MESH_POINTS, /* vertices */
+    BISECTIONS = 8,         /* enough to see past an f that is far from linear on the edge */
+    BITS = 53,              /* bisections that exhaust a double */
+    PROJECTIONS = 8         /* Newton steps; most vertices need three */
 };
 
 /* Crossings are kept this part of an edge away from its ends until they are projected: without it a vertex of the lattice that lies almost
@@ -26,37 +27,26 @@ static const double least_fall = 0.01;
 
 /* A block of vertices on their way from the lattice edge to the surface. */
 struct block {
-    int32_t count;
+    struct sp_mesh_points points;
     double start[BLOCK][3], edge[BLOCK][3]; /* f < 0 at start, not at start + edge */
     double freedom[BLOCK][3];               /* 0 along the axes in which the vertex is bound to a face of the box, else 1 */
     double low[BLOCK], high[BLOCK];         /* part of the edge where f changes sign */
     double largest[BLOCK];                  /* |f| of all parts seen where it is finite */
-    double at[BLOCK][3];
-    sp_pair in[BLOCK / 2 * SP_IMPLICIT_INPUTS], out[BLOCK / 2 * SP_IMPLICIT_VALUES];
 };
-
-static double component(const struct block *block, int32_t i, int number) { return block->out[i / 2 * SP_IMPLICIT_VALUES + number][i & 1]; }
-
-static void evaluate_block(sp_evaluate value, struct block *block) {
-    for (int32_t i = 0; i < block->count + (block->count & 1); i++)
-        for (int axis = 0; axis < 3; axis++)
-            block->in[i / 2 * SP_IMPLICIT_INPUTS + axis][i & 1] = block->at[i < block->count ? i : i - 1][axis];
-    value((block->count + 1) / 2, block->in, block->out);
-}
 
 static void put_on_edge(struct block *block, int32_t i, double part) {
     for (int axis = 0; axis < 3; axis++)
-        block->at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
+        block->points.at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
 }
 
 /* Bisects `times` on the edges of the block; leaves `low` inside, `high` outside. */
 static void bisect(sp_evaluate value, struct block *block, int times) {
     for (int step = 0; step < times; step++) {
-        for (int32_t i = 0; i < block->count; i++)
+        for (int32_t i = 0; i < block->points.count; i++)
             put_on_edge(block, i, 0.5 * (block->low[i] + block->high[i]));
-        evaluate_block(value, block);
-        for (int32_t i = 0; i < block->count; i++) {
-            double middle = 0.5 * (block->low[i] + block->high[i]), f = component(block, i, 0), size = absolute(f);
+        sp_mesh_evaluate(value, &block->points);
+        for (int32_t i = 0; i < block->points.count; i++) {
+            double middle = 0.5 * (block->low[i] + block->high[i]), f = sp_mesh_value(&block->points, i, 0), size = absolute(f);
             *(f < 0 ? &block->low[i] : &block->high[i]) = middle;
             if (size > block->largest[i] && size < 1e300) block->largest[i] = size;
         }
@@ -67,19 +57,19 @@ static void bisect(sp_evaluate value, struct block *block, int times) {
  * gradient. */
 static double newton_factor(const struct block *block, int32_t i, double gradient[3]) {
     for (int axis = 0; axis < 3; axis++)
-        gradient[axis] = block->freedom[i][axis] * component(block, i, axis + 1);
-    return component(block, i, 0) / dot(gradient, gradient);
+        gradient[axis] = block->freedom[i][axis] * sp_mesh_value(&block->points, i, axis + 1);
+    return sp_mesh_value(&block->points, i, 0) / dot(gradient, gradient);
 }
 
 /* Newton steps along the gradient, none longer than half the edge. Returns the number of vertices that the last one moved visibly. */
 static int32_t project(struct block *block) {
     int32_t moving = 0;
-    for (int32_t i = 0; i < block->count; i++) {
+    for (int32_t i = 0; i < block->points.count; i++) {
         double gradient[3], factor = newton_factor(block, i, gradient);
         double reach = 0.25 * dot(block->edge[i], block->edge[i]), step = factor * factor * dot(gradient, gradient);
         if (!(step <= reach)) factor = 0;
         for (int axis = 0; axis < 3; axis++)
-            block->at[i][axis] -= factor * gradient[axis];
+            block->points.at[i][axis] -= factor * gradient[axis];
         moving += step <= reach && step > 1e-28 * reach;
     }
     return moving;
@@ -89,7 +79,7 @@ static int32_t project(struct block *block) {
 static bool settled(const struct block *block, int32_t i) {
     double gradient[3], away[3], factor = newton_factor(block, i, gradient), edge = dot(block->edge[i], block->edge[i]);
     for (int axis = 0; axis < 3; axis++)
-        away[axis] = block->at[i][axis] - block->start[i][axis] - block->low[i] * block->edge[i][axis];
+        away[axis] = block->points.at[i][axis] - block->start[i][axis] - block->low[i] * block->edge[i][axis];
     return factor * factor * dot(gradient, gradient) <= 1e-20 * edge && dot(away, away) <= 0.25 * edge && dot(gradient, block->edge[i]) > 0;
 }
 
@@ -98,12 +88,12 @@ static double clamp_part(double part) { return part < edge_margin ? edge_margin 
 /* Brings the vertices of a block onto the surface; those that projection loses stay on their edge, bisected to the last bit. */
 static void settle_block(sp_evaluate value, struct block *block) {
     bisect(value, block, BISECTIONS);
-    for (int32_t i = 0; i < block->count; i++)
+    for (int32_t i = 0; i < block->points.count; i++)
         put_on_edge(block, i, clamp_part(0.5 * (block->low[i] + block->high[i])));
-    evaluate_block(value, block);
+    sp_mesh_evaluate(value, &block->points);
     for (int step = 0; step < PROJECTIONS; step++) {
         int32_t moving = project(block);
-        evaluate_block(value, block);
+        sp_mesh_evaluate(value, &block->points);
         if (moving == 0) break;
     }
 }
@@ -111,7 +101,7 @@ static void settle_block(sp_evaluate value, struct block *block) {
 /* The normal is the gradient's direction; of one that is infinite, as at the end of a root, that of its infinite parts; where there is
  * none, the edge's. */
 static void store_vertex(const struct block *block, int32_t i, double position[3], double normal[3]) {
-    double gradient[3] = {component(block, i, 1), component(block, i, 2), component(block, i, 3)};
+    double gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2), sp_mesh_value(&block->points, i, 3)};
     if (norm(gradient) >= 1e300)
         for (int axis = 0; axis < 3; axis++)
             gradient[axis] = smaller(larger(gradient[axis] * 1e-300, -1), 1);
@@ -120,27 +110,27 @@ static void store_vertex(const struct block *block, int32_t i, double position[3
     const double *direction = differentiable ? gradient : block->edge[i];
     scale = differentiable ? scale : norm(block->edge[i]);
     for (int axis = 0; axis < 3; axis++)
-        position[axis] = block->at[i][axis], normal[axis] = direction[axis] / scale;
+        position[axis] = block->points.at[i][axis], normal[axis] = direction[axis] / scale;
 }
 
 static void place_block(sp_evaluate value, struct block *block, double *positions, double *normals) {
     bool lost[BLOCK] = {false};
     int32_t lost_count = 0;
     settle_block(value, block);
-    for (int32_t i = 0; i < block->count; i++) {
+    for (int32_t i = 0; i < block->points.count; i++) {
         lost[i] = !settled(block, i);
         lost_count += lost[i];
         if (!lost[i]) store_vertex(block, i, positions + 3 * i, normals + 3 * i);
     }
     if (lost_count == 0) return;
     bisect(value, block, BITS - BISECTIONS);
-    for (int32_t i = 0; i < block->count; i++)
+    for (int32_t i = 0; i < block->points.count; i++)
         put_on_edge(block, i, block->low[i]);
-    evaluate_block(value, block);
-    for (int32_t i = 0; i < block->count; i++) {
+    sp_mesh_evaluate(value, &block->points);
+    for (int32_t i = 0; i < block->points.count; i++) {
         if (!lost[i]) continue;
         store_vertex(block, i, positions + 3 * i, normals + 3 * i);
-        if (-component(block, i, 0) <= least_fall * block->largest[i]) continue;
+        if (-sp_mesh_value(&block->points, i, 0) <= least_fall * block->largest[i]) continue;
         for (int axis = 0; axis < 3; axis++)
             normals[3 * i + axis] = not_a_number();
     }
@@ -158,10 +148,10 @@ void sp_place_vertices(sp_evaluate value, const double box[6], struct sp_mesh *m
     struct block block;
     for (int32_t first = 0; first < mesh->vertex_count; first += BLOCK) {
         size_t offset = 3 * (size_t)first;
-        block.count = mesh->vertex_count - first < BLOCK ? mesh->vertex_count - first : BLOCK;
-        memcpy(block.start, mesh->positions + offset, (size_t)block.count * sizeof block.start[0]);
-        memcpy(block.edge, mesh->normals + offset, (size_t)block.count * sizeof block.edge[0]);
-        for (int32_t i = 0; i < block.count; i++)
+        block.points.count = mesh->vertex_count - first < BLOCK ? mesh->vertex_count - first : BLOCK;
+        memcpy(block.start, mesh->positions + offset, (size_t)block.points.count * sizeof block.start[0]);
+        memcpy(block.edge, mesh->normals + offset, (size_t)block.points.count * sizeof block.edge[0]);
+        for (int32_t i = 0; i < block.points.count; i++)
             prepare(&block, i, box);
         place_block(value, &block, mesh->positions + offset, mesh->normals + offset);
     }

@@ -8,9 +8,9 @@ import { follow } from './follow.js';
 import { joinLegs, reverse } from './join.js';
 import { LEG, lengthOf, placesOf } from './legs.js';
 import { placed } from './pieces.js';
-import { drawLine, findWays, isAfter, poseNear } from './routes.js';
+import { drawLine, findWays, isAfter, measureLine, poseNear } from './routes.js';
 import { writeShore } from './shores.js';
-import { isBeside, measure, roundingsOf, sketch } from './sketches.js';
+import { isBeside, roundingsOf, sketch } from './sketches.js';
 import { gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -64,9 +64,9 @@ function findRoute(question, start) {
   const { ways, distance } = findWays(field, ends, start);
   const rough = field.domain ? ROUGH : ROUGHER;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
-  const measured = ways
-    .map((line) => ({ line, length: measure(field, ends, line) ?? Infinity, isAtRest: false }))
-    .filter(({ length }) => length < Infinity);
+  const measured = (field.domain ? ways : [])
+    .map((line) => ({ line, length: measureLine(field, ends, line), isAtRest: false }))
+    .filter(({ length }) => length >= 0);
   /** @type {Sketch | null} */
   let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */

@@ -33,16 +33,12 @@ export const roundingsOf = ({ isPlain }) => (isPlain ? ROUNDINGS.slice(0, 1) : R
 export function sketch(field, sides, ends, ways, { within, points }) {
   const smooth = field.isPlain ? field : { ...field, run: round(field, sides, ways, within) };
   const drawn = ways.map((way) => ({ path: relax(smooth, ends, way, points) })).filter(({ path }) => path.length >= 0);
-  return distinct(drawn).map(({ path }) => {
-    const line = path.parameters ?? path.points;
-    return { line, length: measure(field, ends, line) ?? path.length, isAtRest: isGeodesic(path) };
-  });
-}
-
-/** The length of a polyline as it is; null: chords across an implicit surface are not on it. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
-export function measure(field, ends, line) {
-  const length = field.domain ? measureLine(field, ends, line) : Number.NaN;
-  return length >= 0 ? length : null;
+  return distinct(drawn)
+    .map(({ path }) => {
+      const line = path.parameters ?? path.points;
+      return { line, length: field.domain ? measureLine(field, ends, line) : path.length, isAtRest: isGeodesic(path) };
+    })
+    .filter(({ length }) => length >= 0);
 }
 
 /** Whether no node of a polyline is far from those of another one. @param {Float64Array} line @param {Float64Array} other @param {number} width */

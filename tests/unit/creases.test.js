@@ -284,59 +284,49 @@ test('on a cube, a body of formulas joined by max, paths are as long as on its n
   cube.dispose();
 });
 
-test('a square lake is walked round from corner to corner, seed 2', () => {
-  const lake = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '3 + 2*sign(0.8 - max(abs(x), abs(y)))' });
-  const random = createRandom(2);
-  const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
-  const corners = [-0.8, 0.8].flatMap((x) => [-0.8, 0.8].map((y) => [x, y]));
-  /* Whether what is straight between two places stays out of the lake: looked at in so many places. */
-  const isDry = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-    Array.from({ length: 400 }, (_, i) => (i + 0.5) / 400).every((t) => a.some((x, j) => Math.abs(x + t * (b[j] - x)) > 0.8 - 1e-9));
-  const gap = (/** @type {number[]} */ a, /** @type {number[]} */ b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-  let around = 0;
-  for (let i = 0; i < 30; i++) {
-    const [from, to] = [place(), place()];
-    if ([from, to].some((end) => Math.max(...end.map(Math.abs)) < 0.85)) continue;
-    /* Over no, one or two corners. */
-    const ways = [[], ...corners.map((a) => [a]), ...corners.flatMap((a) => corners.filter((b) => b !== a).map((b) => [a, b]))]
-      .map((stops) => [from, ...stops, to])
-      .filter((stops) => stops.slice(1).every((stop, k) => isDry(stops[k], stop)))
-      .map((stops) => stops.slice(1).reduce((sum, stop, k) => sum + gap(stops[k], stop), 0));
-    const exact = Math.min(...ways);
-    const path = lake.shortestPath(from, to);
-    assert.ok(!path.converged || Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
-    if (exact > gap(from, to) * (1 + 1e-9) && path.converged) around++;
-  }
-  assert.ok(around >= 4, `${around} paths around corners`);
-  lake.dispose();
-});
+/** Lakes with corners: the density, by how much a place is inside, corners. @type {[string, string, (place: number[]) => number, number[][]][]} */
+const LAKES = [
+  [
+    'square',
+    '3 + 2*sign(0.8 - max(abs(x), abs(y)))',
+    ([x, y]) => 0.8 - Math.max(Math.abs(x), Math.abs(y)),
+    [-0.8, 0.8].flatMap((x) => [-0.8, 0.8].map((y) => [x, y])),
+  ],
+  [
+    'triangular',
+    '5 + 4*sign(min(y + 0.6, 0.8 - y - 1.2*abs(x)))',
+    ([x, y]) => Math.min(y + 0.6, 0.8 - y - 1.2 * Math.abs(x)),
+    [[0, 0.8], ...[-1, 1].map((side) => [(side * 1.4) / 1.2, -0.6])],
+  ],
+];
 
-test('a triangular lake is walked round from corner to corner, seed 3', () => {
-  const lake = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density: '5 + 4*sign(min(y + 0.6, 0.8 - y - 1.2*abs(x)))' });
-  const random = createRandom(3);
-  const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
-  const inside = (/** @type {number[]} */ [x, y]) => Math.min(y + 0.6, 0.8 - y - 1.2 * Math.abs(x));
-  const corners = [[0, 0.8], ...[-1, 1].map((side) => [(side * 1.4) / 1.2, -0.6])];
-  const gap = (/** @type {number[]} */ a, /** @type {number[]} */ b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-  const isDry = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-    Array.from({ length: 400 }, (_, i) => (i + 0.5) / 400).every((t) => inside(a.map((x, j) => x + t * (b[j] - x))) < 1e-9);
-  let around = 0;
-  for (let i = 0; i < 24; i++) {
-    const [from, to] = [place(), place()];
-    if (inside(from) > -0.05 || inside(to) > -0.05) continue;
-    const ways = [[], ...corners.map((a) => [a]), ...corners.flatMap((a) => corners.filter((b) => b !== a).map((b) => [a, b]))]
-      .map((stops) => [from, ...stops, to])
-      .filter((stops) => stops.slice(1).every((stop, k) => isDry(stops[k], stop)))
-      .map((stops) => stops.slice(1).reduce((sum, stop, k) => sum + gap(stops[k], stop), 0));
-    const exact = Math.min(...ways);
-    const path = lake.shortestPath(from, to);
-    assert.equal(path.status, 'converged', `${from} to ${to}`);
-    assert.ok(Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
-    if (exact > gap(from, to) * (1 + 1e-9)) around++;
-  }
-  assert.ok(around >= 5, `${around} paths around corners`);
-  lake.dispose();
-});
+for (const [name, density, inside, corners] of LAKES)
+  test(`a ${name} lake is walked round from corner to corner, seed 3`, () => {
+    const lake = surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density });
+    const random = createRandom(3);
+    const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
+    const gap = (/** @type {number[]} */ a, /** @type {number[]} */ b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+    /* Whether what is straight between two places stays out of the lake: looked at in so many places. */
+    const isDry = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+      Array.from({ length: 400 }, (_, i) => (i + 0.5) / 400).every((t) => inside(a.map((x, j) => x + t * (b[j] - x))) < 1e-9);
+    let around = 0;
+    for (let i = 0; i < 30; i++) {
+      const [from, to] = [place(), place()];
+      if (inside(from) > -0.05 || inside(to) > -0.05) continue;
+      /* Over no, one or two corners. */
+      const ways = [[], ...corners.map((a) => [a]), ...corners.flatMap((a) => corners.filter((b) => b !== a).map((b) => [a, b]))]
+        .map((stops) => [from, ...stops, to])
+        .filter((stops) => stops.slice(1).every((stop, k) => isDry(stops[k], stop)))
+        .map((stops) => stops.slice(1).reduce((sum, stop, k) => sum + gap(stops[k], stop), 0));
+      const exact = Math.min(...ways);
+      const path = lake.shortestPath(from, to);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      assert.ok(Math.abs(path.length - exact) <= 1e-9 * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+      if (exact > gap(from, to) * (1 + 1e-9)) around++;
+    }
+    assert.ok(around >= 5, `${around} paths around corners`);
+    lake.dispose();
+  });
 
 test('a maximum of 0 and a sign has the crease of the sign alone', () => {
   const [asked, plain] = ['1 + 3*max(0, sign(0.6 - hypot(x, y)))', '2.5 + 1.5*sign(0.6 - hypot(x, y))'].map((density) =>
