@@ -3,6 +3,7 @@
 #include "chart.h"
 #include "graph_cells.h"
 #include "scalar.h"
+#include <string.h>
 
 /* Vertices are joined whose cells are so many apart, at most, in each direction. */
 enum { REACH = 2 };
@@ -15,6 +16,10 @@ static const double WITHIN = 1 + 1e-9;
 /* Cells that share a face, but not a sheet, are joined at this many times their chord: across a crease, but not while there is another way.
  */
 static const double LOOSE = 2;
+
+/* Around a rim so many chords are halved at most; it is no longer than so many times the first. */
+enum { HALVINGS = 16 };
+static const double FARTHEST_AROUND = 3;
 
 static void centre_of(const struct sp_cells *cells, int32_t cell, double centre[3]) {
     const int32_t *at = cells->list[cell].at;
@@ -83,6 +88,15 @@ static void read_vertex(const struct sp_graph *graph, int32_t vertex, double nor
         normal[c] = (double)graph->normals[3 * (size_t)vertex + (size_t)c];
 }
 
+struct place {
+    double at[3], normal[3];
+};
+
+static void read_place(const struct sp_graph *graph, int32_t vertex, struct place *place) {
+    memcpy(place->at, sample_at(graph, vertex), sizeof place->at);
+    read_vertex(graph, vertex, place->normal);
+}
+
 /* Whether the surface passes from one cell to another through a face that they share. */
 static int passes(const struct sp_cell *from, const struct sp_cell *to) {
     int shared = 0, away = 0;
@@ -94,9 +108,44 @@ static int passes(const struct sp_cell *from, const struct sp_cell *to) {
     return away == 1 && shared && from->faces && to->faces;
 }
 
+/* Puts the middle of a chord onto f = 0; 0: it does not settle. */
+static int halve(const struct sp_graph *graph, const struct sp_surface *surface, const struct place *from, const struct place *to,
+                 struct place *middle) {
+    sp_pair at[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        at[j] = sp_splat(0.5 * (from->at[j] + to->at[j]));
+    if (!sp_implicit_settle(surface, 1, at, graph->spacing)) return 0;
+    surface->value(1, at, seen);
+    for (int j = 0; j < 3; j++)
+        middle->at[j] = at[j][0], middle->normal[j] = seen[1 + j][0];
+    double length = norm(middle->normal);
+    for (int j = 0; j < 3; j++)
+        middle->normal[j] /= length;
+    return length > 0;
+}
+
+/* How far it is from one vertex to another around a rim that is sharper than cells are wide: by places between them, which lie on one
+ * sheet, each with the next. Infinite where they do not. The same to the bit both ways. */
+static double length_around(const struct sp_graph *graph, const struct sp_surface *surface, int32_t from, int32_t to) {
+    struct place left, ahead[HALVINGS + 1];
+    read_place(graph, from < to ? from : to, &left), read_place(graph, from < to ? to : from, ahead);
+    double most = FARTHEST_AROUND * distance_between(left.at, ahead->at), length = 0;
+    for (int halvings = 0, next = 0; next >= 0;) {
+        double part = sp_graph_sheet_length(surface, left.at, left.normal, ahead[next].at, ahead[next].normal);
+        if (is_finite(part)) {
+            length += part, left = ahead[next--];
+            continue;
+        }
+        if (halvings++ == HALVINGS || !halve(graph, surface, &left, ahead + next, ahead + next + 1)) return __builtin_inf();
+        next++;
+    }
+    return length <= most ? length : __builtin_inf();
+}
+
 static int join_around(const struct sp_cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
+    const struct sp_graph_options *options = cells->builder->options;
     const int32_t *center = cells->list[vertex].at;
     double normal[3], other[3];
     read_vertex(graph, vertex, normal);
@@ -109,7 +158,11 @@ static int join_around(const struct sp_cells *cells, int32_t vertex) {
                 read_vertex(graph, to, other);
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
                 double length = sp_graph_sheet_length(surface, here, normal, there, other);
-                if (cells->builder->options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
+                /* A box is thin where what is in it is, and its graphs are fine: only a flood has to look. */
+                if (!is_finite(length) && options->cell > 0 && surface->metric == SP_INDUCED &&
+                    passes(cells->list + vertex, cells->list + to))
+                    length = length_around(graph, surface, vertex, to);
+                if (options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
                     length = LOOSE * sp_graph_chord(surface, here, there, NULL);
                 /* Between the ends a metric was not looked at. */
                 double chord = surface->metric == SP_INDUCED ? distance_between(here, there) : 0;

@@ -25,7 +25,7 @@ import { CONVERGED, ILL_CONDITIONED, STALLED } from './runtime/status.js';
  * @property {(ends: number[][], options: SolveOptions) => import('./path.js').Path} leg
  * @property {(ends: number[][], options: SolveOptions, start: Float64Array) => import('./path.js').Path} near
  * @property {(level: number) => Graph | null} graph the surface's graph, refined `level` times; null: there is none so fine
- * @property {(level: number, length: number) => Graph | null} flood a graph around the first end, bounds or not; length: in space, of a path, or that ways are looked for up to; 0: any
+ * @property {(level: number, length: number, wide: number) => Graph | null} flood a graph around the first end, bounds or not; length: in space, of a path, or that ways are looked for up to; 0: any; wide: so many times as wide are cells
  * @property {(graph: Graph, points: number, isAll: boolean) => { status: number, distance: number, candidates: Float64Array[] }} search distance: of the shortest way; isAll: all locally shortest ways
  */
 

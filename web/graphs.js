@@ -52,9 +52,10 @@ export class Graphs {
    * The graph of an implicit surface around a point, whatever its bounds, with cells a part of the distance to another wide. Valid until the next one.
    * @param {Heap} heap @param {number} record @param {number[]} from @param {number[]} to @param {number} level
    * @param {number} length in space: no cell is needed that no shorter path can reach; 0: all are
+   * @param {number} wide so many times as wide are cells
    */
-  flood(heap, record, from, to, level, length) {
-    const cell = gap(from, to) / FLOOD_RESOLUTION[level];
+  flood(heap, record, from, to, level, length, wide) {
+    const cell = (wide * gap(from, to)) / FLOOD_RESOLUTION[level];
     if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
     if (this.#flood) heap.releaseGraph(this.#flood);
     this.#flood = null;

@@ -199,7 +199,7 @@ function pose(field, [from, to], find) {
       leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
       near: (places, asked, start) => solveNear(legs, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
-      flood: (level, length) => watch(graphs.flood(heap, record, first, last, level, length)),
+      flood: (level, length, wide) => watch(graphs.flood(heap, record, first, last, level, length, wide)),
       search: (graph, points, isAll) =>
         joinSearches(copies(domain, last).map((end) => watch(heap.searchGraph(record, graph, first, end, points, isAll)))),
     });

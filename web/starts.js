@@ -14,8 +14,12 @@ import { gap } from './vector.js';
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
 const CANDIDATE_POINTS = 65;
-/** Where no path is known, a flood looks first where ways lead that are so many times as long as the ends are apart. */
-const NEAR = 2;
+/** Where no path is known, a flood looks first where ways lead that are so many times as long as the ends are apart, then, 0, everywhere, in cells so many times as wide. */
+const FLOODS = [
+  [2, 1],
+  [8, 1],
+  [0, 4],
+];
 /** From this level on only what the one before does not resolve is refined. */
 const FINE = 2;
 
@@ -45,9 +49,10 @@ export function* findStarts(problem, isAll, straight) {
   }
   /* What only hangs together outside the bounds: the straight start's path proves that it does, not that none is shorter. */
   const isOutside = status === OFF_SURFACE || (status === DISCONNECTED && known > 0);
-  const near = isPlain && (!known || isAll) ? NEAR * gap(from, to) : 0;
-  for (const reach of isOutside && !isFound ? (near ? [near, 0] : [isPlain ? known : 0]) : []) {
-    for (const looked of look(problem, (level) => problem.flood(level, reach), 0, isAll)) {
+  const apart = isPlain && (!known || isAll) ? gap(from, to) : 0;
+  const floods = apart > 0 ? FLOODS.map(([times, wide]) => [times * apart, wide]) : [[isPlain ? known : 0, 1]];
+  for (const [reach, wide] of isOutside && !isFound ? floods : []) {
+    for (const looked of look(problem, (level) => problem.flood(level, reach, wide), 0, isAll)) {
       status = looked.status;
       if (isOpen(status)) {
         status = looked.graph.vertices === FLOOD_CELLS ? OFF_SURFACE : DISCONNECTED;
@@ -55,11 +60,11 @@ export function* findStarts(problem, isAll, straight) {
         continue;
       }
       /* Ways that are as short may lead farther. */
-      if (near > 0 && reach === near && LONGEST * looked.distance > reach) break;
+      if (apart > 0 && reach > 0 && LONGEST * looked.distance > reach) break;
       isFound = true;
       yield along(looked);
     }
-    if (isFound || status === OFF_SURFACE) break;
+    if (isFound) break;
   }
   if (!isFound) yield { starts, status };
 }
@@ -67,8 +72,12 @@ export function* findStarts(problem, isAll, straight) {
 /** What graphs say of the ends, from a level on. @param {Problem} problem @param {(level: number) => Graph | null} find @param {number} level @param {boolean} isAll @returns {Generator<Looked, void>} */
 function* look({ domain, search }, find, level, isAll) {
   for (let graph = find(level); graph; graph = find(++level)) {
-    /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones. */
-    if (level === 0 && !domain && !graph.resolved) continue;
+    /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones, if there is room for these. */
+    if (level === 0 && !domain && !graph.resolved) {
+      const finer = find(1);
+      if (finer && finer.vertices < FLOOD_CELLS) [graph, level] = [finer, 1];
+      else graph = find(0) ?? graph;
+    }
     const { status } = graph;
     yield { graph, ...(status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] }) };
     if (level >= FINE && graph.resolved) return;

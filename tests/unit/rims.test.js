@@ -50,3 +50,35 @@ test('around the rim of an ellipsoid of half axes 3, 3 and 0.06, no jump', () =>
     assert.ok(Math.abs(length - known.length) <= Math.max(lengthError, 1e-9), `${length} ± ${lengthError}, not ${known.length}`);
   }
 });
+
+/* Cells of what looks for ways are wider than the rim is sharp; and ends on both of its sides are near each other in space alone. */
+for (const [flat, ends] of /** @type {[number, number[][]][]} */ ([
+  [
+    10,
+    [
+      [0.0582, -0.8569, -0.3854, 0.5589],
+      [-0.279, 0.323, -0.333, 0.28],
+      [0.5, 0.1, 0.5, 0.12],
+    ],
+  ],
+  [
+    30,
+    [
+      [-0.279, 0.323, -0.333, 0.28],
+      [0.351, 0.62, 0.32, 0.615],
+    ],
+  ],
+]))
+  test(`an ellipsoid ${flat} times as wide as it is thick, without bounds: the shortest way around its rim`, () => {
+    const surface = surfpath.implicit({ f: `x^2 + y^2 + (${flat}*z)^2 - 1` });
+    const same = surfpath.revolution({ r: 'cos(t)', z: `sin(t)/${flat}`, t: ['-pi/2', 'pi/2'] });
+    for (const [x, y, p, q] of ends) {
+      const [above, below] = [
+        [Math.atan2(y, x), Math.acos(Math.hypot(x, y))],
+        [Math.atan2(q, p), -Math.acos(Math.hypot(p, q))],
+      ];
+      const { status, length } = surface.shortestPath([x, y, Math.sin(above[1]) / flat], [p, q, Math.sin(below[1]) / flat]);
+      assert.equal(status, 'converged', `${x}, ${y} to ${p}, ${q}`);
+      close(length, same.shortestPath(above, below).length, 1e-8);
+    }
+  });
