@@ -26,8 +26,9 @@ NPM := node_modules/.package-lock.json
 # One set of flags for every compiler. No contraction into fused operations: the same bits everywhere.
 CFLAGS := -std=c17 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -ffp-contract=off -fno-math-errno -Iwasm -MMD -MP
 # -O2, without what makes code longer but not faster here: unrolled and vectorised loops, inlining, expressions computed ahead on every way.
+# Conversions that do not trap are one instruction instead of a test of the range; what has SIMD has them.
 EMCC := emcc $(CFLAGS) -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -mllvm -enable-pre=0 -mllvm -enable-gvn-hoist -msimd128 \
-    -mbulk-memory -DNDEBUG
+    -mbulk-memory -mnontrapping-fptoint -DNDEBUG
 NATIVE := gcc $(CFLAGS) -O3 -DNDEBUG
 SANITIZED := gcc $(CFLAGS) -O2 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 # NULL + 0, which C17 leaves undefined and every compiler defines, is no finding.
@@ -137,15 +138,18 @@ HOT := blocks chart check dop853 elements elements_condense energy functions_con
     graph_front graph_search implicit metric_check metric_elements parametric parametric_metric reference sample stride
 $(HOT:%=build/wasm/%.o): LEVEL := -mllvm -inline-threshold=5
 # As fast as with -Os, and shorter.
-SMALLEST := graph_cells graph_implicit memory mesh mesh_rim system trace
+SMALLEST := flow graph_cells graph_field memory mesh newton project refine refine_chords system trace
 $(SMALLEST:%=build/wasm/%.o): LEVEL := -Oz
+# With -Os and -Oz emcc leaves all inlining to wasm-opt. Here it is shorter where the compiler inlines what a call would not be shorter than.
+INLINED := arcs bridge contact contact_fit crossing flow graph_way hole memory mesh newton project refine refine_spread start system trace
+$(INLINED:%=build/wasm/%.o): LEVEL += -finline-functions -mllvm -inline-threshold=-30
 
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) $(LEVEL) -c $< -o $@
 
 EXPORTS = -sEXPORTED_FUNCTIONS=$$(sed 's/^/_/' wasm/surfpath.exports | paste -sd, -)
-BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals
+BINARYEN := --enable-simd --enable-bulk-memory --enable-sign-ext --enable-mutable-globals --enable-nontrapping-float-to-int
 
 # What the linker made, once more by wasm-opt, and its constants shortened. $(1): -g keeps names.
 define shrink
@@ -178,9 +182,9 @@ dist/wasm.d.ts: Makefile
 
 BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 # Once more, in 4 % fewer bytes: the module's text stays in front, where it compresses best (wasm/pack.js), and lines are short enough to stand above an
-# error; no function is a constructor.
+# error: they end where statements do, else a semicolon and a line's end would both stand there; no function is a constructor.
 SHORTER = --module --ecma 2022 --compress passes=3,inline=1,unsafe_arrows --mangle
-SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500 --output $@
+SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'

@@ -31,7 +31,7 @@ static struct sp_carry second_lane(struct sp_carry carry) {
  * positive definite. */
 static void count_negative(struct sp_fold fold, const struct sp_row *rows, struct sp_inertia *inertia) {
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
-        for (int lane = k > fold.both; lane < 2; lane++) {
+        for (int lane = k > sp_fold_both(fold); lane < 2; lane++) {
             int negative = negative_eigenvalues(rows + k, lane);
             if (negative < 0)
                 inertia->usable = 0;
@@ -45,17 +45,17 @@ struct sp_inertia sp_blocks_join(struct sp_fold fold, struct sp_row *rows, doubl
     struct sp_carry carry = sweep->carry;
     /* The middle node takes both carries, their sum first: its lanes are one node, and must agree to the bit, or a pivot that is nearly
      * singular drives them apart. Without one lane 1 takes that of lane 0, too, which is the row before it. */
-    struct sp_carry p = sp_reduce(sp_row_left(row, shift), fold.odd ? add(carry, swap(carry)) : carry);
+    struct sp_carry p = sp_reduce(sp_row_left(row, shift), sp_fold_odd(fold) ? add(carry, swap(carry)) : carry);
     sp_pair trace;
     sp_mask definite;
-    for (int again = !fold.odd;; again = 0) {
+    for (int again = !sp_fold_odd(fold);; again = 0) {
         definite = sweep->definite & sp_pivot(row, p, &trace);
         if (!again) break;
         p = sp_reduce(p, second_lane(swap(sp_carry_of(row))));
     }
     double met = 2.0 / (fold.inner + 1);
-    sp_pair softness = sp_larger(sweep->softness, (sp_pair){fold.odd ? met : 1, met} * trace);
-    sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){fold.odd ? 0 : last[0], last[1]};
+    sp_pair softness = sp_larger(sweep->softness, (sp_pair){sp_fold_odd(fold) ? met : 1, met} * trace);
+    sp_pair last = p.s1 * row->y1 + p.s2 * row->y2, descent = sweep->descent + (sp_pair){sp_fold_odd(fold) ? 0 : last[0], last[1]};
     struct sp_inertia inertia = {0, 1, descent[0] + descent[1], sp_larger(softness, sp_swap(softness))[0]};
     if (!(definite[0] && definite[1])) count_negative(fold, rows, &inertia), inertia.softness = __builtin_inf();
     return inertia;
@@ -82,8 +82,8 @@ static void carry_outwards(const struct sp_row *rows, int32_t from, int add_righ
 
 /* n even: lane 0 of the last pair follows from lane 1, which is known. */
 static void unfold_last(struct sp_fold fold, const struct sp_row *rows, int add_right, sp_pair *x) {
-    const struct sp_row *last = rows + fold.both;
-    sp_pair *at = x + 2 * fold.both;
+    const struct sp_row *last = rows + sp_fold_both(fold);
+    sp_pair *at = x + 2 * sp_fold_both(fold);
     double u = at[0][1], v = at[1][1];
     at[0][0] = last->w11[0] * u + last->w12[0] * v + (add_right ? last->y1[0] : 0.0);
     at[1][0] = last->w21[0] * u + last->w22[0] * v + (add_right ? last->y2[0] : 0.0);
@@ -91,7 +91,7 @@ static void unfold_last(struct sp_fold fold, const struct sp_row *rows, int add_
 
 /* From the solution at the meeting row outwards to both ends. */
 static void finish(struct sp_fold fold, const struct sp_row *rows, int add_right, sp_pair *x) {
-    if (!fold.odd) unfold_last(fold, rows, add_right, x);
+    if (!sp_fold_odd(fold)) unfold_last(fold, rows, add_right, x);
     carry_outwards(rows, sp_fold_unknown(fold) - 1, add_right, x);
     x[0] = x[1] = sp_splat(0.0);
     sp_fold_mirror(fold, x, 2);
@@ -117,7 +117,7 @@ static void lowest_direction(const struct sp_row *row, int lane, double *u, doub
 }
 
 /* Whether the pivot in this lane of pair k is the one where the halves meet. */
-static int is_meeting(struct sp_fold fold, int32_t k, int lane) { return k == sp_fold_unknown(fold) && (fold.odd || lane == 1); }
+static int is_meeting(struct sp_fold fold, int32_t k, int lane) { return k == sp_fold_unknown(fold) && (sp_fold_odd(fold) || lane == 1); }
 
 int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x) {
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
@@ -128,7 +128,7 @@ int sp_blocks_descent(struct sp_fold fold, const struct sp_row *rows, sp_pair *x
                 x[i] = sp_splat(0.0);
             lowest_direction(rows + k, lane, &u, &v);
             x[2 * k][lane] = u, x[2 * k + 1][lane] = v;
-            if (fold.odd && is_meeting(fold, k, lane)) x[2 * k] = sp_splat(u), x[2 * k + 1] = sp_splat(v);
+            if (sp_fold_odd(fold) && is_meeting(fold, k, lane)) x[2 * k] = sp_splat(u), x[2 * k + 1] = sp_splat(v);
             if (is_meeting(fold, k, lane))
                 finish(fold, rows, 0, x);
             else

@@ -73,7 +73,7 @@ static inline __attribute__((always_inline)) void measure(const struct chord_pai
 enum sp_status sp_check_chords(const struct sp_system *system, double scale, struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &system->line;
     enum sp_status worst = SP_CONVERGED;
-    int32_t chords = line->fold.both + 1, implicit = line->surface->kind == SP_IMPLICIT;
+    int32_t chords = sp_fold_both(line->fold) + 1, implicit = line->surface->kind == SP_IMPLICIT;
     sp_pair seen[SP_IMPLICIT_VALUES * BLOCK], lengths = sp_splat(0.0), errors = lengths, weight_from, weight_to = lengths;
     struct chord_pair pair = {.to = sp_chart_normal(line->nodes.charts)};
     if (sums) weight_to = weight_of(pair.to);
@@ -93,7 +93,8 @@ enum sp_status sp_check_chords(const struct sp_system *system, double scale, str
         if (!sums) continue;
         weight_from = weight_to, weight_to = weight_of(pair.to);
         /* For n even the last chord is its own mirror image. */
-        measure(&pair, weight_from, weight_to, (sp_mask){-1, k < line->fold.both || line->fold.odd ? -1 : 0}, &lengths, &errors);
+        measure(&pair, weight_from, weight_to, (sp_mask){-1, k < sp_fold_both(line->fold) || sp_fold_odd(line->fold) ? -1 : 0}, &lengths,
+                &errors);
     }
     if (sums) *sums = (struct sp_chord_sums){lengths[0] + lengths[1], (errors[0] + errors[1]) / 12};
     enum sp_status metric = sp_metric_check(line, scale);

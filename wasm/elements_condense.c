@@ -97,7 +97,7 @@ static void add_schur(const struct sp_elements *elements, const sp_pair *matrix,
     before->r1 += right[outer], before->r2 += right[outer + 1];
 }
 
-static struct sp_fold skeleton_fold(const struct sp_elements *elements) { return sp_fold_of(elements->count - 1); }
+static struct sp_fold skeleton_fold(const struct sp_elements *elements) { return (struct sp_fold){elements->count - 1}; }
 
 static sp_pair *matrix_of(const struct sp_elements *elements, int32_t e) {
     int32_t order = sp_elements_order(elements->reference.degree);

@@ -26,7 +26,7 @@ static sp_pair squared_distance(const sp_pair *a, const sp_pair *b) {
 void sp_ends_turn(struct sp_system *system) {
     static const sp_pair nowhere[3];
     const struct sp_polyline *line = &system->line;
-    const sp_pair *end = line->nodes.charts, *middle = end + SP_CHART * line->fold.both;
+    const sp_pair *end = line->nodes.charts, *middle = end + SP_CHART * sp_fold_both(line->fold);
     /* Frames of an implicit surface, and those of u and v themselves, have length 1. */
     for (int j = 0; j < 2; j++) {
         int32_t first = SP_CHART_1 + 3 * j, second = SP_CHART_11 + 6 * j;

@@ -14,7 +14,7 @@ double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts, double *g
     const sp_pair *chart = charts + SP_CHART;
     struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(charts));
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++, chart += SP_CHART) {
-        int mirrored = k > fold.both;
+        int mirrored = k > sp_fold_both(fold);
         struct sp_vector next = mirrored ? sp_swap_vector(chord) : sp_subtract(sp_load(chart), sp_load(chart + SP_CHART));
         sum += sp_dot(chord, chord);
         if (gradient_squared) {
@@ -24,7 +24,7 @@ double sp_polyline_squares(struct sp_fold fold, const sp_pair *charts, double *g
         chord = sp_subtract((struct sp_vector){zero, zero, zero}, next);
     }
     if (gradient_squared) *gradient_squared = slopes[0] + slopes[1] + middle[0];
-    return sum[0] + sum[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
+    return sum[0] + sum[1] + (sp_fold_odd(fold) ? 0 : sp_dot(chord, chord)[0]);
 }
 
 double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
@@ -34,8 +34,8 @@ double sp_polyline_length(struct sp_fold fold, const sp_pair *charts) {
         sum += sp_square_root(sp_dot(chord, chord));
     }
     double length = sum[0] + sum[1];
-    if (fold.odd) return length;
-    struct sp_vector here = sp_load(charts + SP_CHART * fold.both), middle = sp_subtract(here, sp_swap_vector(here));
+    if (sp_fold_odd(fold)) return length;
+    struct sp_vector here = sp_load(charts + SP_CHART * sp_fold_both(fold)), middle = sp_subtract(here, sp_swap_vector(here));
     return length + sp_square_root(sp_dot(middle, middle))[0];
 }
 
@@ -70,7 +70,7 @@ static inline __attribute__((always_inline)) void assemble_coupling(const sp_pai
 static struct sp_vector pull_at(struct sp_fold fold, const sp_pair *charts, int32_t k) {
     const sp_pair *chart = charts + SP_CHART * k;
     struct sp_vector here = sp_load(chart), before = sp_subtract(here, sp_load(chart - SP_CHART));
-    if (k > fold.both) return sp_add(before, sp_swap_vector(before));
+    if (k > sp_fold_both(fold)) return sp_add(before, sp_swap_vector(before));
     return sp_subtract(before, sp_subtract(sp_load(chart + SP_CHART), here));
 }
 
@@ -112,10 +112,10 @@ static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_m
     sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), sp_splat(2.0), straight[k], rows + k);
     sp_row_hold(rows + k, held);
     sp_mask mirrored[2] = {sp_swap_mask(held[0]), sp_swap_mask(held[1])};
-    int meets_itself = !line->fold.odd && k == line->fold.both; /* the last Q leads to the same pair, lanes exchanged */
+    int meets_itself = !sp_fold_odd(line->fold) && k == sp_fold_both(line->fold); /* the last Q leads to the same pair, lanes exchanged */
     hold_coupling(rows + k, held, meets_itself ? mirrored : none);
     hold_coupling(rows + k - 1, none, held);
-    int32_t lanes = k > line->fold.both ? 1 : 2, count = 0;
+    int32_t lanes = k > sp_fold_both(line->fold) ? 1 : 2, count = 0;
     for (int lane = 0; lane < lanes; lane++)
         count += (held[0][lane] != 0) + (held[1][lane] != 0);
     return count;
@@ -130,7 +130,7 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     const sp_pair *chart = line->nodes.charts + SP_CHART;
     struct sp_vector chord = sp_subtract(sp_load(chart), sp_load(chart - SP_CHART));
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++, chart += SP_CHART) {
-        int mirrored = k > fold.both;
+        int mirrored = k > sp_fold_both(fold);
         struct sp_vector next = mirrored ? minus(sp_swap_vector(chord)) : sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
         straight[k] = coordinate;
         assemble_node(chart, sp_subtract(next, chord), sp_splat(2.0), none, rows + k);
@@ -146,8 +146,8 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
     }
     struct sp_sweep end = sweep; /* a copy, as what a pointer leads to lies in memory, for all of the loop */
     energy.inertia = sp_blocks_join(fold, rows, 0, &end);
-    energy.squares = squares[0] + squares[1] + (fold.odd ? 0 : sp_dot(chord, chord)[0]);
-    if (!fold.odd) slopes += slope;
-    energy.gradient_squared = slopes[0] + slopes[1] + (fold.odd ? slope[0] : 0); /* the middle node counts once */
+    energy.squares = squares[0] + squares[1] + (sp_fold_odd(fold) ? 0 : sp_dot(chord, chord)[0]);
+    if (!sp_fold_odd(fold)) slopes += slope;
+    energy.gradient_squared = slopes[0] + slopes[1] + (sp_fold_odd(fold) ? slope[0] : 0); /* the middle node counts once */
     return energy;
 }

@@ -61,7 +61,7 @@ static int start_piece(struct sp_newton *newton, const struct near *near, int i,
     int32_t degree = fine ? FINE_DEGREE : DEGREE, count = fine ? FINE_COUNT : COUNT;
     if (!sp_reference_make(&system->elements.reference, degree, arena)) return 0;
     system->elements.count = count, system->elements.spread = spread, system->elements.fixed = 1;
-    system->line.fold = sp_fold_of(degree * count - 1);
+    system->line.fold = (struct sp_fold){degree * count - 1};
     for (int32_t k = 0; k <= degree * count; k++) {
         double t = sp_sample_parameter(&system->elements, k), x = from[0] + t * along[0], y = from[1] + t * along[1],
                turned = near->rate * sp_atan2(sp_splat(y), sp_splat(x))[0];

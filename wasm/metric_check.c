@@ -37,7 +37,7 @@ static sp_pair smallest_between(const struct sp_polyline *line, int32_t k, doubl
 /* Whether the determinant comes down to nothing around a half step where it is smallest: no node need be near enough to see it. */
 static int vanishes(const struct sp_polyline *line, int32_t step, sp_pair before, sp_pair here, sp_pair after, double scale) {
     sp_mask lowest = (here <= before) & (here <= after) & ((here < 0.5 * before) | (here < 0.5 * after));
-    for (int32_t k = (step - 1) / 2; k <= step / 2 && k <= line->fold.both && sp_any(lowest); k++) {
+    for (int32_t k = (step - 1) / 2; k <= step / 2 && k <= sp_fold_both(line->fold) && sp_any(lowest); k++) {
         sp_pair least = smallest_between(line, k, scale);
         if (sp_any(lowest & (least <= VANISHING * before) & (least <= VANISHING * after))) return 1;
     }
@@ -47,7 +47,7 @@ static int vanishes(const struct sp_polyline *line, int32_t step, sp_pair before
 /* Half steps along the pairs: node k at 2k, the middle between k and k + 1 at 2k + 1. The two halves meet in the middle node, or between
  * the last two: there the step after is the one before, lanes exchanged. */
 enum sp_status sp_metric_check(const struct sp_polyline *line, double scale) {
-    int32_t last = 2 * line->fold.both + 1 + line->fold.odd;
+    int32_t last = 2 * sp_fold_both(line->fold) + 1 + sp_fold_odd(line->fold);
     sp_pair zero = sp_splat(0.0), here = zero, after = zero;
     for (int32_t step = -1; step <= last && line->kind->components; step++) {
         int32_t next = step + 1, k = next < last ? next / 2 : (last - 1) / 2;
@@ -84,13 +84,13 @@ static double chord_length(const struct sp_polyline *line, int32_t from, int32_t
 static double middle_length(const struct sp_polyline *line) {
     int32_t components = line->kind->components, dimension = line->kind->dimension;
     sp_pair sum = sp_splat(0.0), place[3], at[SP_CHART], metric[SP_METRIC_LARGEST], chord[3];
-    for (int32_t k = 0; k <= line->fold.both; k++) {
+    for (int32_t k = 0; k <= sp_fold_both(line->fold); k++) {
         const sp_pair *chart = line->nodes.charts + SP_CHART * k, *from = line->nodes.places + dimension * k;
         for (int32_t j = 0; j < 3; j++)
             chord[j] = chart[SP_CHART + j] - chart[j], place[j] = j < dimension ? 0.5 * (from[j] + from[dimension + j]) : sum;
         line->kind->charts(line->surface, 1, place, at, metric);
         /* For n even the last chord is its own mirror image. */
-        sp_mask counted = {-1, k < line->fold.both || line->fold.odd ? -1 : 0};
+        sp_mask counted = {-1, k < sp_fold_both(line->fold) || sp_fold_odd(line->fold) ? -1 : 0};
         sum += sp_select(counted, sp_square_root(sp_metric_product(components, metric, chord, chord)), sp_splat(0.0));
     }
     return sum[0] + sum[1];

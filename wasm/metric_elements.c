@@ -21,13 +21,13 @@ static int32_t pairs_of(const struct sp_reference *reference, const struct sp_po
 }
 
 /* V_q = sum_j D_qj (X_j - X_q) */
-void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, int32_t e,
                     struct sp_metric_element *element) {
     const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, first = e * p;
     element->reference = reference, element->factor = sp_elements_stretch(elements, e), element->components = line->kind->components;
-    element->charts = nodes.charts + SP_CHART * first;
-    element->metrics = nodes.metrics + SP_METRIC_PARTS * element->components * first;
+    element->charts = nodes->charts + SP_CHART * first;
+    element->metrics = nodes->metrics + SP_METRIC_PARTS * element->components * first;
     for (int32_t q = 0; q <= p; q++)
         for (int k = 0; k < 3; k++) {
             sp_pair here = element->charts[SP_CHART * q + k], sum = sp_splat(0.0);
@@ -46,7 +46,7 @@ static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_
     return sp_metric_product(element->components, metric_at(element, i, part), a, element->velocity + 3 * i);
 }
 
-double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, double *length) {
+double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, double *length) {
     const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, count = count_of(reference, line);
     sp_pair squares = sp_splat(0.0), along = squares;
@@ -133,9 +133,9 @@ static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const sp
 static void assemble_couplings(const struct sp_elements *elements, const struct sp_polyline *line, const sp_mask *held,
                                struct sp_row *rows) {
     struct sp_metric_element element;
-    for (int32_t k = 1; k <= line->fold.both; k++) {
+    for (int32_t k = 1; k <= sp_fold_both(line->fold); k++) {
         sp_pair block[4];
-        sp_metric_open(elements, line, line->nodes, k, &element);
+        sp_metric_open(elements, line, &line->nodes, k, &element);
         sp_metric_couple(&element, 0, 1, held + 2 * k, block);
         rows[k].q11 = -block[0], rows[k].q12 = -block[1], rows[k].q21 = -block[2], rows[k].q22 = -block[3];
     }
@@ -144,19 +144,19 @@ static void assemble_couplings(const struct sp_elements *elements, const struct 
 /* Nothing is held at the ends; where the path is folded the masks are mirrored like everything else. */
 static void complete_held(struct sp_fold fold, sp_mask *held) {
     held[0] = held[1] = (sp_mask){0, 0};
-    for (int j = 0; j < 2 && !fold.odd; j++)
-        held[2 * (fold.both + 1) + j] = sp_swap_mask(held[2 * fold.both + j]);
+    for (int j = 0; j < 2 && !sp_fold_odd(fold); j++)
+        held[2 * (sp_fold_both(fold) + 1) + j] = sp_swap_mask(held[2 * sp_fold_both(fold) + j]);
 }
 
 struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held) {
     const struct sp_reference *reference = &elements->reference;
     int32_t p = reference->degree, pairs = pairs_of(reference, line), unknown = sp_fold_unknown(line->fold);
-    struct sp_energy energy = {.squares = sp_metric_squares(elements, line, line->nodes, NULL)};
+    struct sp_energy energy = {.squares = sp_metric_squares(elements, line, &line->nodes, NULL)};
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
     for (int32_t e = 0; e < pairs; e++) {
-        sp_metric_open(elements, line, line->nodes, e, &element);
+        sp_metric_open(elements, line, &line->nodes, e, &element);
         for (int32_t i = 0; i <= p; i++) {
             int32_t k = e * p + i, shared = i == p && e < pairs - 1;
             for (int j = 0; j < TERMS && i > 0; j++)
@@ -201,7 +201,7 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
 void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]) {
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
-    sp_metric_open(elements, line, line->nodes, 0, &element);
+    sp_metric_open(elements, line, &line->nodes, 0, &element);
     add_terms(&element, 0, terms);
     pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
 }

@@ -8,7 +8,7 @@
 
 /* sum_e sum_q weight_q V_q' T V_q, the path's energy over m; NaN where T is not positive definite at a node between the ends. And, where
  * `length` is not NULL, the path's length. */
-double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, double *length);
+double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, double *length);
 
 /* As sp_elements_assemble, for all degrees; the couplings, too, of degree 1. The curvature term is covariant in the metric in use. */
 struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
@@ -24,7 +24,7 @@ struct sp_metric_element {
 };
 
 /* Reads element pair e. */
-void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, struct sp_nodes nodes, int32_t e,
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, int32_t e,
                     struct sp_metric_element *element);
 
 /* Writes the 2 x 2 block of H between nodes i != j of an element, row by row; zero in coordinates that are held (`held`: two masks a pair,

@@ -13,7 +13,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
                    struct sp_arena *arena) {
     struct sp_system *system = &newton->system;
     struct sp_polyline *line = &system->line;
-    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = sp_fold_of(inner),
+    line->surface = surface, line->kind = sp_kind_of(surface), line->fold = (struct sp_fold){inner},
     line->touches = surface->kind == SP_PARAMETRIC;
     size_t pairs = (size_t)sp_fold_pairs(line->fold), dimension = (size_t)line->kind->dimension;
     size_t metric = SP_METRIC_PARTS * (size_t)line->kind->components;
@@ -42,7 +42,7 @@ int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, c
 
 double sp_newton_bytes(const struct sp_surface *surface, const struct sp_options *options, int32_t inner) {
     const struct sp_kind *kind = sp_kind_of(surface);
-    double pairs = sp_fold_pairs(sp_fold_of(inner)), entries = options->max_iterations + 1.0;
+    double pairs = sp_fold_pairs((struct sp_fold){inner}), entries = options->max_iterations + 1.0;
     double node = kind->dimension + SP_CHART + SP_METRIC_PARTS * (double)kind->components;
     double rows = pairs * (sizeof(struct sp_row) + sizeof(sp_pair) * (2 * node + 2) + 3 * sizeof(sp_mask));
     double record = options->record && surface->value ? entries * 3 * (options->point_count + 2.0) * sizeof(double) : 0;

@@ -24,10 +24,10 @@ static int move(struct sp_newton *newton, double scale) {
 double sp_newton_try(struct sp_newton *newton, double scale) {
     struct sp_polyline *line = &newton->system.line;
     if (!move(newton, scale)) return not_a_number();
-    sp_polyline_charts(line, newton->trial);
-    if (!sp_system_keeps_normals(&newton->system, newton->trial)) return not_a_number();
+    sp_polyline_charts(line, &newton->trial);
+    if (!sp_system_keeps_normals(&newton->system, &newton->trial)) return not_a_number();
     return newton->trial_squares =
-               sp_system_squares(&newton->system, newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
+               sp_system_squares(&newton->system, &newton->trial, newton->certain && !newton->draft ? &newton->trial_gradient : NULL);
 }
 
 double sp_newton_try_blindly(struct sp_newton *newton, const struct sp_round *round) {

@@ -37,13 +37,13 @@ int sp_normal_vanishes(const struct sp_turn *turn) { return root(turn->least) <=
 
 int32_t sp_normal_turns(const struct sp_polyline *line, int32_t first) {
     const sp_pair *charts = line->nodes.charts;
-    int32_t turns = 0, last = line->fold.both;
+    int32_t turns = 0, last = sp_fold_both(line->fold);
     struct sp_vector to = sp_chart_normal(charts + SP_CHART * first);
     for (int32_t k = first; k <= last; k++) {
         struct sp_vector from = to;
         to = sp_chart_normal(charts + SP_CHART * (k + 1));
         sp_pair product = sp_dot(from, to);
-        turns += (product[0] < 0) + ((k < last || line->fold.odd) && product[1] < 0);
+        turns += (product[0] < 0) + ((k < last || sp_fold_odd(line->fold)) && product[1] < 0);
     }
     return turns;
 }

@@ -24,7 +24,7 @@ static void fill(const struct sp_piece *piece, struct sp_system *start) {
             line->nodes.places[2 * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = moved;
         }
     }
-    sp_pair *middle = line->nodes.places + 2 * (line->fold.both + 1);
+    sp_pair *middle = line->nodes.places + 2 * (sp_fold_both(line->fold) + 1);
     middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
@@ -41,18 +41,18 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
         for (int32_t j = 0; j < 2; j++)
             line->nodes.places[2 * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] += (1 - t) * by[0][j] + t * by[1][j];
     }
-    sp_pair *middle = line->nodes.places + 2 * (line->fold.both + 1);
+    sp_pair *middle = line->nodes.places + 2 * (sp_fold_both(line->fold) + 1);
     middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
 /* Chords between the joints, to be solved, and their charts. Returns 0 if the arena is full. */
 static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, struct sp_arena *arena) {
     if (!sp_reference_make(&newton->system.elements.reference, 1, arena)) return 0;
-    newton->system.line.fold = sp_fold_of(SP_REFINE_FIRST), newton->system.elements.spread = NULL;
+    newton->system.line.fold = (struct sp_fold){SP_REFINE_FIRST}, newton->system.elements.spread = NULL;
     struct sp_polyline *line = &newton->system.line;
     fill(piece, &newton->system);
     line->touches = sp_parametric_clip(line->surface, sp_fold_unknown(line->fold), line->nodes.places + 2);
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     return 1;
 }
 
@@ -65,7 +65,7 @@ static int start_graded(struct sp_newton *newton, const struct sp_options *optio
     sp_piece_keep(newton, piece);
     *start = newton->system;
     start->elements.count = START_COUNT;
-    start->line.fold = sp_fold_of(START_DEGREE * START_COUNT - 1);
+    start->line.fold = (struct sp_fold){START_DEGREE * START_COUNT - 1};
     start->line.nodes.places = sp_arena_take(arena, 2 * (size_t)sp_fold_pairs(start->line.fold), sizeof(sp_pair));
     if (!start->line.nodes.places || !sp_reference_make(&start->elements.reference, START_DEGREE, arena)) return 0;
     sp_sample_places(&piece->system, &start->elements, start->line.nodes.places);

@@ -10,25 +10,24 @@
 /* How n unknown nodes lie in pairs: pair 0 holds the two ends; pairs 1 … both hold unknowns in both lanes; pair both + 1 is the middle node
  * twice if n is odd, else pair `both` with its lanes exchanged. */
 struct sp_fold {
-    int32_t inner; /* n */
-    int32_t both;
-    int32_t odd; /* 1: n is odd */
+    int32_t inner; /* n; alone, so that a fold is passed as a number, not copied through memory */
 };
 
-static inline struct sp_fold sp_fold_of(int32_t inner) { return (struct sp_fold){inner, inner >> 1, inner & 1}; }
+static inline int32_t sp_fold_both(struct sp_fold fold) { return fold.inner >> 1; }
+static inline int sp_fold_odd(struct sp_fold fold) { return fold.inner & 1; }
 
 /* Pairs that are stored: 0 … both + 1. */
-static inline int32_t sp_fold_pairs(struct sp_fold fold) { return fold.both + 2; }
+static inline int32_t sp_fold_pairs(struct sp_fold fold) { return sp_fold_both(fold) + 2; }
 
 /* Pairs with unknowns: 1 … this. */
-static inline int32_t sp_fold_unknown(struct sp_fold fold) { return fold.both + fold.odd; }
+static inline int32_t sp_fold_unknown(struct sp_fold fold) { return (fold.inner + 1) >> 1; }
 
 /* Where node i of 0 … n + 1 is stored: its pair and lane. */
 static inline int32_t sp_fold_pair(struct sp_fold fold, int32_t i) { return i <= fold.inner + 1 - i ? i : fold.inner + 1 - i; }
 static inline int sp_fold_lane(struct sp_fold fold, int32_t i) { return i > fold.inner + 1 - i; }
 
 /* The sum over both lanes of what pair k of the unknowns contributes: the middle node counts once. */
-static inline double sp_fold_sum(struct sp_fold fold, int32_t k, sp_pair x) { return k <= fold.both ? x[0] + x[1] : x[0]; }
+static inline double sp_fold_sum(struct sp_fold fold, int32_t k, sp_pair x) { return k <= sp_fold_both(fold) ? x[0] + x[1] : x[0]; }
 
 /* Reads number j of node i from an array of `stride` pairs a pair. */
 static inline double sp_fold_get(struct sp_fold fold, const sp_pair *data, int32_t stride, int32_t i, int32_t j) {
@@ -57,17 +56,17 @@ static inline double sp_polyline_coordinate(const struct sp_polyline *line, int3
 
 /* Makes pair both + 1 of an array of `stride` pairs follow pair `both`, where n is even. */
 static inline void sp_fold_mirror(struct sp_fold fold, sp_pair *data, int32_t stride) {
-    if (fold.odd) return;
-    const sp_pair *last = data + (size_t)stride * (size_t)fold.both;
+    if (sp_fold_odd(fold)) return;
+    const sp_pair *last = data + (size_t)stride * (size_t)sp_fold_both(fold);
     for (int32_t j = 0; j < stride; j++)
-        data[(size_t)stride * (size_t)(fold.both + 1) + (size_t)j] = sp_swap(last[j]);
+        data[(size_t)stride * (size_t)(sp_fold_both(fold) + 1) + (size_t)j] = sp_swap(last[j]);
 }
 
 /* Writes the charts and metrics of all nodes from their places. */
-static inline void sp_polyline_charts(const struct sp_polyline *line, struct sp_nodes nodes) {
-    line->kind->charts(line->surface, sp_fold_unknown(line->fold) + 1, nodes.places, nodes.charts, nodes.metrics);
-    sp_fold_mirror(line->fold, nodes.charts, SP_CHART);
-    sp_fold_mirror(line->fold, nodes.metrics, SP_METRIC_PARTS * line->kind->components);
+static inline void sp_polyline_charts(const struct sp_polyline *line, const struct sp_nodes *nodes) {
+    line->kind->charts(line->surface, sp_fold_unknown(line->fold) + 1, nodes->places, nodes->charts, nodes->metrics);
+    sp_fold_mirror(line->fold, nodes->charts, SP_CHART);
+    sp_fold_mirror(line->fold, nodes->metrics, SP_METRIC_PARTS * line->kind->components);
 }
 
 #endif

@@ -43,7 +43,7 @@ static enum sp_status see_metric(struct sp_newton *newton, const struct sp_stora
     struct sp_polyline *line = &newton->system.line;
     enum sp_status status = SP_CONVERGED;
     while (status == SP_CONVERGED && line->kind->components && line->fold.inner < SEEING_CHORDS &&
-           sp_metric_length_error(line, newton->size, 0) > UNSEEN * sp_system_length(&newton->system, line->nodes))
+           sp_metric_length_error(line, newton->size, 0) > UNSEEN * sp_system_length(&newton->system, &line->nodes))
         status = double_chords(newton, storage);
     return status;
 }
@@ -59,7 +59,7 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
         now.outcome = sp_newton_run(newton, options);
         if (now.outcome.status < 0) break;
         sp_ends_turn(&newton->system);
-        now.length = sp_system_length(&newton->system, line->nodes);
+        now.length = sp_system_length(&newton->system, &line->nodes);
         enum sp_status checked;
         double before = *error;
         *error = check_chords(newton, &now, &checked);

@@ -35,7 +35,7 @@ static double displacement(const struct sp_system *system, const sp_pair *start)
 
 enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *from, int32_t count) {
     struct sp_polyline *line = &newton->system.line;
-    line->fold = sp_fold_of(newton->system.elements.reference.degree * count - 1);
+    line->fold = (struct sp_fold){newton->system.elements.reference.degree * count - 1};
     newton->system.elements.count = count;
     sp_sample_places(from, &newton->system.elements, line->nodes.places);
     int32_t unknown = sp_fold_unknown(line->fold);
@@ -43,7 +43,7 @@ enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *f
         line->touches = sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
     else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, newton->scale))
         return SP_SHEET_JUMP;
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     return SP_CONVERGED;
 }
 
@@ -74,7 +74,7 @@ void sp_rung_run(struct sp_newton *newton, const struct sp_options *options, str
     newton->least_gain = 0;
     if (climbed->outcome.status < 0) return;
     sp_ends_turn(&newton->system);
-    climbed->length = sp_system_length(&newton->system, newton->system.line.nodes);
+    climbed->length = sp_system_length(&newton->system, &newton->system.line.nodes);
     climbed->moved = displacement(&newton->system, climbed->start);
 }
 

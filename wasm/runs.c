@@ -100,7 +100,7 @@ static int32_t insert(struct sp_run runs[SP_MAX_ARCS], int32_t count, struct sp_
 
 /* How far from an edge, inwards, the nodes of pair k are; the one after the middle is that before it in the other lane. */
 static sp_pair depths(const struct sp_polyline *line, int32_t edge, int32_t k) {
-    int32_t across = edge / 2, both = line->fold.both;
+    int32_t across = edge / 2, both = sp_fold_both(line->fold);
     sp_pair x = k > both + 1 ? sp_swap(line->nodes.places[2 * both + across]) : line->nodes.places[2 * k + across];
     return edge % 2 ? sp_splat(line->surface->upper[across]) - x : x - sp_splat(line->surface->lower[across]);
 }
@@ -109,7 +109,7 @@ static sp_pair depths(const struct sp_polyline *line, int32_t edge, int32_t k) {
 int32_t sp_runs_between(const struct sp_system *system, double least, struct sp_run runs[SP_MAX_ARCS]) {
     const struct sp_polyline *line = &system->line;
     const struct sp_surface *surface = line->surface;
-    int32_t count = 0, both = system->elements.reference.degree > 1 ? line->fold.both : -1;
+    int32_t count = 0, both = system->elements.reference.degree > 1 ? sp_fold_both(line->fold) : -1;
     for (int32_t edge = 0; edge < 4; edge++) {
         double slack = least * (surface->upper[edge / 2] - surface->lower[edge / 2]);
         if (slack - slack != 0) continue;

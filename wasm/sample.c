@@ -21,7 +21,7 @@ static void combine(const struct sp_system *system, int32_t first, int32_t count
     int32_t dimension = system->line.kind->dimension;
     sp_pair sum[3] = {{0}, {0}, {0}};
     for (int32_t i = 0; i < count; i++) {
-        int mirrored = first + i > fold.both + 1; /* beyond the middle nodes stand in the other lane */
+        int mirrored = first + i > sp_fold_both(fold) + 1; /* beyond the middle nodes stand in the other lane */
         const sp_pair *at = system->line.nodes.places + dimension * (mirrored ? fold.inner + 1 - first - i : first + i);
         sp_pair weight = sp_splat(weights[i]);
         sum[0] += weight * (mirrored ? sp_swap(at[0]) : at[0]);
@@ -117,7 +117,7 @@ static int32_t resample(const struct sp_system *from, struct sp_fold fold, sp_pa
     int32_t dimension = from->line.kind->dimension, k = 0, first = 0;
     const sp_pair *at = from->line.nodes.places;
     double chords = (from->line.fold.inner + 1.0) / (fold.inner + 1), s = -1, weights[4];
-    for (; k <= fold.both && first <= from->line.fold.both - 2; k++) {
+    for (; k <= sp_fold_both(fold) && first <= sp_fold_both(from->line.fold) - 2; k++) {
         cubic_weights(s, weights);
         for (int32_t j = 0; j < dimension; j++, places++)
             *places = weights[0] * at[j] + weights[1] * at[dimension + j] + weights[2] * at[2 * dimension + j] +
@@ -130,7 +130,7 @@ static int32_t resample(const struct sp_system *from, struct sp_fold fold, sp_pa
 
 void sp_sample_places(const struct sp_system *from, const struct sp_elements *to, sp_pair *places) {
     int32_t dimension = from->line.kind->dimension;
-    struct sp_fold fold = sp_fold_of(to->reference.degree * to->count - 1);
+    struct sp_fold fold = (struct sp_fold){to->reference.degree * to->count - 1};
     int alike = to->singular[0] == to->singular[1] && !to->spread;
     int plain = alike && from->elements.reference.degree + to->reference.degree == 2;
     for (int32_t k = plain ? resample(from, fold, places) : 0; k <= sp_fold_unknown(fold); k++) {
@@ -144,7 +144,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_elements *to
                 place[j][1] = mirrored[j][0];
         }
         for (int32_t j = 0; j < dimension; j++)
-            places[dimension * k + j] = k == 0 ? node_pair(from, 0, j) : k > fold.both ? sp_splat(place[j][0]) : place[j];
+            places[dimension * k + j] = k == 0 ? node_pair(from, 0, j) : k > sp_fold_both(fold) ? sp_splat(place[j][0]) : place[j];
     }
     sp_fold_mirror(fold, places, dimension);
 }
@@ -167,7 +167,7 @@ int sp_sample_point(const struct sp_surface *surface, double scale, const double
 }
 
 int sp_storage_take(struct sp_storage *storage, int32_t dimension, int32_t inner, struct sp_arena *arena) {
-    storage->places = sp_arena_take(arena, (size_t)sp_fold_pairs(sp_fold_of(inner)) * (size_t)dimension, sizeof(sp_pair));
+    storage->places = sp_arena_take(arena, (size_t)sp_fold_pairs((struct sp_fold){inner}) * (size_t)dimension, sizeof(sp_pair));
     storage->node = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
     storage->barycentric = sp_arena_take(arena, SP_MAX_DEGREE + 1, sizeof(double));
     storage->spread = sp_arena_take(arena, SP_SPREAD + 1, sizeof(double));

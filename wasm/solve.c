@@ -115,7 +115,7 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
 /* The length of a polyline, and its error: at least the variance of its speed, which a crease leaves. MATH.md, "The ladder". */
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
-    refined->length = line->kind->components ? sp_system_length(&newton->system, line->nodes) : sums->length;
+    refined->length = line->kind->components ? sp_system_length(&newton->system, &line->nodes) : sums->length;
     double uneven = refined->outcome.energy / refined->length - refined->length;
     refined->length_error =
         sp_check_length_error(line, newton->size, refined->outcome.active, sums) + refined->outcome.doubt * refined->length;
@@ -167,10 +167,10 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
 static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
                                  struct sp_arena *arena, struct sp_result *result) {
     struct sp_polyline *line = &newton->system.line;
-    line->fold = sp_fold_of(inner);
+    line->fold = (struct sp_fold){inner};
     enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
     if (status != SP_CONVERGED) return status;
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     newton->size = size_of(line);
     if (line->kind->components == 0 && newton->size < newton->scale) newton->size = newton->scale;
     result->crosses_singularity = may_cross(line) && sp_normal_turns(line, 0) > 0;

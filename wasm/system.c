@@ -6,20 +6,20 @@
 static int is_polyline(const struct sp_system *system) { return system->elements.reference.degree == 1; }
 static int has_metric(const struct sp_system *system) { return system->line.kind->components > 0; }
 
-double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, double *gradient_squared) {
+double sp_system_squares(const struct sp_system *system, const struct sp_nodes *nodes, double *gradient_squared) {
     if (has_metric(system)) return sp_metric_squares(&system->elements, &system->line, nodes, NULL);
-    if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes.charts, gradient_squared);
-    return sp_elements_squares(&system->elements, nodes.charts, NULL);
+    if (is_polyline(system)) return sp_polyline_squares(system->line.fold, nodes->charts, gradient_squared);
+    return sp_elements_squares(&system->elements, nodes->charts, NULL);
 }
 
-double sp_system_length(const struct sp_system *system, struct sp_nodes nodes) {
+double sp_system_length(const struct sp_system *system, const struct sp_nodes *nodes) {
     double length;
     if (has_metric(system))
         sp_metric_squares(&system->elements, &system->line, nodes, &length);
     else if (is_polyline(system))
-        length = sp_polyline_length(system->line.fold, nodes.charts);
+        length = sp_polyline_length(system->line.fold, nodes->charts);
     else
-        sp_elements_squares(&system->elements, nodes.charts, &length);
+        sp_elements_squares(&system->elements, nodes->charts, &length);
     return length;
 }
 
@@ -63,12 +63,12 @@ void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]) {
     pull[0] = sp_dot(force, sp_load(chart + SP_CHART_1)), pull[1] = sp_dot(force, sp_load(chart + SP_CHART_2));
 }
 
-int sp_system_keeps_normals(const struct sp_system *system, struct sp_nodes nodes) {
+int sp_system_keeps_normals(const struct sp_system *system, const struct sp_nodes *nodes) {
     int graded = sp_elements_graded(&system->elements);
     if (system->line.surface->kind != SP_IMPLICIT && !graded) return 1;
     for (int32_t k = 1; k <= sp_fold_unknown(system->line.fold); k++) {
         struct sp_vector old = sp_chart_normal(system->line.nodes.charts + SP_CHART * k),
-                         now = sp_chart_normal(nodes.charts + SP_CHART * k);
+                         now = sp_chart_normal(nodes->charts + SP_CHART * k);
         if (sp_any(sp_dot(old, now) <= sp_splat(0.0))) return 0;
         if (graded && sp_any(sp_dot(now, now) < 0.01 * sp_dot(old, old))) return 0;
     }

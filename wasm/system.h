@@ -23,10 +23,10 @@ static inline int sp_system_is_plain(const struct sp_system *system) {
 }
 
 /* Energy over m of these nodes; of a polyline without a metric also the sum of squares of its scaled gradient, unless that is NULL. */
-double sp_system_squares(const struct sp_system *system, struct sp_nodes nodes, double *gradient_squared);
+double sp_system_squares(const struct sp_system *system, const struct sp_nodes *nodes, double *gradient_squared);
 
 /* Length of the path of these nodes: sum of chords, or quadrature. */
-double sp_system_length(const struct sp_system *system, struct sp_nodes nodes);
+double sp_system_length(const struct sp_system *system, const struct sp_nodes *nodes);
 
 /* The pieces of a Newton step: energy.h, blocks.h, elements.h. Assembling factors, too, without a shift; elements may be left unfactored,
  * with the factorisation there was before. */
@@ -42,7 +42,7 @@ void sp_system_end_pull(const struct sp_system *system, sp_pair pull[2]);
 
 /* Whether the path may move to these nodes. No node's normal may turn by more than a right angle in one step: implicit, it would have
  * changed sheets, or crossed the singular curve at an end, near which it may not shrink to a tenth either. */
-int sp_system_keeps_normals(const struct sp_system *system, struct sp_nodes nodes);
+int sp_system_keeps_normals(const struct sp_system *system, const struct sp_nodes *nodes);
 
 /* sqrt(2 g'M^-1 g / squares): how far from stationary, whatever the Hessian. */
 double sp_system_steepness(const struct sp_system *system, double squares);

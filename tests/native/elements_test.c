@@ -62,11 +62,11 @@ static struct sp_newton random_elements(const struct sp_surface *surface, int32_
                 wave[j][0] * (1 - t) + 0.9 * t * sin(wave[j][1] * t) + 0.02 * random_unit(seed) + (dimension == 3 && j == 0 ? 2.5 : 0);
             line->nodes.places[dimension * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = value;
         }
-    sp_pair *middle = line->nodes.places + dimension * (line->fold.both + 1);
+    sp_pair *middle = line->nodes.places + dimension * (sp_fold_both(line->fold) + 1);
     for (int j = 0; j < dimension; j++)
         middle[j] = sp_splat(middle[j][0]);
     if (surface->kind == SP_IMPLICIT) sp_implicit_settle(surface, sp_fold_unknown(line->fold) + 1, line->nodes.places, 1);
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     return newton;
 }
 
@@ -76,8 +76,8 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
     memcpy(newton->trial.places, line->nodes.places, sizeof(sp_pair) * (size_t)dimension);
     line->kind->move(line->surface, sp_fold_unknown(line->fold), line->nodes.places + dimension, line->nodes.charts + SP_CHART, step + 2,
                      newton->system.straight + 1, t, newton->trial.places + dimension);
-    sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_system_squares(&newton->system, newton->trial, NULL);
+    sp_polyline_charts(line, &newton->trial);
+    return 0.5 * sp_system_squares(&newton->system, &newton->trial, NULL);
 }
 
 /* Entry of the scaled Hessian between unknowns a of node i and b of node j, written down from the formula and not as the solver does. */
@@ -124,7 +124,7 @@ static void check_elements(const struct sp_surface *surface, enum sp_hessian hes
         x[k] = (sp_pair){random_unit(seed) - 0.5, random_unit(seed) - 0.5};
     x[0] = x[1] = sp_splat(0.0);
     for (int j = 0; j < 2; j++)
-        x[2 * (fold.both + 1) + j] = sp_splat(x[2 * (fold.both + 1) + j][0]);
+        x[2 * (sp_fold_both(fold) + 1) + j] = sp_splat(x[2 * (sp_fold_both(fold) + 1) + j][0]);
     for (int32_t i = 0; i < size; i++)
         for (int32_t j = 0; j < size; j++) {
             matrix[i * size + j] = hessian_entry(&newton, 1 + i / 2, i % 2, 1 + j / 2, j % 2);

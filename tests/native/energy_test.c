@@ -24,13 +24,13 @@ static struct sp_newton random_path(const struct sp_surface *surface, int32_t in
             newton.system.line.nodes
                 .places[dimension * sp_fold_pair(newton.system.line.fold, i) + j][sp_fold_lane(newton.system.line.fold, i)] = value;
         }
-    sp_pair *middle = newton.system.line.nodes.places + dimension * (newton.system.line.fold.both + 1);
-    for (int j = 0; j < dimension && newton.system.line.fold.odd; j++)
+    sp_pair *middle = newton.system.line.nodes.places + dimension * (sp_fold_both(newton.system.line.fold) + 1);
+    for (int j = 0; j < dimension && sp_fold_odd(newton.system.line.fold); j++)
         middle[j] = sp_splat(middle[j][0]);
     if (surface->kind == SP_IMPLICIT)
         sp_implicit_settle(surface, sp_fold_unknown(newton.system.line.fold) + 1, newton.system.line.nodes.places, 1);
     sp_fold_mirror(newton.system.line.fold, newton.system.line.nodes.places, dimension);
-    sp_polyline_charts(&newton.system.line, newton.system.line.nodes);
+    sp_polyline_charts(&newton.system.line, &newton.system.line.nodes);
     return newton;
 }
 
@@ -42,7 +42,7 @@ static double energy_along(struct sp_newton *newton, const sp_pair *step, double
     line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, step + 2,
                      newton->system.straight + 1, t, newton->trial.places + dimension);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
-    sp_polyline_charts(line, newton->trial);
+    sp_polyline_charts(line, &newton->trial);
     return 0.5 * sp_polyline_squares(line->fold, newton->trial.charts, NULL);
 }
 
@@ -56,9 +56,9 @@ static double quadratic(const struct sp_newton *newton, const sp_pair *x, double
         sp_pair u = x[2 * k], v = x[2 * k + 1], nu = x[2 * k + 2], nv = x[2 * k + 3];
         sum += sp_fold_sum(fold, k, row->a * u * u + 2.0 * row->b * u * v + row->d * v * v);
         *linear += sp_fold_sum(fold, k, row->r1 * u + row->r2 * v);
-        if (k > fold.both) continue;
+        if (k > sp_fold_both(fold)) continue;
         sp_pair coupling = u * (row->q11 * nu + row->q12 * nv) + v * (row->q21 * nu + row->q22 * nv);
-        sum -= (k == fold.both && !fold.odd ? 1.0 : 2.0) * (coupling[0] + coupling[1]);
+        sum -= (k == sp_fold_both(fold) && !sp_fold_odd(fold) ? 1.0 : 2.0) * (coupling[0] + coupling[1]);
     }
     return sum;
 }
@@ -68,8 +68,8 @@ static void random_step(struct sp_fold fold, sp_pair *x, uint64_t *seed) {
     for (int32_t k = 0; k < 2 * sp_fold_pairs(fold); k++)
         x[k] = (sp_pair){random_unit(seed) - 0.5, random_unit(seed) - 0.5};
     x[0] = x[1] = sp_splat(0.0);
-    for (int j = 0; j < 2 && fold.odd; j++)
-        x[2 * (fold.both + 1) + j] = sp_splat(x[2 * (fold.both + 1) + j][0]);
+    for (int j = 0; j < 2 && sp_fold_odd(fold); j++)
+        x[2 * (sp_fold_both(fold) + 1) + j] = sp_splat(x[2 * (sp_fold_both(fold) + 1) + j][0]);
     sp_fold_mirror(fold, x, 2);
 }
 
@@ -108,7 +108,7 @@ static void unfold(const struct sp_newton *newton, int32_t inner, double *matrix
         matrix[at * size + at] = row->a[lane], matrix[(at + 1) * size + at + 1] = row->d[lane];
         matrix[at * size + at + 1] = matrix[(at + 1) * size + at] = row->b[lane];
         right[at] = row->r1[lane], right[at + 1] = row->r2[lane];
-        if (k > fold.both) continue;
+        if (k > sp_fold_both(fold)) continue;
         int32_t next = lane ? at - 2 : at + 2;
         double q[4] = {row->q11[lane], row->q12[lane], row->q21[lane], row->q22[lane]};
         for (int j = 0; j < 4; j++)

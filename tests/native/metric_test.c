@@ -101,12 +101,12 @@ static struct sp_newton random_path(const struct sp_surface *surface, int32_t de
         for (int j = 0; j < dimension; j++)
             line->nodes.places[dimension * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] =
                 random_coordinate(surface, (double)i / (inner + 1), j, seed);
-    sp_pair *middle = line->nodes.places + dimension * (line->fold.both + 1);
-    for (int j = 0; j < dimension && line->fold.odd; j++)
+    sp_pair *middle = line->nodes.places + dimension * (sp_fold_both(line->fold) + 1);
+    for (int j = 0; j < dimension && sp_fold_odd(line->fold); j++)
         middle[j] = sp_splat(middle[j][0]);
     if (surface->kind == SP_IMPLICIT) sp_implicit_settle(surface, sp_fold_unknown(line->fold) + 1, line->nodes.places, 19.7);
     sp_fold_mirror(line->fold, line->nodes.places, dimension);
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     return newton;
 }
 
@@ -152,8 +152,8 @@ static double energy_along(struct sp_newton *newton, const sp_pair *x, const sp_
                                  newton->system.straight + 1, t, newton->trial.places + dimension);
     CHECK(moved, "refused to move by %g", t);
     sp_fold_mirror(line->fold, newton->trial.places, dimension);
-    sp_polyline_charts(line, newton->trial);
-    return 0.5 * sp_system_squares(&newton->system, newton->trial, NULL);
+    sp_polyline_charts(line, &newton->trial);
+    return 0.5 * sp_system_squares(&newton->system, &newton->trial, NULL);
 }
 
 /* Replaces the right-hand side by a random one. */
@@ -163,7 +163,7 @@ static void randomise_right(struct sp_system *system, uint64_t *seed) {
         struct sp_row *row = system->rows + k;
         row->r1 = (sp_pair){random_unit(seed) - 0.5, random_unit(seed) - 0.5},
         row->r2 = (sp_pair){random_unit(seed) - 0.5, random_unit(seed) - 0.5};
-        if (k > fold.both) row->r1 = sp_splat(row->r1[0]), row->r2 = sp_splat(row->r2[0]);
+        if (k > sp_fold_both(fold)) row->r1 = sp_splat(row->r1[0]), row->r2 = sp_splat(row->r2[0]);
     }
 }
 
@@ -216,7 +216,7 @@ static void check_plain(const struct sp_surface *weighted, const struct sp_surfa
     struct sp_inertia inertia = sp_system_factor(&newton.system, 0);
     sp_pair x[2 * (LARGEST + 2)], y[2 * (LARGEST + 2)];
     sp_system_solve(&newton.system, x);
-    double length = sp_system_length(&newton.system, newton.system.line.nodes);
+    double length = sp_system_length(&newton.system, &newton.system.line.nodes);
     flat = 0;
     newton = random_path(plain, degree, count, &same);
     struct sp_energy wanted = sp_system_assemble(&newton.system, SP_COORDINATE);
@@ -225,7 +225,7 @@ static void check_plain(const struct sp_surface *weighted, const struct sp_surfa
     CHECK(fabs(energy.squares - wanted.squares) <= 1e-13 * wanted.squares, "energy %.17g, plain %.17g", energy.squares, wanted.squares);
     CHECK(fabs(energy.gradient_squared - wanted.gradient_squared) <= 1e-11 * wanted.gradient_squared, "gradient %.17g, plain %.17g",
           energy.gradient_squared, wanted.gradient_squared);
-    CHECK(fabs(sp_system_length(&newton.system, newton.system.line.nodes) - length) <= 1e-13 * length, "length");
+    CHECK(fabs(sp_system_length(&newton.system, &newton.system.line.nodes) - length) <= 1e-13 * length, "length");
     double largest = 0, error = 0;
     for (int32_t k = 2; k < 2 * sp_fold_pairs(newton.system.line.fold); k++)
         for (int lane = 0; lane < 2; lane++)
@@ -260,10 +260,10 @@ static void check_status(double (*of)(double), int32_t inner, enum sp_status wan
         double t = (double)i / (inner + 1);
         place[0][sp_fold_lane(line->fold, i)] = 2 * t - 1, place[1][sp_fold_lane(line->fold, i)] = 0.2 + 0.1 * t;
     }
-    for (int j = 0; j < 2 && line->fold.odd; j++)
-        line->nodes.places[2 * line->fold.both + 2 + j] = sp_splat(line->nodes.places[2 * line->fold.both + 2 + j][0]);
+    for (int j = 0; j < 2 && sp_fold_odd(line->fold); j++)
+        line->nodes.places[2 * sp_fold_both(line->fold) + 2 + j] = sp_splat(line->nodes.places[2 * sp_fold_both(line->fold) + 2 + j][0]);
     sp_fold_mirror(line->fold, line->nodes.places, 2);
-    sp_polyline_charts(line, line->nodes);
+    sp_polyline_charts(line, &line->nodes);
     enum sp_status status = sp_metric_check(line, 1);
     CHECK(status == wanted, "n = %d: status %d, not %d", inner, status, wanted);
 }

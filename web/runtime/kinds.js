@@ -4,26 +4,28 @@
  * other kinds, and still put it together.
  */
 
-/** Kinds: whatever else; opcodes and forms of instructions; indices of locals; constant integers; offsets of addresses; functions called. */
-const [OTHER, FORM, LOCAL, INTEGER, OFFSET, CALLED] = [0, 1, 2, 3, 4, 5];
-export const KINDS = 6;
+/** Kinds: whatever else; opcodes and forms of instructions; locals read, and written; constant integers; offsets of addresses; functions called; types of locals. */
+const [OTHER, FORM, READ, WRITTEN, INTEGER, OFFSET, CALLED, DECLARED] = [0, 1, 2, 3, 4, 5, 6, 7];
+export const KINDS = 8;
 
 const CODE_SECTION = 10;
 
 /** What follows an opcode: an integer of that kind (OFFSET: with an alignment before it); nothing; a number of 4 or 8 bytes; a vector instruction. */
-const [NOTHING, FLOAT, DOUBLE, VECTOR] = [6, 7, 8, 9];
+const [NOTHING, FLOAT, DOUBLE, VECTOR] = [8, 9, 10, 11];
 const operands = new Uint8Array(256).fill(NOTHING);
 for (const [operand, first, last] of [
   [FORM, 0x02, 0x04],
   [FORM, 0x0c, 0x0d],
   [CALLED, 0x10, 0x11],
-  [LOCAL, 0x20, 0x22],
+  [READ, 0x20, 0x20],
+  [WRITTEN, 0x21, 0x22],
   [FORM, 0x23, 0x24],
   [OFFSET, 0x28, 0x3e],
   [OTHER, 0x3f, 0x42],
   [INTEGER, 0x41, 0x41],
   [FLOAT, 0x43, 0x43],
   [DOUBLE, 0x44, 0x44],
+  [FORM, 0xfc, 0xfc],
   [VECTOR, 0xfd, 0xfd],
 ])
   operands.fill(operand, first, last + 1);
@@ -78,7 +80,7 @@ export function regroup(module, heaps, next, apart) {
   const functionBody = () => {
     const size = integer(OTHER);
     const end = at + size;
-    for (let groups = integer(OTHER); groups > 0; groups--) bytes(OTHER, 2);
+    for (let groups = integer(DECLARED); groups > 0; groups--) bytes(DECLARED, 2);
     while (at < end) instruction();
   };
 
