@@ -60,6 +60,22 @@ describe('from a pole, given any longitude', () => {
     });
   });
 
+  test('wherever that height counts from', () => {
+    for (const at of [1, -1, 1000]) {
+      const definition = definitionOf('sqrt(1 - (v - c)^2) cos(u)', 'sqrt(1 - (v - c)^2) sin(u)', 'v', [at - 1, at + 1]);
+      const sphere = surfpath.surface({ ...definition, parameters: { c: at } });
+      for (const [pole, height] of [
+        [1, 0.3],
+        [1, -0.7],
+        [-1, 0.2],
+      ]) {
+        const path = sphere.shortestPath([2, at + pole], [1, at + height]);
+        assert.equal(path.status, 'converged');
+        assert.ok(Math.abs(path.length - Math.acos(pole * height)) <= path.lengthError, `${path.length}`);
+      }
+    }
+  });
+
   test('polylines say by how much they are too short there, too', () => {
     const sphere = surfpath.surface(sphereByHeight);
     for (const points of [31, 200]) {
@@ -234,4 +250,31 @@ test('past the pole of a metric globe, however near: what the coordinate across 
         assert.ok(path.iterations <= 30, `${path.iterations} steps`);
       }
   }
+});
+
+describe('from an edge on which the first derivatives are infinite', () => {
+  test('half a cylinder as a graph: unrolled', () => {
+    const half = surfpath.graph({ z: 'sqrt(1 - x^2)', x: [-1, 1], y: [0, 2] });
+    const random = createRandom(8);
+    for (let i = 0; i < PAIRS; i++) {
+      const [rim, x, y, z] = [i % 2 ? 1 : -1, random.between(-1, 1), random.between(0, 2), random.between(0, 2)];
+      const path = half.shortestPath([rim, y], [x, z]);
+      assert.equal(path.status, 'converged', `${rim} ${y} ${x} ${z}`);
+      assert.ok(Math.abs(path.length - Math.hypot(Math.asin(rim) - Math.asin(x), y - z)) <= 3 * path.lengthError, `${path.length}`);
+    }
+  });
+
+  test("the throat of Flamm's paraboloid, by the distance from its axis: as by its height", () => {
+    const byRadius = surfpath.parametric(definitionOf('v cos(u)', 'v sin(u)', '2sqrt(v - 1)', [1, 10]));
+    const byHeight = surfpath.revolution({ r: '1 + t^2/4', z: 't', t: [0, 6] });
+    const random = createRandom(9);
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, turn, height] = [random.between(0, TURN), random.between(-1.5, 1.5), random.between(1, 6)];
+      const to = from + turn; // no farther: else it runs along the throat first
+      const path = byRadius.shortestPath([from, 1], [to, 1 + (height * height) / 4]);
+      const other = byHeight.shortestPath([from, 0], [to, height]);
+      assert.equal(path.status, 'converged', `${from} ${to} ${height}`);
+      assert.ok(Math.abs(path.length - other.length) <= path.lengthError + other.lengthError, `${path.length} ${other.length}`);
+    }
+  });
 });
