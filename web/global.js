@@ -5,9 +5,9 @@
 
 import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
-import { distinct, firsts, isAmong } from './distinct.js';
+import { BESIDE, distinct, firsts, isAmong, isBesideWay } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
-import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
+import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
@@ -116,6 +116,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways, besid
       (one.path !== one.coarse || !stallsAtBranch(problem, one)) &&
       !isAmong(passing, one) &&
       !isAmong(over, one, BESIDE) &&
+      !over.some((way) => isBesideWay(way, one, problem.domain)) &&
       !leaps(problem, one.path),
   );
   const [usable, failed] = solveFinely(problem, options, most, { rough, passing, over });

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { findPoles } from '../../web/tips.js';
+import { allowance } from '../helpers/allowance.js';
 import { createRandom } from '../helpers/random.js';
 import { close } from '../helpers/refuses.js';
 import { verifyPath } from '../helpers/verify-path.js';
@@ -277,4 +278,33 @@ describe('from an edge on which the first derivatives are infinite', () => {
       assert.ok(Math.abs(path.length - other.length) <= path.lengthError + other.lengthError, `${path.length} ${other.length}`);
     }
   });
+});
+
+describe('around an apex of more than a turn, by E, F and G', () => {
+  const between = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ angle) =>
+    Math.hypot(a - b * Math.cos(angle), b * Math.sin(angle));
+  const arc = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ angle) =>
+    2 * Math.asin(Math.sqrt(Math.sin((a - b) / 2) ** 2 + Math.sin(a) * Math.sin(b) * Math.sin(angle / 2) ** 2));
+  for (const [name, size, G, free] of /** @type {const} */ ([
+    ['a cone', 2, '(k*v)^2', between],
+    ['a bulge of curvature 1', Math.PI / 2, '(k*sin(v))^2', arc],
+  ]))
+    test(`${name}: as long as unrolled, or over the apex; rough paths that cut its corner are not followed`, () => {
+      const k = 1.4;
+      const surface = surfpath.metric({ E: G, F: 0, G: 1, u: [0, '2pi'], v: [0, size], periodic: { u: true }, parameters: { k } });
+      surface.shortestPath([1, 1], [2, 1]);
+      const random = createRandom(10);
+      const start = performance.now();
+      for (let i = 0; i < PAIRS; i++) {
+        const [from, to] = [0, 1].map(() => [random.between(0, TURN), random.between(0, size)]);
+        const turn = Math.abs(from[0] - to[0]);
+        const angle = k * Math.min(turn, TURN - turn);
+        const path = surface.shortestPath(from, to);
+        assert.equal(path.status, 'converged', `${from} ${to}`);
+        const truth = angle < Math.PI ? free(from[1], to[1], angle) : from[1] + to[1];
+        assert.ok(Math.abs(path.length - truth) <= 3 * path.lengthError, `${from} ${to}: ${path.length}, not ${truth}`);
+      }
+      const milliseconds = performance.now() - start;
+      assert.ok(milliseconds < allowance(1500), `${milliseconds} ms`);
+    });
 });
