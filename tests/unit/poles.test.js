@@ -77,6 +77,20 @@ describe('from a pole, given any longitude', () => {
     }
   });
 
+  test('the top of a vessel, half a ball on a cylinder: as long as the meridian; that rounding moves points far there is no bend', () => {
+    const vessel = surfpath.revolution({ r: 'sqrt(1 - max(0, t - 2)^2)', z: 't', t: [0, 3] });
+    const random = createRandom(11);
+    const start = performance.now();
+    for (let i = 0; i < 10; i++) {
+      const [u, longitude, t] = [random.between(0, TURN), random.between(0, TURN), random.between(0, 1.9)];
+      const path = vessel.shortestPath([longitude, 3], [u, t]);
+      assert.equal(path.status, 'converged');
+      close(path.length, Math.PI / 2 + 2 - t);
+    }
+    const milliseconds = performance.now() - start;
+    assert.ok(milliseconds < allowance(1000), `${milliseconds} ms`);
+  });
+
   test('polylines say by how much they are too short there, too', () => {
     const sphere = surfpath.surface(sphereByHeight);
     for (const points of [31, 200]) {
