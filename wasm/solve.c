@@ -176,6 +176,7 @@ static enum sp_status start_with(struct sp_newton *newton, const struct sp_reque
     sp_polyline_charts(line, line->nodes);
     newton->size = size_of(line);
     if (line->kind->components == 0 && newton->size < newton->scale) newton->size = newton->scale;
+    if (!is_finite(newton->size)) return SP_NOT_FINITE; /* a density, say, that is infinite at an end */
     result->crosses_singularity = may_cross(line) && sp_normal_turns(line, 0) > 0;
     return SP_CONVERGED;
 }
