@@ -13,7 +13,6 @@ const APART = 0.01;
 export const BESIDE = 0.1;
 /** Places at which two paths are compared. */
 const SAMPLES = 16;
-const ORIGIN = [0, 0, 0];
 
 /** The length of the geodesic under a rough polyline, to fourth order. @param {Compared} path */
 export const estimate = (path) => path.length + path.lengthError;
@@ -49,9 +48,8 @@ export const isAmong = (list, { path }, apart) => list.some((other) => isSame(ot
  */
 export function comesNear(path, tip, range) {
   const samples = samplesBeside(path, tip, range);
-  let length = 0;
-  for (let i = 0; i < SAMPLES; i++) length += gap(samples[i], samples[i + 1]);
-  return samples.some((sample) => gap(sample, ORIGIN) < length / SAMPLES);
+  const length = samples.reduce((sum, sample, i) => sum + gap(sample, samples[i - 1] ?? sample), 0);
+  return samples.some((sample) => gap(sample, [0, 0, 0]) < length / SAMPLES);
 }
 
 /**
@@ -59,16 +57,15 @@ export function comesNear(path, tip, range) {
  * @param {Tip & { path: Compared }} way @param {{ path: Compared }} found @param {Range | null} range
  */
 export function isBesideWay(way, { path }, range) {
-  if (!comesNear(path, way, range)) return false;
-  return areNear(way.path, path, samplesBeside(way.path, way, range), samplesBeside(path, way, range), BESIDE);
+  const [p, q] = [way.path, path].map((one) => samplesBeside(one, way, range));
+  return comesNear(path, way, range) && areNear(way.path, path, p, q, BESIDE);
 }
 
 /** Places along a path as they are from a tip: in space or, where it has no positions, by the coordinate across. @param {Compared} path @param {Tip} tip @param {Range | null} range */
 function samplesBeside(path, { at, pole }, range) {
-  const samples = samplesOf(path);
-  if (at || !range) return samples.map((place) => place.map((x, k) => x - (at?.[k] ?? 0)));
   const { across, side } = edgeOf(pole);
-  return samples.map((place) => [place[across] - (side ? range.upper : range.lower)[across], 0, 0]);
+  const origin = at ?? [range?.[side ? 'upper' : 'lower'][across] ?? 0, 0, 0];
+  return samplesOf(path).map((place) => (at ? place : [place[across], 0, 0]).map((x, k) => x - origin[k]));
 }
 
 /** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {Compared} path @returns {number[][]} */

@@ -5,7 +5,7 @@
 
 import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
-import { BESIDE, distinct, firsts, isAmong, isBesideWay } from './distinct.js';
+import { BESIDE, distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
@@ -116,7 +116,6 @@ function choosePaths(problem, options, most, { tried, status, rough, ways, besid
       (one.path !== one.coarse || !stallsAtBranch(problem, one)) &&
       !isAmong(passing, one) &&
       !isAmong(over, one, BESIDE) &&
-      !over.some((way) => isBesideWay(way, one, problem.domain)) &&
       !leaps(problem, one.path),
   );
   const [usable, failed] = solveFinely(problem, options, most, { rough, passing, over });

@@ -28,8 +28,6 @@ const TRANSLATIONS = new Map([
   ['sec', '1/cos(…)'],
   ['csc', '1/sin(…)'],
   ['sech', '1/cosh(…)'],
-  ['csch', '1/sinh(…)'],
-  ['coth', '1/tanh(…)'],
   ['mod', 'a - b*floor(a/b)'],
   ['ceil', '-floor(-(…))'],
   ['round', 'floor(… + 0.5)'],
