@@ -41,7 +41,8 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
 
-/* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`: sheets meet there, in a node. */
+/* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`, or no number: sheets meet there, in a
+ * node, or one ends in an apex. */
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near);
 
 /* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */

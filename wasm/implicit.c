@@ -191,7 +191,7 @@ int sp_implicit_is_node(const struct sp_surface *surface, const double place[3],
     surface->value(1, both, seen);
     sp_pair squared = sp_dot(sp_load(seen + 1), sp_load(seen + 1));
     double nothing = NOTHING * NOTHING * squared[1];
-    return nothing > 0 && squared[0] <= nothing && seen[0][0] * seen[0][0] <= nothing * near * near;
+    return nothing > 0 && !(squared[0] > nothing) && seen[0][0] * seen[0][0] <= nothing * near * near;
 }
 
 /* X + scale B d, settled. Refused where a point lands farther than twice its step from where it was, and not only by rounding: another

@@ -4,6 +4,7 @@
 #include <string.h>
 
 enum { BLOCK = 32 };
+static const double FEW_ROUNDINGS = 2e-15;
 
 /* Not finite. */
 static inline __attribute__((always_inline)) sp_mask is_spoilt(sp_pair x) { return x - x != sp_splat(0.0); }
@@ -261,12 +262,23 @@ static void write_block(const struct sp_system *system, double scale, int32_t fi
         write_pair(sheet, first + i, written + 3 * i, places + 2 * i);
 }
 
+/* How far positions move where u and v do by a few roundings: far where a derivative is infinite near by. */
+static sp_pair blur_of(const struct sp_surface *surface, const sp_pair place[2], struct sp_vector position) {
+    sp_pair moved[2] = {place[0] * (1 + FEW_ROUNDINGS), place[1] * (1 + FEW_ROUNDINGS)}, there[3];
+    sp_parametric_clip(surface, 1, moved);
+    sp_positions(surface, 1, moved, there);
+    struct sp_vector away = sp_subtract(sp_load(there), position);
+    return sp_square_root(sp_dot(away, away));
+}
+
 double sp_sample_bend(const struct sp_system *system, double scale, double step) {
+    const struct sp_surface *surface = system->line.surface;
     sp_pair places[9], positions[9];
     const sp_pair *at = put_onto(system, scale, 1 / step, 0, 3, places, positions);
-    struct sp_vector middle = sp_load(at + 3), bend = sp_subtract(sp_subtract(sp_load(at + 6), middle), sp_subtract(middle, sp_load(at)));
-    sp_pair squared = sp_dot(bend, bend);
-    return root(squared[0] > squared[1] ? squared[0] : squared[1]);
+    struct sp_vector middle = sp_load(at + 3), aside = sp_subtract(sp_subtract(sp_load(at + 6), middle), sp_subtract(middle, sp_load(at)));
+    sp_pair bend = sp_square_root(sp_dot(aside, aside));
+    if (surface->kind == SP_PARAMETRIC) bend -= blur_of(surface, places + 2, middle);
+    return bend[0] > bend[1] ? bend[0] : bend[1];
 }
 
 int sp_sample_points(const struct sp_system *system, double scale, int32_t point_count, int32_t reversed, double *points,

@@ -21,7 +21,7 @@ double sp_sample_parameter(const struct sp_elements *elements, int32_t i);
 int sp_sample_point(const struct sp_surface *surface, double scale, const double place[3], double *point, double *parameters);
 
 /* |X(2t) - 2 X(t) + X(0)| of the points of the surface at t = 0, `step` and twice that of a path, the larger of both its ends: how far the
- * surface bends aside beside them. For surfaces with positions. */
+ * surface bends aside beside them, beyond what a few roundings of u and v move points by. For surfaces with positions. */
 double sp_sample_bend(const struct sp_system *system, double scale, double step);
 
 /* Memory for a path that outlives the arrays it was solved in. */

@@ -84,7 +84,8 @@ static int order_ends(const struct sp_surface *surface, const struct sp_request 
 }
 
 /* A length beside which those of the path are rounded: the size of the coordinates at its ends, in the metric; each the larger of |X_k| and
- * of what the rounding of the unknowns is a part of, |q_a B_ak|, around a pole that of the coordinate across its edge. */
+ * of what the rounding of the unknowns is a part of, |q_a B_ak|, around a pole that of the coordinate across its edge. An infinite
+ * derivative says nothing. */
 static double size_of(const struct sp_polyline *line) {
     const struct sp_nodes *nodes = &line->nodes;
     sp_pair least = sp_splat(line->surface->kind == SP_PARAMETRIC ? sp_polar_offset(line->surface) : 0);
@@ -94,8 +95,10 @@ static double size_of(const struct sp_polyline *line) {
         t[c] = sp_absolute(nodes->metrics[c]);
     for (int k = 0; k < 3; k++) {
         at[k] = sp_absolute(nodes->charts[SP_CHART_X + k]);
-        for (int a = 0; a < 2; a++)
-            at[k] = sp_larger(at[k], sp_larger(least, sp_absolute(nodes->places[a])) * sp_absolute(nodes->charts[SP_CHART_1 + 3 * a + k]));
+        for (int a = 0; a < 2; a++) {
+            sp_pair part = sp_larger(least, sp_absolute(nodes->places[a])) * sp_absolute(nodes->charts[SP_CHART_1 + 3 * a + k]);
+            at[k] = sp_select((part > at[k]) & (part < sp_splat(__builtin_inf())), part, at[k]);
+        }
     }
     sp_pair size = sp_square_root(sp_metric_product(components, t, at, at));
     return size[0] > size[1] ? size[0] : size[1];
@@ -173,6 +176,7 @@ static enum sp_status start_with(struct sp_newton *newton, const struct sp_reque
     sp_polyline_charts(line, &line->nodes);
     newton->size = size_of(line);
     if (line->kind->components == 0 && newton->size < newton->scale) newton->size = newton->scale;
+    if (!is_finite(newton->size)) return SP_NOT_FINITE; /* a density, say, that is infinite at an end */
     result->crosses_singularity = may_cross(line) && sp_normal_turns(line, 0) > 0;
     return SP_CONVERGED;
 }

@@ -1,11 +1,16 @@
 /** Which of several paths between the same ends are the same one, judged by their lengths and where they run. */
 
+import { edgeOf } from './rectangle.js';
 import { gap } from './vector.js';
 
+/** @typedef {import('./rectangle.js').Range} Range */
+/** @typedef {Pick<import('./tips.js').Tip, 'at' | 'pole'>} Tip */
 /** @typedef {Pick<import("./runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters">} Compared */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
+/** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
+export const BESIDE = 0.1;
 /** Places at which two paths are compared. */
 const SAMPLES = 16;
 
@@ -20,8 +25,12 @@ export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.p
 
 /** @param {Compared} a @param {Compared} b @param {number} [apart] in place of 0.01 of the length */
 export function isSame(a, b, apart = APART) {
+  return areNear(a, b, samplesOf(a), samplesOf(b), apart);
+}
+
+/** @param {Compared} a @param {Compared} b @param {number[][]} p places along a @param {number[][]} q along b @param {number} apart */
+function areNear(a, b, p, q, apart) {
   if (Math.abs(estimate(a) - estimate(b)) > apart * estimate(a)) return false;
-  const [p, q] = [samplesOf(a), samplesOf(b)];
   let [away, size] = [0, 0];
   for (let i = 0; i < SAMPLES; i++) {
     away = Math.max(away, gap(p[i], q[i]));
@@ -33,8 +42,31 @@ export function isSame(a, b, apart = APART) {
 /** Whether a path is one of these. @param {{ path: Compared }[]} list @param {{ path: Compared }} found @param {number} [apart] as for `isSame` */
 export const isAmong = (list, { path }, apart) => list.some((other) => isSame(other.path, path, apart));
 
-/** Whether a path comes so near to a place that a rough one may cut its corner there, and be shorter than any. @param {Compared} path @param {Float64Array | null} at */
-export const comesNear = (path, at) => !!at && samplesOf(path).some((point) => gap(point, at) < path.length / SAMPLES);
+/**
+ * Whether a path comes so near to a tip that a rough one may cut its corner there, and be shorter than any.
+ * @param {Compared} path @param {Tip} tip @param {Range | null} range
+ */
+export function comesNear(path, tip, range) {
+  const samples = samplesBeside(path, tip, range);
+  const length = samples.reduce((sum, sample, i) => sum + gap(sample, samples[i - 1] ?? sample), 0);
+  return samples.some((sample) => gap(sample, [0, 0, 0]) < length / SAMPLES);
+}
+
+/**
+ * Whether a rough path is one that stalls beside a way over an apex, or cuts its corner. In a metric the coordinate around the apex says nothing of that: only how far from it both are is compared.
+ * @param {Tip & { path: Compared }} way @param {{ path: Compared }} found @param {Range | null} range
+ */
+export function isBesideWay(way, { path }, range) {
+  const [p, q] = [way.path, path].map((one) => samplesBeside(one, way, range));
+  return comesNear(path, way, range) && areNear(way.path, path, p, q, BESIDE);
+}
+
+/** Places along a path as they are from a tip: in space or, where it has no positions, by the coordinate across. @param {Compared} path @param {Tip} tip @param {Range | null} range */
+function samplesBeside(path, { at, pole }, range) {
+  const { across, side } = edgeOf(pole);
+  const origin = at ?? [range?.[side ? 'upper' : 'lower'][across] ?? 0, 0, 0];
+  return samplesOf(path).map((place) => (at ? place : [place[across], 0, 0]).map((x, k) => x - origin[k]));
+}
 
 /** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {Compared} path @returns {number[][]} */
 function samplesOf({ points, parameters }) {

@@ -1,7 +1,7 @@
 /** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
 
 import { COMPARED_POINTS, compared, ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
-import { comesNear, distinct, estimate, isAmong } from './distinct.js';
+import { distinct, estimate, isAmong, isBesideWay } from './distinct.js';
 import { refine } from './poles.js';
 import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 
@@ -18,8 +18,6 @@ const MOST_FINE = 8;
 const MOST_ALIKE = 2;
 /** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
 const SURELY = 1.02;
-/** Beside a way over an apex that holds, within this part of its length, is no path: rough ones come there where they stall, or cut its corner. */
-export const BESIDE = 0.1;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
@@ -57,8 +55,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     if (most > 1 && usable.length === most) break;
     /* The next one may be, if there is more doubt of it. */
     if (most === 1 && !mayBeShortest(found)) continue;
-    const beside = over.filter(({ at }) => comesNear(found.path, at));
-    if (isAmong(passing, found) || isAmong(beside, found, BESIDE)) continue;
+    if (isAmong(passing, found) || over.some((way) => isBesideWay(way, found, problem.domain))) continue;
     if (most === 1 && found !== rough[0] && isOneOfMany(rough[0].path, found.path)) continue;
     const sharper = sharpen(problem, found);
     if (sharper) {

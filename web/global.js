@@ -5,9 +5,9 @@
 
 import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
-import { distinct, firsts, isAmong } from './distinct.js';
+import { BESIDE, distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
-import { atLeast, BESIDE, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
+import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';

@@ -45,7 +45,7 @@ export function overPoles(problem, options, tried, rough) {
     .flatMap((end) => domain.tips.map((tip) => ({ ...tip, to: end })))
     .filter((tip) => tip.beyond > 0 || ![from, tip.to].some((end) => isAtPole(domain, end, tip.pole)))
     .map((tip) => ({ ...tip, bound: tip.at && points ? gap(points, tip.at) + gap(points.subarray(-3), tip.at) - 2 * tip.radius : 0 }))
-    .filter(({ bound, at }) => bound <= (1 + MARGIN) * lengthOfShortest(rough) || comesNear(rough[0].path, at))
+    .filter((tip) => tip.bound <= (1 + MARGIN) * lengthOfShortest(rough) || comesNear(rough[0].path, tip, domain))
     .map((tip) => {
       const again = (/** @type {SolveOptions} */ asked) => solveAt(problem, tip, true, tip.to, null, within(asked, OVER_STEPS));
       const path = tip.smooth ? emptyPath(SINGULAR_METRIC) : again(compared(options));

@@ -34,6 +34,22 @@ const barth = {
 const onCone = (height, angle) => [Math.abs(height) * Math.cos(angle), Math.abs(height) * Math.sin(angle), height];
 const norm = (/** @type {ArrayLike<number>} */ x) => Math.hypot(x[0], x[1], x[2]);
 
+for (const [f, apex, slope] of /** @type {const} */ ([
+  ['z - hypot(x, y)', 0, 1],
+  ['sqrt(x^2 + y^2) - (1 - z)/2', 1, -2],
+  ['max(hypot(x, y) - z, z - 1)', 0, 1],
+]))
+  test(`${f} = 0, whose gradient is no number at the apex: straight from there`, () => {
+    const surface = surfpath.implicit({ f, bounds: within(1.2) });
+    const random = createRandom(12);
+    for (let i = 0; i < 8; i++) {
+      const [far, angle] = [random.between(0.1, 0.9), random.between(0, 2 * Math.PI)];
+      const path = surface.shortestPath([0, 0, apex], [far * Math.cos(angle), far * Math.sin(angle), apex + slope * far]);
+      assert.equal(path.status, 'converged', `${far} ${angle}`);
+      close(path.length, far * Math.hypot(1, slope));
+    }
+  });
+
 describe('a double cone', () => {
   const surface = surfpath.implicit(cone);
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { findPoles } from '../../web/tips.js';
+import { allowance } from '../helpers/allowance.js';
 import { createRandom } from '../helpers/random.js';
 import { close } from '../helpers/refuses.js';
 import { verifyPath } from '../helpers/verify-path.js';
@@ -58,6 +59,36 @@ describe('from a pole, given any longitude', () => {
     leave(definitionOf('2sqrt(v) cos(u)', '2sqrt(v) sin(u)', 'v', [0, 1]), ({ length }, [, v]) => {
       close(length, Math.sqrt(v * v + v) + Math.asinh(Math.sqrt(v)));
     });
+  });
+
+  test('wherever that height counts from', () => {
+    for (const at of [1, -1, 1000]) {
+      const definition = definitionOf('sqrt(1 - (v - c)^2) cos(u)', 'sqrt(1 - (v - c)^2) sin(u)', 'v', [at - 1, at + 1]);
+      const sphere = surfpath.surface({ ...definition, parameters: { c: at } });
+      for (const [pole, height] of [
+        [1, 0.3],
+        [1, -0.7],
+        [-1, 0.2],
+      ]) {
+        const path = sphere.shortestPath([2, at + pole], [1, at + height]);
+        assert.equal(path.status, 'converged');
+        assert.ok(Math.abs(path.length - Math.acos(pole * height)) <= path.lengthError, `${path.length}`);
+      }
+    }
+  });
+
+  test('the top of a vessel, half a ball on a cylinder: as long as the meridian; that rounding moves points far there is no bend', () => {
+    const vessel = surfpath.revolution({ r: 'sqrt(1 - max(0, t - 2)^2)', z: 't', t: [0, 3] });
+    const random = createRandom(11);
+    const start = performance.now();
+    for (let i = 0; i < 10; i++) {
+      const [u, longitude, t] = [random.between(0, TURN), random.between(0, TURN), random.between(0, 1.9)];
+      const path = vessel.shortestPath([longitude, 3], [u, t]);
+      assert.equal(path.status, 'converged');
+      close(path.length, Math.PI / 2 + 2 - t);
+    }
+    const milliseconds = performance.now() - start;
+    assert.ok(milliseconds < allowance(1000), `${milliseconds} ms`);
   });
 
   test('polylines say by how much they are too short there, too', () => {
@@ -234,4 +265,60 @@ test('past the pole of a metric globe, however near: what the coordinate across 
         assert.ok(path.iterations <= 30, `${path.iterations} steps`);
       }
   }
+});
+
+describe('from an edge on which the first derivatives are infinite', () => {
+  test('half a cylinder as a graph: unrolled', () => {
+    const half = surfpath.graph({ z: 'sqrt(1 - x^2)', x: [-1, 1], y: [0, 2] });
+    const random = createRandom(8);
+    for (let i = 0; i < PAIRS; i++) {
+      const [rim, x, y, z] = [i % 2 ? 1 : -1, random.between(-1, 1), random.between(0, 2), random.between(0, 2)];
+      const path = half.shortestPath([rim, y], [x, z]);
+      assert.equal(path.status, 'converged', `${rim} ${y} ${x} ${z}`);
+      assert.ok(Math.abs(path.length - Math.hypot(Math.asin(rim) - Math.asin(x), y - z)) <= 3 * path.lengthError, `${path.length}`);
+    }
+  });
+
+  test("the throat of Flamm's paraboloid, by the distance from its axis: as by its height", () => {
+    const byRadius = surfpath.parametric(definitionOf('v cos(u)', 'v sin(u)', '2sqrt(v - 1)', [1, 10]));
+    const byHeight = surfpath.revolution({ r: '1 + t^2/4', z: 't', t: [0, 6] });
+    const random = createRandom(9);
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, turn, height] = [random.between(0, TURN), random.between(-1.5, 1.5), random.between(1, 6)];
+      const to = from + turn; // no farther: else it runs along the throat first
+      const path = byRadius.shortestPath([from, 1], [to, 1 + (height * height) / 4]);
+      const other = byHeight.shortestPath([from, 0], [to, height]);
+      assert.equal(path.status, 'converged', `${from} ${to} ${height}`);
+      assert.ok(Math.abs(path.length - other.length) <= path.lengthError + other.lengthError, `${path.length} ${other.length}`);
+    }
+  });
+});
+
+describe('around an apex of more than a turn, by E, F and G', () => {
+  const between = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ angle) =>
+    Math.hypot(a - b * Math.cos(angle), b * Math.sin(angle));
+  const arc = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ angle) =>
+    2 * Math.asin(Math.sqrt(Math.sin((a - b) / 2) ** 2 + Math.sin(a) * Math.sin(b) * Math.sin(angle / 2) ** 2));
+  for (const [name, size, G, free] of /** @type {const} */ ([
+    ['a cone', 2, '(k*v)^2', between],
+    ['a bulge of curvature 1', Math.PI / 2, '(k*sin(v))^2', arc],
+  ]))
+    test(`${name}: as long as unrolled, or over the apex; rough paths that cut its corner are not followed`, () => {
+      const k = 1.4;
+      const surface = surfpath.metric({ E: G, F: 0, G: 1, u: [0, '2pi'], v: [0, size], periodic: { u: true }, parameters: { k } });
+      surface.shortestPath([1, 1], [2, 1]);
+      const random = createRandom(10);
+      const start = performance.now();
+      for (let i = 0; i < PAIRS; i++) {
+        const [from, to] = [0, 1].map(() => [random.between(0, TURN), random.between(0, size)]);
+        const turn = Math.abs(from[0] - to[0]);
+        const angle = k * Math.min(turn, TURN - turn);
+        const path = surface.shortestPath(from, to);
+        assert.equal(path.status, 'converged', `${from} ${to}`);
+        const truth = angle < Math.PI ? free(from[1], to[1], angle) : from[1] + to[1];
+        assert.ok(Math.abs(path.length - truth) <= 3 * path.lengthError, `${from} ${to}: ${path.length}, not ${truth}`);
+      }
+      const milliseconds = performance.now() - start;
+      assert.ok(milliseconds < allowance(1500), `${milliseconds} ms`);
+    });
 });

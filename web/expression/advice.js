@@ -27,6 +27,7 @@ const TRANSLATIONS = new Map([
   ['ctg', '1/tan(…)'],
   ['sec', '1/cos(…)'],
   ['csc', '1/sin(…)'],
+  ['sech', '1/cosh(…)'],
   ['mod', 'a - b*floor(a/b)'],
   ['ceil', '-floor(-(…))'],
   ['round', 'floor(… + 0.5)'],
