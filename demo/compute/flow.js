@@ -55,9 +55,10 @@ export function connect(solver, solved) {
 /** Surfaces are shown in a view from now on; one that is there already, at once. @param {Stage | null} view null: there is no 3D */
 export function showIn(view) {
   stage = view;
-  if (!state.mesh) return;
-  look(state.mesh);
-  stage?.frame(lineOfEnds(), toLookFrom);
+  if (state.mesh) {
+    look(state.mesh);
+    stage?.frame(lineOfEnds(), toLookFrom);
+  }
   render();
 }
 

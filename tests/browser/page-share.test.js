@@ -92,6 +92,16 @@ test('Back and Forward lead from surface to surface and from measure to measure,
   assert.deepEqual(complaints, []);
 });
 
+test('who loads the page anew right after a change has not lost it', async () => {
+  await openEntry(page, 'parametricTorus');
+  // What opening it had to write is written.
+  await page.waitForTimeout(600);
+  await page.fill('#end-0-0', '1.25');
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.inputValue('#end-0-0'), '1.25');
+});
+
 test('every sketch comes back from its link', () => {
   const implicit = sketchOf('own-implicit');
   const longest = 'ξ'.repeat(4096);
