@@ -15,7 +15,7 @@ export function startResult() {
 }
 
 /** Parts of the path's length: a straight line that is shorter has left the surface, and its chords are no length on it. */
-const LEAST_SHARE = 0.99;
+const LEAST_SHARE = 0.998;
 /** From here on by how much something is longer is better seen from the lengths. */
 const MOST_SHARE = 1000;
 

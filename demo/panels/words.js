@@ -69,15 +69,22 @@ const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
 const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
 
+/** A formula that jumps, or bends: where no path is exact, and what else to do about it. @param {string} name of the function @param {string} algorithm */
+function describeRough(name, algorithm) {
+  if (!SMOOTH[name]) return [`Across a jump, as ${name} makes one, a path is found roughly, if at all`, ''];
+  if (algorithm !== 'elements') return [`Across an edge, as ${name} makes one, only elements are exact`, 'choose that algorithm, or '];
+  return [`Past a corner, where edges meet as ${name} makes them, a path is found roughly, if at all`, 'move an end a little, or '];
+}
+
 /**
- * What to do about a path that comes to no rest, or is not exact: where a formula bends or jumps, no algorithm can help.
- * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
+ * What to do about a path that comes to no rest, or is not exact.
+ * @param {Pick<Sketch, 'texts' | 'density' | 'tensor' | 'algorithm'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
  */
-function adviseStuck({ texts, density, tensor }, advice, leaps) {
+function adviseStuck({ texts, density, tensor, algorithm }, advice, leaps) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
   if (!name) return leaps ? LEAPS : advice;
-  const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
-  return `Across an edge or a jump, as ${name} makes one, no path comes to rest, or none exactly: write something smooth, such as ${instead}.`;
+  const [where, first] = describeRough(name, algorithm);
+  return `${where}: ${first}write something smooth, such as ${SMOOTH[name] ?? 'tanh(9*x) in place of a step'}.`;
 }
 
 /** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */

@@ -56,14 +56,20 @@ test('a measure of length that is none is told as what it is', () => {
 });
 
 test('where a formula bends or jumps, that is why a path is stuck', () => {
-  const advice = (/** @type {string} */ z, status = 'stalled', leaps = false) => {
+  const advice = (
+    /** @type {string} */ z,
+    status = 'stalled',
+    leaps = false,
+    /** @type {'elements' | 'polyline'} */ algorithm = 'elements',
+  ) => {
     const sketch = sketchOf('own-graph');
-    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } }, { leaps })[1];
+    return describeStatus(status, { ...sketch, algorithm, texts: { ...sketch.texts, z } }, { leaps })[1];
   };
-  assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
-  assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes one/);
+  assert.match(advice('x+abs(y)'), /where edges meet as abs makes them, .*sqrt\(x\^2\+0\.01\)/);
+  assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes them/);
   assert.match(advice('x*y', 'tolerance-not-met'), /larger tolerance/);
-  assert.match(advice('max(x,y)'), /as max makes one.*\+sqrt\(\(x-y\)\^2\+0\.01\)\)\/2/);
+  assert.match(advice('max(x,y)'), /as max makes them.*\+sqrt\(\(x-y\)\^2\+0\.01\)\)\/2/);
+  assert.match(advice('abs(x)', 'stalled', false, 'polyline'), /as abs makes one, only elements are exact: choose that algorithm/);
   assert.match(advice('2*floor (x)'), /as floor makes one.*tanh/);
   assert.match(advice('1e9*x*y'), /less steep/);
   assert.match(advice('absorb*x'), /less steep/);
