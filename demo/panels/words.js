@@ -5,6 +5,8 @@
 const MINUS = '\u2212';
 /** Of a length: at most, and where its error is not known. */
 const [MOST_DIGITS, FEW_DIGITS] = [9, 7];
+/** Relative difference of lengths that are one but for rounding. */
+const SAME = 1e-8;
 /** Powers of ten from which, and below which, numbers are written without one. */
 const [LEAST_ORDER, MOST_ORDER] = [-4, 6];
 const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -18,7 +20,7 @@ const OUTCOMES = {
     'No step made the path shorter, or a shorter way leads to no path: try another algorithm, fewer points or a less steep formula.',
   ],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
-  'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
+  'ill-conditioned': ['One of many', 'Ways beside it are as long, as between opposite poles: the length is right, the way is any of them.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
@@ -155,6 +157,7 @@ const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' :
 /** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';
+  if (x === 0) return '0';
   const order = orderOf(x, digits);
   if (order >= LEAST_ORDER && order < Math.max(MOST_ORDER, digits))
     return Number(x.toPrecision(digits))
@@ -170,7 +173,13 @@ export function formatNumber(x, digits = 6) {
 /** A number down to the first digit that is uncertain, as far as a reader follows: two at least, as the first alone may mislead. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
   const digits = uncertainty > 0 && uncertainty < Infinity ? orderOf(x, MOST_DIGITS) - orderOf(uncertainty, 1) + 1 : FEW_DIGITS;
-  return `${uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
+  return `${uncertainty > 0 && uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
+}
+
+/** By how much a path is longer than the shortest, as far as the digits of their lengths tell. @param {number} length @param {number} least */
+export function formatLonger(length, least) {
+  const share = length / least - 1;
+  return Math.abs(share) < SAME ? 'as long' : `+${formatNumber(100 * share, 3)} %`;
 }
 
 /** @param {number} x a small positive estimate */
