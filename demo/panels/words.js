@@ -20,7 +20,7 @@ const OUTCOMES = {
     'No step made the path shorter, or a shorter way leads to no path: try another algorithm, fewer points or a less steep formula.',
   ],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
-  'ill-conditioned': ['One of many', 'Ways beside it are as long, as between opposite poles: the length is right, the way is any of them.'],
+  'ill-conditioned': ['One of many', 'Ways beside it are as long, as between opposite poles.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
