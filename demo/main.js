@@ -132,10 +132,11 @@ async function start() {
   await breathe();
   for (const begin of [
     startResult,
+    // Its fields are there before the formula card looks for the one with a mistake.
+    startMeasure,
     startFormula,
     startSliders,
     startPathCard,
-    startMeasure,
     startGallery,
     startPlane,
     startPlots,

@@ -5,7 +5,9 @@ export function describe(value) {
   if (value === null) return 'null';
   if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
   if (Array.isArray(value)) return `an array of ${value.length}`;
-  return /** @type {Record<string, string>} */ ({ object: 'an object', function: 'a function' })[typeof value] ?? String(value);
+  if (typeof value !== 'object') return typeof value === 'function' ? 'a function' : String(value);
+  const type = Object.prototype.toString.call(value).slice(8, -1);
+  return type === 'Object' ? 'an object' : `an object of type ${type}`;
 }
 
 /** Throws. @param {string} name function and argument @param {string} what it must be @param {unknown} value @param {ErrorConstructor} [Kind] @returns {never} */
@@ -18,9 +20,9 @@ export function refuseNumber(name, what, value) {
   refuse(name, what, value, typeof value === 'number' ? RangeError : TypeError);
 }
 
-/** @param {string} name @param {unknown} value */
-export function checkObject(name, value) {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) refuse(name, 'an object', value);
+/** Named values: no array, and no Map, whose entries would go unnoticed. @param {string} name @param {unknown} value @param {string} [what] */
+export function checkObject(name, value, what = 'an object') {
+  if (typeof value !== 'object' || value === null || Symbol.iterator in value) refuse(name, what, value);
 }
 
 /** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */

@@ -43,7 +43,7 @@ import { checkObject, describe, readFinite, refuse, refuseNumber } from './argum
 /** @param {string} caller @param {string} name @param {unknown} value */
 export function checkExpression(caller, name, value) {
   if (typeof value !== 'string' && !(typeof value === 'number' && Number.isFinite(value)))
-    refuse(`${caller}: ${name}`, 'a formula in a string, or a finite number', value);
+    refuseNumber(`${caller}: ${name}`, 'a formula in a string, or a finite number', value);
 }
 
 /** Several formulas in an array. @param {string} caller @param {string} name @param {unknown} value @param {number} count */
@@ -138,19 +138,20 @@ export function readList(name, list, variables, one) {
 export function checkParameters(caller, given) {
   /** @type {Record<string, number>} */
   const parameters = Object.create(null);
-  if (typeof given !== 'object' || given === null) refuse(`${caller}: parameters`, 'an object of numbers', given);
-  for (const [name, value] of Object.entries(given)) {
+  checkObject(`${caller}: parameters`, given, 'an object of numbers');
+  for (const [name, value] of Object.entries(/** @type {Record<string, number>} */ (given))) {
     if (!Number.isFinite(value)) refuseNumber(`${caller}: parameter ${name}`, 'a finite number', value);
     parameters[name] = value;
   }
   return parameters;
 }
 
-/** @param {string} caller @param {unknown} range @param {string} name */
-export function checkRange(caller, range, name) {
-  if (!Array.isArray(range) || range.length !== 2) refuse(`${caller}: ${name}`, 'a range [from, to]', range);
-  const bad = range.find((end) => typeof end === 'number' && !Number.isFinite(end));
-  if (bad !== undefined) throw new RangeError(`${caller}: ${name} must hold finite numbers, not ${describe(bad)}`);
+/** @param {string} caller @param {any} range an array of any type @param {string} name @returns {[Expression, Expression]} a copy */
+export function readRange(caller, range, name) {
+  if (typeof range !== 'object' || range?.length !== 2) refuse(`${caller}: ${name}`, 'a range [from, to]', range);
+  const ends = /** @type {[Expression, Expression]} */ (Array.from(range));
+  for (const [i, end] of ends.entries()) checkExpression(caller, `${name}[${i}]`, end);
+  return ends;
 }
 
 /** @param {string} caller @param {any} bounds @returns {number[] | null} xmin xmax ymin ymax zmin zmax */
@@ -160,19 +161,18 @@ export function checkBounds(caller, bounds) {
     refuse(`${caller}: bounds`, 'three ranges, [[xmin, xmax], [ymin, ymax], [zmin, zmax]]', bounds);
   const box = [];
   for (const [i, range] of bounds.entries()) {
-    checkRange(caller, range, `bounds[${i}]`);
-    if (!range.every((/** @type {unknown} */ end) => typeof end === 'number'))
-      throw new TypeError(`${caller}: bounds[${i}] must be two numbers, not ${range.map(describe)}`);
-    if (!(range[0] < range[1]))
-      throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${range.map(describe)}`);
-    box.push(range[0], range[1]);
+    const ends = readRange(caller, range, `bounds[${i}]`);
+    if (typeof ends[0] !== 'number' || typeof ends[1] !== 'number')
+      throw new TypeError(`${caller}: bounds[${i}] must be two numbers, not ${ends.map(describe)}`);
+    if (!(ends[0] < ends[1])) throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${ends}`);
+    box.push(ends[0], ends[1]);
   }
   return box;
 }
 
-/** @param {string} caller @param {string} name @param {unknown} given @param {number} count @returns {number[]} */
-export function readNumbers(caller, name, given, count) {
-  const what = count === 2 ? '[u, v]' : '[x, y, z]';
+/** @param {string} caller @param {string} name @param {unknown} given @param {string[]} variables one a number @returns {number[]} */
+export function readNumbers(caller, name, given, variables) {
+  const [what, count] = [`[${variables.join(', ')}]`, variables.length];
   if (typeof given !== 'object' || given === null || typeof (/** @type {any} */ (given).length) !== 'number')
     refuse(`${caller}: ${name}`, what, given);
   const { length } = /** @type {ArrayLike<number>} */ (given);

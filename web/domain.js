@@ -91,15 +91,15 @@ const MOST_TURNS = 1e9;
 
 /**
  * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction, as far as numbers tell one place of a turn from the next.
- * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages
+ * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages @param {string[]} variables of a point
  */
-export function enterDomain({ lower, upper, periodic }, point, name) {
+export function enterDomain({ lower, upper, periodic }, point, name, variables) {
   return point.map((x, j) => {
     const [low, high] = [lower[j], upper[j]];
     const slack = (periodic[j] ? MOST_TURNS : 1e-12) * (high - low);
     if (x < low - slack || x > high + slack)
       throw new RangeError(
-        `${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${'uv'[j]}, [${low}, ${high}]`,
+        `${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${variables[j]}, [${low}, ${high}]`,
       );
     return periodic[j] ? x : Math.min(Math.max(x, low), high);
   });

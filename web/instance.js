@@ -25,6 +25,8 @@ const KINDS = [...PARAMETRIC_KINDS, 'implicit', 'metric'];
 
 /** One instance: surfaces of it share a memory; two instances share nothing. Made by `load`. */
 export class Surfpath {
+  /** What a console shows: bundling shortens the name of the class itself. */
+  static name = 'Surfpath';
   /** @type {Solver | null} */ #solver;
   /** @type {Set<Surface>} */ #surfaces = new Set();
 

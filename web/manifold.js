@@ -94,10 +94,15 @@ export class Manifold {
     return box ? gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) : 0;
   }
 
+  /** Coordinates of a point, as the definition calls them. */
+  get variables() {
+    return this.#shape.variables;
+  }
+
   /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
   readPoint(caller, name, point) {
-    const numbers = readNumbers(caller, name, point, SHAPE[this.kind].variables.length);
-    return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`) : numbers;
+    const numbers = readNumbers(caller, name, point, this.variables);
+    return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`, this.variables) : numbers;
   }
 
   /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */

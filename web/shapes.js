@@ -2,7 +2,7 @@
  * as nodes of the graph in which formulas are differentiated, so that their derivatives are exact. Knows nothing of paths. */
 
 import { evaluateConstant } from './expression/compile.js';
-import { checkDefinition, checkExpressions, checkRange } from './definition.js';
+import { checkDefinition, checkExpressions, readRange } from './definition.js';
 import { COS, SIN } from './expression/functions.js';
 import { frameAlong } from './frame.js';
 import { componentsOf } from './reference.js';
@@ -116,10 +116,7 @@ export const readShape = (kind, definition) => SHAPES[kind](kind, definition);
 
 /** @param {string} kind @param {any} definition @param {string[]} names @returns {[string, Range][]} copies */
 function rangesOf(kind, definition, names) {
-  return names.map((name) => {
-    checkRange(kind, definition[name], name);
-    return [name, [definition[name][0], definition[name][1]]];
-  });
+  return names.map((name) => [name, readRange(kind, definition[name], name)]);
 }
 
 /** A shape over a full turn and a range of t. @param {string} kind @param {any} definition @param {Construction} outputs @returns {Shape} */

@@ -36,6 +36,8 @@ const MOST_GEODESICS = 16;
 const AT_NO_REST = ['stalled', 'iteration-limit'];
 
 export class Surface {
+  /** What a console shows: bundling shortens the name of the class itself. */
+  static name = 'Surface';
   #manifold;
   #forget;
 
@@ -89,7 +91,7 @@ export class Surface {
     const stops = via.map((point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
     if (stops.length > 0) return passThrough(this.#manifold.field(), caller, places, solve, start);
-    const near = start === 'global' ? start : readStart(caller, start, this.#variables.length);
+    const near = start === 'global' ? start : readStart(caller, start, this.#manifold.variables.length);
     return findPath(this.#manifold.field(), places, solve, near);
   }
 
@@ -170,7 +172,7 @@ export class Surface {
    */
   trace(from, direction, length, options) {
     const caller = Surface.#enter(this, 'trace');
-    const asked = readTrace(caller, direction, length, this.#variables.length);
+    const asked = readTrace(caller, direction, length, this.#manifold.variables);
     const start = this.#manifold.readPoint(caller, 'from', from);
     return traceFrom(this.#manifold, caller, start, asked, readTraceOptions(caller, options));
   }
@@ -183,7 +185,7 @@ export class Surface {
    */
   evaluate(points) {
     const caller = Surface.#enter(this, 'evaluate');
-    const places = readList(`${caller}: points`, points, this.#variables, 'point');
+    const places = readList(`${caller}: points`, points, this.#manifold.variables, 'point');
     return this.#manifold.kind === 'parametric' ? evaluateNormals(this.#manifold, places) : this.#manifold.evaluate('value', places);
   }
 
@@ -197,9 +199,8 @@ export class Surface {
   project(point, near) {
     const caller = Surface.#enter(this, 'project');
     this.#checkPositions(caller);
-    const target = readNumbers(caller, 'point', point, 3);
-    const read = () => (this.#manifold.domain ? this.#manifold.readPoint(caller, 'near', near) : readNumbers(caller, 'near', near, 3));
-    return projectOnto(this.#manifold, caller, target, near === undefined ? null : read());
+    const target = readNumbers(caller, 'point', point, SHAPE.implicit.variables);
+    return projectOnto(this.#manifold, caller, target, near === undefined ? null : this.#manifold.readPoint(caller, 'near', near));
   }
 
   /**
@@ -250,11 +251,6 @@ export class Surface {
     return caller;
   }
 
-  /** The coordinates of a point. */
-  get #variables() {
-    return SHAPE[this.#manifold.kind].variables;
-  }
-
   /** @param {string} caller */
   #checkPositions(caller) {
     if (this.#manifold.kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
@@ -270,7 +266,7 @@ export class Surface {
     const { solve, start } = readPairOptions(caller, options);
     // Elements are sampled in the end, chords are what is solved; but what is compared has points.
     if (shapeless && solve.algorithm === ELEMENTS) solve.points = start === 'global' ? COMPARED_POINTS : 1;
-    for (const ends of readPairs(caller, pairs, this.#variables, this.#manifold.domain)) {
+    for (const ends of readPairs(caller, pairs, this.#manifold.variables, this.#manifold.domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
       else yield findPath(this.#manifold.field(), ends, solve, start === 'global' ? start : null);
     }

@@ -18,11 +18,11 @@ const [LOOSER, LOOSEST] = [100, 1e-5];
  */
 
 /**
- * @param {string} caller @param {unknown} direction @param {unknown} length @param {number} dimension 2 or 3
+ * @param {string} caller @param {unknown} direction @param {unknown} length @param {string[]} variables of a point
  * @returns {{ direction: number[], length: number }}
  */
-export function readTrace(caller, direction, length, dimension) {
-  const numbers = readNumbers(caller, 'direction', direction, dimension);
+export function readTrace(caller, direction, length, variables) {
+  const numbers = readNumbers(caller, 'direction', direction, variables);
   if (numbers.every((x) => x === 0)) throw new RangeError(`${caller}: direction must not be zero; only its length does not matter`);
   if (typeof length !== 'number' || !(length >= 0 && length < Infinity))
     refuseNumber(`${caller}: length`, 'a finite number that is not negative', length);

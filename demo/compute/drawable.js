@@ -7,8 +7,10 @@ import { cross, subtract } from './vectors.js';
 /** @typedef {import('./tasks.js').Opened} Opened */
 /** @typedef {import('../../web/view/drawable.js').SurfaceMesh} SurfaceMesh */
 
-/** Cells a direction of what is carried along a curve, which is much longer than wide, and of what has many waves. */
+/** Cells a direction of what is carried along a curve, which is much longer than wide, of what has many waves, and of what has shores to be drawn. */
 const FINE = 160;
+/** A density that jumps. */
+const JUMPS = /(?<![\p{L}\d_])(?:sign|floor)(?=\s*\()/u;
 /** How far apart, in radians, the normals of neighbouring vertices are on average where waves are drawn with too few cells: the gallery's surfaces have up to 0.13. */
 const WAVY = 0.2;
 /** Places a direction of a box at which a formula is tried. */
@@ -19,7 +21,8 @@ const TINY = 0.1;
 /** @param {Opened} opened @param {number | undefined} resolution cells a direction; default: what suits it @param {import('surfpath').Surfpath} surfpath @returns {SurfaceMesh} */
 export function meshOf(opened, resolution, surfpath) {
   const { drawn, definition } = opened;
-  const wanted = resolution ?? (['tube', 'sweep'].includes(definition.kind) ? FINE : undefined);
+  const isFine = ['tube', 'sweep'].includes(definition.kind) || (drawn.kind !== 'implicit' && JUMPS.test(definition.density));
+  const wanted = resolution ?? (isFine ? FINE : undefined);
   const coarse = drawn.mesh(wanted ? { resolution: wanted } : {});
   const given = !wanted && isWavy(coarse) ? drawn.mesh({ resolution: FINE }) : coarse;
   const mesh = drawableMesh(drawn, given);

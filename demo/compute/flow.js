@@ -2,7 +2,18 @@
 
 import { findBadBound, problemOf, sentence } from '../state/definition.js';
 import { areFar, chooseEnds, describeFar, findBadEnd } from '../state/ends.js';
-import { areInside, areLeftBehind, endPlaces, mended, meshNow, middle, middleOfPath, moveEnds, repairEnds, surfaceNow } from './footing.js';
+import {
+  areInside,
+  areLeftBehind,
+  endPlaces,
+  lineOfEnds,
+  mended,
+  meshNow,
+  moveEnds,
+  pointsOfPath,
+  repairEnds,
+  surfaceNow,
+} from './footing.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
 import { surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
@@ -30,7 +41,7 @@ let timer = 0;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(something: ArrayLike<number> | null, direction?: readonly number[]): void, refit(): void }} Stage */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(curve: ArrayLike<number>, direction?: readonly number[]): void, refit(): void }} Stage */
 /** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
@@ -44,14 +55,15 @@ export function connect(solver, solved) {
 /** Surfaces are shown in a view from now on; one that is there already, at once. @param {Stage | null} view null: there is no 3D */
 export function showIn(view) {
   stage = view;
-  if (!state.mesh) return;
-  look(state.mesh);
-  stage?.frame(middle(), toLookFrom);
+  if (state.mesh) {
+    look(state.mesh);
+    stage?.frame(lineOfEnds(), toLookFrom);
+  }
   render();
 }
 
 /** Looks at all of the surface again, as when it was opened; at one of the reader's own from the side of the path. */
-export const reframe = () => stage?.frame(middleOfPath() ?? middle(), toLookFrom);
+export const reframe = () => stage?.frame(pointsOfPath() ?? lineOfEnds(), toLookFrom);
 
 /** A new question about the path: older answers do not count any more. */
 function begin() {
@@ -102,7 +114,7 @@ export async function rebuild({ frame, direction }) {
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     toLookFrom = direction;
-    if (frame) return stage?.frame(middle(), direction);
+    if (frame) return stage?.frame(lineOfEnds(), direction);
     stage?.refit();
     // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
     if (areFar(endPlaces(), state.seen)) {

@@ -48,15 +48,14 @@ export const endPlaces = () =>
     return place ? [place] : [];
   });
 
-/** A place to look from: the middle between the ends. */
-export function middle() {
+/** What to look at: the line from one end to the other, x y z of each place. */
+export function lineOfEnds() {
   const [from, to] = endPlaces();
-  return to ? from.map((x, k) => (x + to[k]) / 2) : null;
+  return to ? [...from, ...from.map((x, k) => (x + to[k]) / 2), ...to] : [];
 }
 
-/** A better one, once there is a path: where its middle is. */
-export function middleOfPath() {
+/** Better, once there is a path: all of it. */
+export function pointsOfPath() {
   const points = chosenPath()?.points ?? [];
-  const at = 3 * Math.floor(points.length / 6);
-  return points.length > 0 ? points.slice(at, at + 3) : null;
+  return points.length > 0 ? points : null;
 }

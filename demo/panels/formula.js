@@ -190,6 +190,7 @@ function showProblem(problem) {
   find(`field-${field}`).setAttribute('aria-invalid', 'true');
   const place = find(`problem-${field}`);
   place.hidden = false;
+  place.closest('details')?.setAttribute('open', '');
   place.replaceChildren(...(problem.source ? [mark(problem)] : []), create('p', { role: 'alert' }, problem.message), ...offer(problem));
 }
 

@@ -7,7 +7,7 @@ import { runsOf } from '../compute/legs.js';
 import { chooseEnds, letterOf, onto } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';
-import { formatNumber } from './words.js';
+import { formatLonger, formatNumber } from './words.js';
 
 /** @typedef {import('../state/state.js').State} State */
 
@@ -183,7 +183,7 @@ function renderEnds(state) {
 function renderList(paths, chosen) {
   const rows = paths.map((path, i) => {
     const button = create('button', { type: 'button' }, create('strong', {}, formatNumber(path.length, 8)));
-    if (i > 0) button.append(create('span', { className: 'hint' }, ` +${formatNumber(100 * (path.length / paths[0].length - 1), 3)} %`));
+    if (i > 0) button.append(create('span', { className: 'hint' }, ` ${formatLonger(path.length, paths[0].length)}`));
     button.setAttribute('aria-pressed', String(i === chosen));
     button.addEventListener('click', () => change({ chosen: i }));
     return create('li', {}, button);

@@ -14,6 +14,8 @@ export function startResult() {
   onRender(renderMoment);
 }
 
+/** Parts of the path's length: a straight line that is shorter has left the surface, and its chords are no length on it. */
+const LEAST_SHARE = 0.998;
 /** From here on by how much something is longer is better seen from the lengths. */
 const MOST_SHARE = 1000;
 
@@ -47,7 +49,7 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   write('length-error', isKnown ? formatEstimateOf(path.length, path.lengthError) : '');
   find('length-error').title = isKnown ? `${OF_ERROR}: ${formatEstimate(path.lengthError)}` : OF_ERROR;
   if (!moving) {
-    const hasStart = Number.isFinite(solved.straightLength) && !gauge && !sketch.density;
+    const hasStart = solved.straightLength >= LEAST_SHARE * (path?.length || 0) && !gauge && !sketch.density;
     find('start-figure').hidden = !hasStart && !busy;
     write('start-length', hasStart ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
     write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');
@@ -62,7 +64,8 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   const isOld = path !== null && problem !== null;
   const [words, advice] = isOld ? OLD : path ? describePath(path, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
-  write('advice', note ?? advice);
+  // What the reader must know of the ends stands before what to do, which a path that is one leaves out.
+  write('advice', note && (isOld || path?.converged) ? note : [note, advice].filter(Boolean).join(' '));
   find('status').toggleAttribute('data-old', isOld);
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }

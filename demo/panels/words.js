@@ -5,6 +5,8 @@
 const MINUS = '\u2212';
 /** Of a length: at most, and where its error is not known. */
 const [MOST_DIGITS, FEW_DIGITS] = [9, 7];
+/** Relative difference of lengths that are one but for rounding. */
+const SAME = 1e-8;
 /** Powers of ten from which, and below which, numbers are written without one. */
 const [LEAST_ORDER, MOST_ORDER] = [-4, 6];
 const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -18,7 +20,7 @@ const OUTCOMES = {
     'No step made the path shorter, or a shorter way leads to no path: try another algorithm, fewer points or a less steep formula.',
   ],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
-  'ill-conditioned': ['Doubtful', 'The surface is almost singular along the path: narrow its ranges.'],
+  'ill-conditioned': ['One of many', 'Ways beside it are as long, as between opposite poles.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
@@ -69,15 +71,22 @@ const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
 const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
 
+/** A formula that jumps, or bends: where no path is exact, and what else to do about it. @param {string} name of the function @param {string} algorithm */
+function describeRough(name, algorithm) {
+  if (!SMOOTH[name]) return [`Across a jump, as ${name} makes one, a path is found roughly, if at all`, ''];
+  if (algorithm !== 'elements') return [`Across an edge, as ${name} makes one, only elements are exact`, 'choose that algorithm, or '];
+  return [`Past a corner, where edges meet as ${name} makes them, a path is found roughly, if at all`, 'move an end a little, or '];
+}
+
 /**
- * What to do about a path that comes to no rest, or is not exact: where a formula bends or jumps, no algorithm can help.
- * @param {Pick<Sketch, 'texts' | 'density' | 'tensor'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
+ * What to do about a path that comes to no rest, or is not exact.
+ * @param {Pick<Sketch, 'texts' | 'density' | 'tensor' | 'algorithm'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
  */
-function adviseStuck({ texts, density, tensor }, advice, leaps) {
+function adviseStuck({ texts, density, tensor, algorithm }, advice, leaps) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
   if (!name) return leaps ? LEAPS : advice;
-  const instead = SMOOTH[name] ?? 'tanh(9*x) in place of a step';
-  return `Across an edge or a jump, as ${name} makes one, no path comes to rest, or none exactly: write something smooth, such as ${instead}.`;
+  const [where, first] = describeRough(name, algorithm);
+  return `${where}: ${first}write something smooth, such as ${SMOOTH[name] ?? 'tanh(9*x) in place of a step'}.`;
 }
 
 /** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
@@ -148,6 +157,7 @@ const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' :
 /** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {
   if (!Number.isFinite(x)) return '–';
+  if (x === 0) return '0';
   const order = orderOf(x, digits);
   if (order >= LEAST_ORDER && order < Math.max(MOST_ORDER, digits))
     return Number(x.toPrecision(digits))
@@ -163,7 +173,13 @@ export function formatNumber(x, digits = 6) {
 /** A number down to the first digit that is uncertain, as far as a reader follows: two at least, as the first alone may mislead. @param {number} x @param {number} uncertainty */
 export function formatTo(x, uncertainty) {
   const digits = uncertainty > 0 && uncertainty < Infinity ? orderOf(x, MOST_DIGITS) - orderOf(uncertainty, 1) + 1 : FEW_DIGITS;
-  return `${uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
+  return `${uncertainty > 0 && uncertainty >= Math.abs(x) && uncertainty < Infinity ? '≈ ' : ''}${formatNumber(x, Math.min(Math.max(digits, 2), MOST_DIGITS))}`;
+}
+
+/** By how much a path is longer than the shortest, as far as the digits of their lengths tell. @param {number} length @param {number} least */
+export function formatLonger(length, least) {
+  const share = length / least - 1;
+  return Math.abs(share) < SAME ? 'as long' : `+${formatNumber(100 * share, 3)} %`;
 }
 
 /** @param {number} x a small positive estimate */

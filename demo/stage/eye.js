@@ -3,10 +3,10 @@
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { fitView } from '../../web/view/fit.js';
+import { sideOf } from '../../web/view/side.js';
 import { pointsWithin, rangesWithoutSpikes } from '../../web/view/spikes.js';
 import { shareOfView } from './fit.js';
 
-const ELEVATION = Math.PI / 6;
 const FIELD_OF_VIEW = 32;
 /** Share of the view that stays free around the surface, both sides together. */
 const MARGIN = 0.1;
@@ -107,13 +107,9 @@ export class Eye {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  /** Looks at the whole surface from 30 degrees above, from the side where something is. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] to look from instead */
-  frame(something, direction) {
-    const { center, radius } = this.#bounds;
-    const towards = something ? new Vector3(something[0], something[1], something[2]).sub(center).setZ(0) : new Vector3();
-    if (towards.length() < 0.08 * radius) towards.set(0.6, -1, 0);
-    towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION));
-    if (direction) towards.fromArray(direction).normalize();
+  /** Looks at the whole surface from the side where a curve is. @param {ArrayLike<number>} curve x y z of each place @param {readonly number[]} [direction] to look from instead */
+  frame(curve, direction) {
+    const towards = direction ? new Vector3(...direction).normalize() : sideOf(curve, this.#bounds);
     // Straight from above there is no "up": a hair from the front.
     if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
     this.#fit(towards);

@@ -149,9 +149,9 @@ export class View {
     this.invalidate();
   }
 
-  /** Looks at the whole surface. @param {ArrayLike<number> | null} something x y z @param {readonly number[]} [direction] see `Eye` */
-  frame(something, direction) {
-    this.#eye.frame(something, direction);
+  /** Looks at the whole surface. @param {ArrayLike<number>} curve @param {readonly number[]} [direction] see `Eye` */
+  frame(curve, direction) {
+    this.#eye.frame(curve, direction);
     this.invalidate();
   }
 

@@ -15,8 +15,9 @@ export const history = new History();
 /** What can be changed while the paths stay those that are seen. */
 const BESIDE_PATHS = ['chosen', 'colour'];
 
-/** Milliseconds of quiet before the address is rewritten: browsers limit how often. */
+/** Milliseconds of quiet before the address is rewritten once more: browsers limit how often. */
 const QUIET = 400;
+/** 0: the address holds what is seen. */
 let timer = 0;
 
 const OF_SURFACE = /** @type {const} */ (['entry', 'kind', 'texts', 'density', 'tensor']);
@@ -72,7 +73,7 @@ export function openAddress(hash) {
 /** @param {Sketch} sketch @param {string | null} note */
 function openSketch(sketch, note = null) {
   // What was to be written was of the sketch before.
-  clearTimeout(timer);
+  forgetToWrite();
   if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
   Object.assign(state, { sketch, note });
   return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
@@ -100,11 +101,23 @@ export function redo() {
  * @param {Sketch} [before] what was seen until now @param {boolean} [isStep] away from that
  */
 function writeAddress(before = state.sketch, isStep = false) {
-  clearTimeout(timer);
   if (isStep && toHash(before) !== toHash(state.sketch)) {
     // Its last changes may not have been written yet.
     window.history.replaceState(null, '', toHash(before));
     window.history.pushState(null, '', toHash(state.sketch));
   }
-  timer = window.setTimeout(() => window.history.replaceState(null, '', toHash(state.sketch)), QUIET);
+  // The first of many changes at once: who loads the page anew right after it has not lost it.
+  if (!timer) rewriteAddress();
+  clearTimeout(timer);
+  timer = window.setTimeout(rewriteAddress, QUIET);
+}
+
+function forgetToWrite() {
+  clearTimeout(timer);
+  timer = 0;
+}
+
+function rewriteAddress() {
+  forgetToWrite();
+  window.history.replaceState(null, '', toHash(state.sketch));
 }

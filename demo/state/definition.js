@@ -38,10 +38,10 @@ export function textsOf(definition) {
   return texts;
 }
 
-/** An equation a = b, as people write them, is where a - (b) is 0; f(x, y, z) = … is none. @param {string} text */
+/** An equation a = b, as people write them, is where a - (b) is 0; f = …, f(x, y, z) = … is none. @param {string} text */
 function differenceOf(text) {
   const sides = text.split('=');
-  const isEquation = sides.length === 2 && sides.every((side) => side.trim()) && !/^\s*f\s*\(/.test(text);
+  const isEquation = sides.length === 2 && sides.every((side) => side.trim()) && !/^\s*f\s*[(=]/.test(text);
   const isWhole = sides[0].split('(').length === sides[0].split(')').length;
   return isEquation && isWhole ? `${sides[0]}-(${sides[1]})` : text;
 }
@@ -88,6 +88,8 @@ const NAMES = new Set(
 
 /** What the library advises those who write programs, and what a reader of the page does instead. */
 const [FOR_PROGRAMS, FOR_READERS] = ['or give it a value in parameters', 'or make it a slider'];
+/** What it advises of an equation; and what to do where the formula of a coordinate was to be written. */
+const [EQUATION, INSTEAD] = ['write a - (b)', 'choose Implicit'];
 
 /** A message of the library as a sentence, without the name of the function or field before it; names of the reader's formula stay as they are. @param {string} message */
 export function sentence(message) {
@@ -103,6 +105,8 @@ export function problemOf(error, kind, texts) {
   const { argument, source, index } = /** @type {{ argument?: string, source?: string, index?: number }} */ (error);
   if (source === undefined || index === undefined) return { field: null, source: '', index: 0, message };
   const names = [...fieldNames(kind), 'density', ...tensorNames(kind).map((name) => `metric.${name}`)];
-  const field = names.find((name) => name === argument) ?? fieldNames(kind).find((name) => texts[name] === source) ?? null;
-  return { field, source, index, message };
+  const ends = [`${argument}-from`, `${argument}-to`];
+  const field = names.find((name) => name === argument) ?? ends.find((name) => texts[name] === source) ?? null;
+  const isCoordinate = kind !== 'implicit' && field !== null && fieldNames(kind).includes(field);
+  return { field, source, index, message: isCoordinate ? message.replace(EQUATION, INSTEAD) : message };
 }

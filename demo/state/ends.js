@@ -7,6 +7,9 @@ import { isWithin } from '../../web/vector.js';
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {{ end: number, coordinate: number, message: string }} EndProblem end: A, B, then the points on the way; −1: none of them alone is at fault */
 
+/** In a direction that closes, as the library has it. */
+const MOST_TURNS = 1e9;
+
 /** What a point is called: A, B, then the points on the way by number. @param {number} index */
 export const letterOf = (index) => (index < 2 ? 'AB'[index] : String(index - 1));
 
@@ -20,9 +23,9 @@ export function findBadEnd(kind, { domain }, points) {
       const axis = coordinate === 0 ? 'u' : 'v';
       const value = point[coordinate];
       if (!Number.isFinite(value)) return { end, coordinate, message: `${nameOf(end)} needs a number for ${name}.` };
-      if (!domain || domain.periodic[axis]) continue;
+      if (!domain) continue;
       const range = domain[axis];
-      const slack = 1e-9 * (range[1] - range[0]);
+      const slack = (domain.periodic[axis] ? MOST_TURNS : 1e-9) * (range[1] - range[0]);
       if (value < range[0] - slack || value > range[1] + slack)
         return { end, coordinate, message: `${name} of ${nameOf(end)} must lie between ${shorten(range[0])} and ${shorten(range[1])}.` };
     }

@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { nextFrame, openBrowser, openEntry, openPage, openSettled, settled } from '../helpers/page.js';
+import { nextFrame, openBrowser, openEntry, openPage, openSettled, openSketch, settled } from '../helpers/page.js';
 
 const SCREENSHOTS = fileURLToPath(new URL('../../build/screenshots/', import.meta.url));
 const SITE = fileURLToPath(new URL('../../build/site/', import.meta.url));
@@ -165,6 +165,52 @@ describe('sizes and themes', () => {
         heights.add(await height());
       }
       assert.equal(heights.size, 1, `${width}: ${[...heights]}`);
+    }
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
+  test('a figure that has no room is left out whole, the words beside it are two lines', async () => {
+    const tiny = { z: '1e-5*sin(x*1e5)*cos(y*1e5)', 'x-from': '-3e-5', 'x-to': '3e-5', 'y-from': '-3e-5', 'y-to': '3e-5' };
+    /** Of each figure, the share that is seen. */
+    const seen = () =>
+      page.evaluate(() => {
+        const frame = /** @type {Element} */ (document.querySelector('.figures')).getBoundingClientRect();
+        return [...document.querySelectorAll('.figures div')].map((figure) => {
+          const { left, right, top, width } = figure.getBoundingClientRect();
+          return top >= frame.bottom || width === 0 ? 0 : (Math.min(right, frame.right) - Math.max(left, frame.left)) / width;
+        });
+      });
+    for (const [width, height, entry, most] of /** @type {const} */ ([
+      [1440, 900, 'parametricTorus', 3],
+      [1280, 800, 'own-graph', 1],
+      [390, 844, 'parametricTorus', 1],
+      [360, 640, 'parametricTorus', 0],
+    ])) {
+      await page.setViewportSize({ width, height });
+      await openSketch(
+        page,
+        entry === 'own-graph'
+          ? {
+              entry,
+              texts: tiny,
+              ends: [
+                [-2e-5, -1e-5],
+                [2e-5, 1e-5],
+              ],
+            }
+          : { entry },
+      );
+      const shares = await seen();
+      assert.ok(
+        shares.every((share) => share < 0.01 || share > 0.99),
+        `${width}: ${shares}`,
+      );
+      assert.ok(shares.filter((share) => share > 0.99).length >= most, `${width}: ${shares}`);
+      const lines = await page.$eval(
+        '.status',
+        (words) => words.getBoundingClientRect().height / parseFloat(getComputedStyle(words).lineHeight),
+      );
+      assert.ok(lines < 2.5, `${width}: ${lines} lines`);
     }
     await page.setViewportSize({ width: 1440, height: 900 });
   });

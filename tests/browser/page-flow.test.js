@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { allowance } from '../helpers/allowance.js';
-import { COARSE, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, hashOf, openBrowser, openEntry, openPage, openSettled, openSketch, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -39,14 +39,11 @@ const babble = (count) => Array.from({ length: count }, (_, i) => `+(2+sin(${i +
 /** Takes seconds to be drawn and to be solved on. */
 const LONG = `x^2+y^2+z^2-1${babble(130)}`;
 
-/** Opens a link. @param {object} sketch */
+/** Follows a link, and waits for nothing. @param {object} sketch */
 const followLink = (sketch) =>
-  page.evaluate(
-    (hash) => {
-      location.hash = hash;
-    },
-    `1.${Buffer.from(JSON.stringify(sketch)).toString('base64url')}`,
-  );
+  page.evaluate((hash) => {
+    location.hash = hash;
+  }, hashOf(sketch));
 
 describe('changes that overtake each other', () => {
   test('ends that a new formula has left behind are put onto the surface', async () => {
@@ -114,14 +111,25 @@ describe('changes that overtake each other', () => {
   });
 
   test('but where a link says that they are, they stay', async () => {
-    await followLink({ entry: 'own-graph', texts: { z: 'x^9' } });
-    await page.waitForTimeout(300);
-    await settled(page);
+    await openSketch(page, { entry: 'own-graph', texts: { z: 'x^9' } });
     assert.match(await text('#advice'), /far outside what is seen/);
     assert.deepEqual(
       await page.$$eval('#ends input', (all) => all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber)),
       [-1.9, -1.2, 1.8, 1.4],
     );
+  });
+
+  test('that an end was moved is said beside why there is no path', async () => {
+    await openSketch(page, { entry: 'own-graph', texts: { z: '0', 'x-from': '-1', 'x-to': '1' }, density: 'x' });
+    assert.match(await text('#advice'), /^A and B were moved: .* the density must be greater than 0\.$/);
+  });
+
+  test('a mistake in a link is marked in its field, whose card opens', async () => {
+    const { page: other } = await openPage(browser.context, browser.address + hashOf({ entry: 'saddle', density: '1+(x<0)' }));
+    await other.waitForSelector('#problem-density pre');
+    assert.equal(await other.getAttribute('#field-density', 'aria-invalid'), 'true');
+    assert.equal(await other.isVisible('#formula-problem'), false);
+    await other.close();
   });
 
   test('a metric that is none has no ellipses', async () => {
@@ -203,7 +211,7 @@ describe('changes that overtake each other', () => {
         const end = performance.now() + 150;
         while (performance.now() < end);
       },
-      `1.${Buffer.from('{"entry":"vase"}').toString('base64url')}`,
+      hashOf({ entry: 'vase' }),
     );
     await rest();
     assert.equal(await text('#entry-title'), 'Vase');

@@ -1,7 +1,7 @@
 // How the page looks: labels that stand apart, a view that follows the surface, colours that are forced, a sheet of paper.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { COARSE, measurePicture, nextFrame, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, measurePicture, nextFrame, openBrowser, openEntry, openSettled, openSketch, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -216,6 +216,20 @@ test('all of the surface is looked at again as when it was opened, or from where
   // The middle of a great circle is over that of its chord, (-1.9, -1.2) to (1.8, 1.4).
   const [x, y] = await towards();
   assert.ok((y - x / 2) / Math.hypot(x, y) > 0.95 * Math.hypot(1, 0.5), `${x}, ${y}`);
+});
+
+test('a path that leads straight away from the middle is not looked at end on', async () => {
+  await openSketch(page, {
+    entry: 'own-graph',
+    texts: { z: 'x^2' },
+    ends: [
+      [0.5, 0],
+      [2.2, 0],
+    ],
+  });
+  const [a, b] = await Promise.all(['#handle-A', '#handle-B'].map((id) => page.locator(id).boundingBox()));
+  const apart = Math.hypot((a?.x ?? 0) - (b?.x ?? 0), (a?.y ?? 0) - (b?.y ?? 0));
+  assert.ok(apart > 100, `${apart} pixels from A to B`);
 });
 
 describe('colours that the system forces', () => {

@@ -90,9 +90,14 @@ export async function settled(page, timeout = 60000) {
   );
 }
 
+/** A link's end. @param {unknown} sketch */
+export const hashOf = (sketch) => `#1.${Buffer.from(JSON.stringify(sketch)).toString('base64url')}`;
+
 /** Opens an entry of the gallery, and waits until it is solved. @param {import('playwright-core').Page} page @param {string} name */
-export async function openEntry(page, name) {
-  const sketch = Buffer.from(JSON.stringify({ entry: name })).toString('base64url');
+export const openEntry = (page, name) => openSketch(page, { entry: name });
+
+/** Follows a link, and waits until all of it is computed. @param {import('playwright-core').Page} page @param {object} sketch */
+export async function openSketch(page, sketch) {
   await page.evaluate((hash) => {
     // The same address again would change nothing; in one go, as the page rewrites the address by itself.
     history.replaceState(null, '', '#');
@@ -100,7 +105,7 @@ export async function openEntry(page, name) {
     const heard = new Promise((resolve) => addEventListener('hashchange', resolve, { once: true }));
     location.hash = hash;
     return heard.then(() => {});
-  }, `1.${sketch}`);
+  }, hashOf(sketch));
   await settled(page);
 }
 

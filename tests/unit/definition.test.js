@@ -21,8 +21,14 @@ describe('definitions', () => {
     ['a range that is no range', { ...gallery.saddle, u: 3 }, TypeError, /u must be a range \[from, to\], not 3/],
     ['a range of three', { ...gallery.saddle, u: [0, 1, 2] }, TypeError, /u must be a range/],
     ['a reversed range', { ...gallery.saddle, u: [1, 0] }, RangeError, /u must be a range of two numbers, the smaller first/],
+    ['an end of a range that is missing', { ...gallery.saddle, u: [0, undefined] }, TypeError, /parametric: u\[1\] must be a formula/],
     ['an empty range', { ...gallery.saddle, v: [1, 1] }, RangeError, /v must be a range/],
-    ['an infinite range', { ...gallery.saddle, v: [0, Infinity] }, RangeError, /parametric: v must hold finite numbers, not Infinity/],
+    [
+      'an infinite range',
+      { ...gallery.saddle, v: [0, Infinity] },
+      RangeError,
+      /parametric: v\[1\] must be a formula in a string, or a finite number, not Infinity/,
+    ],
     ['a range that is NaN', { ...gallery.saddle, v: ['sqrt(-1)', 1] }, RangeError, /v must be a range/],
     ['an unknown name in a range', { ...gallery.saddle, u: [0, '2*q'] }, ExpressionError, /u: unknown name q/],
     ['an unknown name', { ...gallery.saddle, z: 'w' }, ExpressionError, /z: unknown name w/],
@@ -33,13 +39,20 @@ describe('definitions', () => {
       TypeError,
       /parametric: x must be a formula in a string, or a finite number, not null/,
     ],
-    ['NaN for a formula', { ...gallery.saddle, x: NaN }, TypeError, /parametric: x must be .* not NaN/],
+    ['NaN for a formula', { ...gallery.saddle, x: NaN }, RangeError, /parametric: x must be .* not NaN/],
     ['a function for a formula', { ...gallery.saddle, x: Math.sin }, TypeError, /parametric: x must be/],
     ['a periodic that is a word', { ...gallery.saddle, periodic: 'yes' }, TypeError, /periodic must be 'auto' or .* not 'yes'/],
     ['a periodic that is a number', { ...gallery.saddle, periodic: { u: 1 } }, TypeError, /periodic must be .* not u: 1/],
     ['a parameter that is NaN', { ...gallery.saddle, parameters: { a: NaN } }, RangeError, /parameter a must be a finite number/],
     ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, TypeError, /parameter a must be a finite number, not '1'/],
     ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],
+    ['a Map of parameters', { ...gallery.saddle, parameters: new Map([['a', 1]]) }, TypeError, /not an object of type Map$/],
+    [
+      'parameters in a list',
+      { ...gallery.saddle, parameters: [1] },
+      TypeError,
+      /parameters must be an object of numbers, not an array of 1/,
+    ],
     ['a parameter called like a function', { ...gallery.saddle, parameters: { sin: 1 } }, ExpressionError, /sin is a function/],
     ['a field misspelt', { ...gallery.saddle, densty: '1 + u' }, TypeError, /has no field 'densty'; did you mean density\?/],
     ['a field in capitals', { ...gallery.saddle, Parameters: { a: 1 } }, TypeError, /did you mean parameters\?/],
@@ -52,6 +65,17 @@ describe('definitions', () => {
   ];
   for (const [what, definition, kind, message] of bad)
     test(`parametric refuses ${what}`, () => refuses(() => surfpath.parametric(anything(definition)), kind, message));
+
+  test('ranges may be arrays of any type, and are copied', () => {
+    const range = new Float64Array([-1, 1]);
+    const plane = surfpath.graph(anything({ z: 0, x: range, y: range }));
+    assert.deepEqual(plane.domain?.u, [-1, 1]);
+    const ball = surfpath.implicit(anything({ f: 'x^2+y^2+z^2-1', bounds: [range, [-1, 1], range] }));
+    range.fill(0);
+    assert.equal(ball.shortestPath([1, 0, 0], [0, 1, 0]).status, 'converged');
+    plane.set({});
+    assert.deepEqual(plane.domain?.v, [-1, 1]);
+  });
 
   test('implicit refuses bounds that are no box', () => {
     const f = 'x^2+y^2+z^2-1';

@@ -1,6 +1,7 @@
 // What goes wrong before any mathematics: a method without its surface, a surface that is gone, a seam that does not close, a module that is not found.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 import { compileModule, load } from '../../web/index.js';
 import { anything, refuses } from '../helpers/refuses.js';
 
@@ -67,6 +68,33 @@ test('a function in place of a value is told as one, not with its source', () =>
   );
   refuses(() => surface.shortestPath(anything(secret), [1, 1]), TypeError, /from must be \[u, v\], not a function$/);
   refuses(() => surfpath.surface(anything({ kind: class Kind {} })), RangeError, /, not a function$/);
+});
+
+test('points are told by the names of their definition', () => {
+  const range = /** @type {[number, number]} */ ([0, 1]);
+  const graph = surfpath.graph({ z: 0, x: range, y: range });
+  refuses(() => graph.shortestPath([2, 0], [0, 0]), RangeError, /^shortestPath: from\[0\] = 2 lies outside the range of x, \[0, 1\]$/);
+  refuses(() => graph.shortestPath([0, 0, 0], [0, 0]), RangeError, /^shortestPath: from must be \[x, y\], 2 numbers, not 3$/);
+  refuses(() => graph.evaluate([1]), RangeError, /^evaluate: points must be a flat array of x y, 2 numbers a point/);
+  const vase = surfpath.revolution({ r: 1, z: 't', t: range });
+  refuses(() => vase.shortestPath([0, 2], [0, 0]), RangeError, /from\[1\] = 2 lies outside the range of t, /);
+  const strip = surfpath.sweep({ profile: ['s', 0], path: ['t', 0, 0], s: range, t: range });
+  refuses(() => strip.trace([-1, 0], [1, 0], 1), RangeError, /from\[0\] = -1 lies outside the range of s, /);
+});
+
+test('a Map of options or parameters would go unnoticed: it is refused', () => {
+  const surface = surfpath.graph({ z: 'a', x: [0, 1], y: [0, 1], parameters: { a: 1 } });
+  refuses(() => surface.set(anything(new Map([['a', 2]]))), TypeError, /^set: parameters must be .*, not an object of type Map$/);
+  refuses(() => surface.mesh(anything(new Map([['resolution', 2]]))), TypeError, /^mesh: options must be .*, not an object of type Map$/);
+});
+
+test('a console shows instance, surface and error by their names, bundled or not', async () => {
+  for (const entry of ['../../web/index.js', '../../dist/index.js']) {
+    const { load, ExpressionError } = await import(entry);
+    const instance = await load();
+    const surface = instance.graph({ z: 0, x: [0, 1], y: [0, 1] });
+    assert.deepEqual([inspect(instance), inspect(surface), ExpressionError.name], ['Surfpath {}', 'Surface {}', 'ExpressionError']);
+  }
 });
 
 test('null is no resolution and no tolerance', () => {

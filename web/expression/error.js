@@ -2,10 +2,8 @@
 
 /** An expression that cannot be understood. The message is one sentence that says what to write instead. */
 export class ExpressionError extends Error {
-  // What a stack or a console shows: bundling shortens the name of the class itself.
-  static {
-    Object.defineProperty(ExpressionError, 'name', { value: 'ExpressionError' });
-  }
+  /** What a stack or a console shows: bundling shortens the name of the class itself. */
+  static name = 'ExpressionError';
 
   /**
    * @param {string} source the whole text of the expression, or the name of the parameter at fault

@@ -76,6 +76,8 @@ class Calls extends Set {
 
 /** Made by `createPool`. Every method answers as the surface's method of the same name does on the main thread, to the bit, and rejects with what that throws. */
 export class Pool {
+  /** What a console shows: bundling shortens the name of the class itself. */
+  static name = 'WorkerPool';
   #entry;
   #crew;
   /** @type {WeakMap<AbortSignal, Calls>} */ #calls = new WeakMap();
@@ -99,8 +101,9 @@ export class Pool {
    * @returns {Promise<Float64Array>} in the order of the pairs; NaN for a pair without a path, and for one that two workers died of
    */
   async lengths(definition, pairs, options) {
+    const method = Pool.#enter(this, 'lengths', definition);
     const make = (/** @type {number} */ total) => new Float64Array(total);
-    return this.#solvePairs('lengths', { definition, pairs, options }, make, Number.NaN);
+    return this.#solvePairs(method, { definition, pairs, options }, make, Number.NaN);
   }
 
   /**
@@ -109,9 +112,10 @@ export class Pool {
    * @returns {Promise<Path[]>} in the order of the pairs; status `worker-died`: two workers ended while they solved this pair
    */
   async shortestPaths(definition, pairs, options) {
+    const method = Pool.#enter(this, 'shortestPaths', definition);
     const make = (/** @type {number} */ total) => new Array(total);
     const lost = { ...makePath(emptyPath(NOT_FINITE)), status: 'worker-died' };
-    return this.#solvePairs('shortestPaths', { definition, pairs, options }, make, lost);
+    return this.#solvePairs(method, { definition, pairs, options }, make, lost);
   }
 
   /**
@@ -120,7 +124,8 @@ export class Pool {
    * @returns {Promise<Path>}
    */
   async shortestPath(definition, from, to, options) {
-    return this.#ask('shortestPath', definition, [from, to], options);
+    const method = Pool.#enter(this, 'shortestPath', definition);
+    return this.#ask(method, definition, [from, to], options);
   }
 
   /**
@@ -130,7 +135,8 @@ export class Pool {
    * @returns {Promise<Path[]>}
    */
   async geodesics(definition, from, to, options) {
-    return this.#ask('geodesics', definition, [from, to], options);
+    const method = Pool.#enter(this, 'geodesics', definition);
+    return this.#ask(method, definition, [from, to], options);
   }
 
   /**
@@ -139,7 +145,8 @@ export class Pool {
    * @returns {Promise<DistanceField>}
    */
   async distanceField(definition, from, options) {
-    return this.#ask('distanceField', definition, [from], options);
+    const method = Pool.#enter(this, 'distanceField', definition);
+    return this.#ask(method, definition, [from], options);
   }
 
   /** Ends all workers, and rejects what is under way. Using the pool afterwards throws. @returns {Promise<void>} when the workers have ended */
@@ -166,7 +173,6 @@ export class Pool {
    * @returns {Promise<Results>}
    */
   async #solvePairs(method, { definition, pairs, options: given }, make, lost) {
-    this.#check(method, definition);
     const { signal, onProgress, options } = readCall(method, given, true);
     readPairOptions(method, options);
     const variables = definition?.kind === 'implicit' ? ['x', 'y', 'z'] : ['u', 'v'];
@@ -191,7 +197,6 @@ export class Pool {
 
   /** One question that is not cut into pieces. @param {Method} method @param {AnyDefinition} definition @param {unknown[]} places @param {any} given options */
   async #ask(method, definition, places, given) {
-    this.#check(method, definition);
     const { signal, options } = readCall(method, given, false);
     /** @type {any} */ let value;
     return this.#run({ method, definition, args: [...places, options], signal }, (text, args) => ({
@@ -260,11 +265,16 @@ export class Pool {
     }
   }
 
-  /** @param {string} caller @param {any} definition */
-  #check(caller, definition) {
-    if (this.#disposed) throw new Error(`${caller}: this pool was disposed`);
+  /**
+   * Throws where a method has lost its pool, the pool is gone, or it is asked about something that a worker cannot make.
+   * @template {Method} M @param {Pool} pool @param {M} method @param {any} definition @returns {M}
+   */
+  static #enter(pool, method, definition) {
+    if (!(pool instanceof Pool)) throw new TypeError(`${method} belongs to a pool: call it as pool.${method}`);
+    if (pool.#disposed) throw new Error(`${method}: this pool was disposed`);
     if (typeof definition?.shortestPath === 'function')
-      throw new TypeError(`${caller}: workers make their surfaces themselves: pass the definition, not a Surface`);
+      throw new TypeError(`${method}: workers make their surfaces themselves: pass the definition, not a Surface`);
+    return method;
   }
 }
 

@@ -6,14 +6,20 @@ const MARK = '\0';
 /**
  * A definition as text, equal for equal ones, so that workers know a surface again.
  * @param {unknown} definition
- * @returns {string} throws a TypeError for what text cannot hold: functions, cycles
+ * @returns {string} throws a TypeError for what text cannot hold: functions, cycles, a Map
  */
 export function writeDefinition(definition) {
   if (typeof definition !== 'object') throw new TypeError('a definition is an object');
   return JSON.stringify(definition, function (name, value) {
     if (typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)))
       return { [MARK]: Object.is(value, -0) ? '-0' : String(value) };
-    if (typeof value === 'function' || typeof value === 'symbol' || (value === undefined && Array.isArray(this)))
+    if (ArrayBuffer.isView(value)) return Array.from(/** @type {Float64Array} */ (value));
+    const isList = Array.isArray(value) || typeof value === 'string';
+    if (
+      ['function', 'symbol'].includes(typeof value) ||
+      (value === undefined && Array.isArray(this)) ||
+      (!isList && value?.[Symbol.iterator])
+    )
       throw new TypeError(`the definition's ${name} cannot be posted to a worker; leave it out`);
     return value;
   });

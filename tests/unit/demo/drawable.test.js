@@ -57,13 +57,17 @@ test('what is too large for graphics is not drawn, and the rest is', () => {
   assert.ok(indices.length > 0 && positions.every((x) => Math.abs(x) <= 1e18));
 });
 
-test('many waves have cells enough, along one direction too, and a number for each vertex', async () => {
+test('many waves have cells enough, along one direction too, and shores, and a number for each vertex', async () => {
   const graph = { kind: 'graph', x: [-2.5, 2.5], y: [-2.5, 2.5] };
   const cellsOf = (/** @type {any} */ definition) => {
     const { positions, twins = [] } = meshOf(open(definition), undefined, surfpath);
     return Math.sqrt(positions.length / 3 - twins.length) - 1;
   };
   for (const z of ['sin(20x)*sin(20y)', 'sin(40x)', 'sin(40y)']) assert.equal(cellsOf({ ...graph, z }), 160, z);
+  assert.deepEqual(
+    ['1+sign(x)', '1+abs(x)'].map((density) => cellsOf({ ...graph, z: 'x', density })),
+    [160, 96],
+  );
   for (const z of ['sin(x)*sin(y)', 'abs(x)', 'floor(x)', '1/(x*y)', 'sqrt(1-x^2-y^2)']) assert.equal(cellsOf({ ...graph, z }), 96, z);
   for (const [name, entry] of Object.entries(gallery)) if (entry.kind === 'parametric') assert.equal(cellsOf(entry), 96, name);
   /** @type {number[]} */ const lengths = [];

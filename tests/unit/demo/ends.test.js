@@ -19,6 +19,9 @@ test('a number that is missing or outside is named with its point', () => {
   assert.deepEqual(check(a, [Number.NaN, 0]), { end: 1, coordinate: 0, message: 'B needs a number for u.' });
   assert.deepEqual(check(a, b, via, [0, Number.NaN]), { end: 3, coordinate: 1, message: 'Point 2 needs a number for v.' });
   assert.match(check(a, b, [99, 0])?.message ?? '', /^u of Point 1 must lie between /);
+  const torus = surfpath.surface(gallery.parametricTorus);
+  assert.equal(findBadEnd('parametric', torus, [a, [99, 0]]), null);
+  assert.match(findBadEnd('parametric', torus, [a, [1e12, 0]])?.message ?? '', /^u of B must lie between /);
 });
 
 test('a point far from an implicit surface has no place on it, as the solver has it', () => {

@@ -6,6 +6,7 @@ import {
   describeStatus,
   formatEstimate,
   formatEstimateOf,
+  formatLonger,
   formatNumber,
   formatTo,
   namePath,
@@ -56,14 +57,20 @@ test('a measure of length that is none is told as what it is', () => {
 });
 
 test('where a formula bends or jumps, that is why a path is stuck', () => {
-  const advice = (/** @type {string} */ z, status = 'stalled', leaps = false) => {
+  const advice = (
+    /** @type {string} */ z,
+    status = 'stalled',
+    leaps = false,
+    /** @type {'elements' | 'polyline'} */ algorithm = 'elements',
+  ) => {
     const sketch = sketchOf('own-graph');
-    return describeStatus(status, { ...sketch, texts: { ...sketch.texts, z } }, { leaps })[1];
+    return describeStatus(status, { ...sketch, algorithm, texts: { ...sketch.texts, z } }, { leaps })[1];
   };
-  assert.match(advice('x+abs(y)'), /as abs makes one.*sqrt\(x\^2\+0\.01\)/);
-  assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes one/);
+  assert.match(advice('x+abs(y)'), /where edges meet as abs makes them, .*sqrt\(x\^2\+0\.01\)/);
+  assert.match(advice('abs(x)+abs(y)', 'tolerance-not-met'), /as abs makes them/);
   assert.match(advice('x*y', 'tolerance-not-met'), /larger tolerance/);
-  assert.match(advice('max(x,y)'), /as max makes one.*\+sqrt\(\(x-y\)\^2\+0\.01\)\)\/2/);
+  assert.match(advice('max(x,y)'), /as max makes them.*\+sqrt\(\(x-y\)\^2\+0\.01\)\)\/2/);
+  assert.match(advice('abs(x)', 'stalled', false, 'polyline'), /as abs makes one, only elements are exact: choose that algorithm/);
   assert.match(advice('2*floor (x)'), /as floor makes one.*tanh/);
   assert.match(advice('1e9*x*y'), /less steep/);
   assert.match(advice('absorb*x'), /less steep/);
@@ -89,7 +96,7 @@ test('only what was looked for among all is called the shortest path', () => {
 test('a number has the digits that are asked for, and a power of ten where zeros would be many', () => {
   assert.equal(formatNumber(8.44729481, 4), '8.447');
   assert.equal(formatNumber(-0.5, 3), '−0.500');
-  assert.equal(formatNumber(0, 3), '0.00');
+  assert.equal(formatNumber(0, 3), '0');
   assert.equal(formatNumber(1234, 3), '1230');
   assert.equal(formatNumber(9.996, 3), '10.0');
   assert.equal(formatNumber(0.0001234, 2), '0.00012');
@@ -107,8 +114,14 @@ test('a length ends with the digit that is uncertain, nine digits at most', () =
   assert.equal(formatTo(42, 872.5), '≈ 42');
   assert.equal(formatTo(4.599999999999998e30, 18927999999999996), '4.60000000 × 10³⁰');
   assert.equal(formatTo(97.9, 46), '98');
+  assert.equal(formatTo(0, 0), '0');
   assert.equal(formatTo(1.5, Number.NaN), '1.500000');
   assert.equal(formatTo(1.5, Number.POSITIVE_INFINITY), '1.500000');
+});
+
+test('a path is so much longer than the shortest, or as long but for rounding', () => {
+  assert.equal(formatLonger(1.5, 1), '+50.0 %');
+  for (const rounding of [0, 2e-16, -1e-16]) assert.equal(formatLonger(Math.PI * (1 + rounding), Math.PI), 'as long');
 });
 
 test('an error has one digit, written as the length is', () => {

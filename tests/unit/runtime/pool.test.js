@@ -109,6 +109,11 @@ test('other parameters are another surface; a definition that is changed afterwa
   assert.deepEqual([(await first)[0], (await second)[0]], alone);
 });
 
+test('ranges may be arrays of any type, as on the main thread', async () => {
+  const unit = anything(new Float32Array([0, 1]));
+  assert.equal((await pool.shortestPath({ kind: 'graph', z: 0, x: unit, y: unit }, [0, 0], [1, 0])).status, 'converged');
+});
+
 test('many surfaces in turn', async () => {
   const wanted = Array.from({ length: 12 }, (_, i) => i);
   const lengths = await Promise.all(
@@ -190,6 +195,7 @@ describe('the exceptions of the main thread', () => {
     { ...saddle, x: Symbol('x') },
     { ...saddle, x: 1n },
     { ...saddle, parameters: { a: 'b' } },
+    { ...saddle, parameters: new Map([['a', 1]]) },
     { ...saddle, kind: 'sphere' },
     { kind: 'implicit', f: 'x^2 + y^2 = 1' },
     { kind: 'tube', centreline: ['t', 0], radius: 1, t: [0, 1] },
@@ -263,6 +269,9 @@ test('settings, signals and listeners are checked', async () => {
   const surface = surfpath.surface(gallery.saddle);
   await assert.rejects(pool.lengths(anything(surface), []), /lengths: .* pass the definition, not a Surface/);
   surface.dispose();
+  const { lengths, shortestPath } = pool;
+  await assert.rejects(lengths(gallery.saddle, []), /^TypeError: lengths belongs to a pool: call it as pool\.lengths$/);
+  await assert.rejects(shortestPath(gallery.saddle, [0, 0], [1, 0]), /^TypeError: shortestPath belongs to a pool/);
   for (const workers of [0, 1.5, 257, Number.NaN]) assert.throws(() => createPool({ workers }), RangeError);
   await assert.rejects(pool.lengths(gallery.saddle, [], { signal: anything(1) }), /lengths: options.signal must be an AbortSignal, not 1/);
   await assert.rejects(

@@ -1,20 +1,19 @@
 /** What <surface-path> shows: surface, path, ends, light and camera. Draws when something has changed and it is on screen. Knows no attributes and no solver. */
 
-import { HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { HemisphereLight, Mesh, PerspectiveCamera, Scene } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
 import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
 import { addLights } from '../light.js';
+import { sideOf } from '../side.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */
 /** @typedef {import('./style.js').Theme} Theme */
 
 const FIELD_OF_VIEW = 32;
-const TOWARDS = [0.43, -0.75, 0.5];
 const MOST_PIXELS = 2;
-const ELEVATION = Math.PI / 6;
 /** Share of the view that stays free around the surface; and, at its lower edge, the pixels that the words cover. */
 const [MARGIN, COVERED] = [0.08, 30];
 
@@ -34,7 +33,7 @@ export class Stage {
   /** @type {(DragHandle | Marker)[]} */ #ends = [];
   #areDragged = false;
   #size = { width: 0, height: 0, ratio: 1 };
-  /** @type {ArrayLike<number>} */ #towards = TOWARDS;
+  /** @type {ArrayLike<number>} */ #towards = [0, -1, 0];
   #isVisible = false;
   #isFitted = false;
   /** Whether the reader has turned the view: then it is not ours to change. */
@@ -93,19 +92,10 @@ export class Stage {
 
   /** Looks at the surface anew. @param {ArrayLike<number> | undefined} towards the camera from there; else from 30 degrees above, from the side of the path @param {Path | null} path */
   frame(towards, path) {
-    this.#towards = towards ?? this.#sideOf(path);
+    const bounds = /** @type {import('three').Sphere} */ (this.#mesh.geometry.boundingSphere);
+    this.#towards = towards ?? sideOf(path?.points ?? [], bounds).toArray();
     [this.#isFitted, this.#isTurned] = [false, false];
     this.invalidate();
-  }
-
-  /** @param {Path | null} path */
-  #sideOf(path) {
-    const { center, radius } = /** @type {import('three').Sphere} */ (this.#mesh.geometry.boundingSphere);
-    const points = path?.points ?? [];
-    const middle = 3 * Math.floor(points.length / 6);
-    const towards = new Vector3(points[middle], points[middle + 1], points[middle + 2]).sub(center).setZ(0);
-    if (!(towards.length() > 0.1 * radius)) return TOWARDS;
-    return towards.normalize().multiplyScalar(Math.cos(ELEVATION)).setZ(Math.sin(ELEVATION)).toArray();
   }
 
   /** @param {Path | null} path */
