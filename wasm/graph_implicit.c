@@ -89,11 +89,11 @@ static void read_vertex(const struct sp_graph *graph, int32_t vertex, double nor
 }
 
 struct place {
-    double at[3], normal[3];
+    double sample[SP_GRAPH_WIDTH], normal[3];
 };
 
 static void read_place(const struct sp_graph *graph, int32_t vertex, struct place *place) {
-    memcpy(place->at, sample_at(graph, vertex), sizeof place->at);
+    memcpy(place->sample, sample_at(graph, vertex), (size_t)graph->width * sizeof(double));
     read_vertex(graph, vertex, place->normal);
 }
 
@@ -113,11 +113,12 @@ static int halve(const struct sp_graph *graph, const struct sp_surface *surface,
                  struct place *middle) {
     sp_pair at[3], seen[SP_IMPLICIT_VALUES];
     for (int j = 0; j < 3; j++)
-        at[j] = sp_splat(0.5 * (from->at[j] + to->at[j]));
+        at[j] = sp_splat(0.5 * (from->sample[j] + to->sample[j]));
     if (!sp_implicit_settle(surface, 1, at, graph->spacing)) return 0;
     surface->value(1, at, seen);
     for (int j = 0; j < 3; j++)
-        middle->at[j] = at[j][0], middle->normal[j] = seen[1 + j][0];
+        middle->sample[j] = at[j][0], middle->normal[j] = seen[1 + j][0];
+    if (graph->width > 3) sp_graph_sample(surface, middle->sample, middle->sample);
     double length = norm(middle->normal);
     for (int j = 0; j < 3; j++)
         middle->normal[j] /= length;
@@ -129,9 +130,9 @@ static int halve(const struct sp_graph *graph, const struct sp_surface *surface,
 static double length_around(const struct sp_graph *graph, const struct sp_surface *surface, int32_t from, int32_t to) {
     struct place left, ahead[HALVINGS + 1];
     read_place(graph, from < to ? from : to, &left), read_place(graph, from < to ? to : from, ahead);
-    double most = FARTHEST_AROUND * distance_between(left.at, ahead->at), length = 0;
+    double most = FARTHEST_AROUND * sp_graph_chord(surface, left.sample, ahead->sample, NULL), length = 0;
     for (int halvings = 0, next = 0; next >= 0;) {
-        double part = sp_graph_sheet_length(surface, left.at, left.normal, ahead[next].at, ahead[next].normal);
+        double part = sp_graph_sheet_length(surface, left.sample, left.normal, ahead[next].sample, ahead[next].normal);
         if (is_finite(part)) {
             length += part, left = ahead[next--];
             continue;
@@ -159,8 +160,7 @@ static int join_around(const struct sp_cells *cells, int32_t vertex) {
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
                 double length = sp_graph_sheet_length(surface, here, normal, there, other);
                 /* A box is thin where what is in it is, and its graphs are fine: only a flood has to look. */
-                if (!is_finite(length) && options->cell > 0 && surface->metric == SP_INDUCED &&
-                    passes(cells->list + vertex, cells->list + to))
+                if (!is_finite(length) && options->cell > 0 && passes(cells->list + vertex, cells->list + to))
                     length = length_around(graph, surface, vertex, to);
                 if (options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
                     length = LOOSE * sp_graph_chord(surface, here, there, NULL);

@@ -75,8 +75,10 @@ function* look({ domain, search }, find, level, isAll) {
     /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones, if there is room for these. */
     if (level === 0 && !domain && !graph.resolved) {
       const finer = find(1);
-      if (finer && finer.vertices < FLOOD_CELLS) [graph, level] = [finer, 1];
-      else graph = find(0) ?? graph;
+      const isRoom = finer && finer.vertices < FLOOD_CELLS;
+      graph = isRoom ? finer : find(0);
+      if (!graph) return;
+      if (isRoom) level = 1;
     }
     const { status } = graph;
     yield { graph, ...(status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] }) };
