@@ -3,14 +3,19 @@
 #include "chart.h"
 #include "scalar.h"
 
-/* The strides of a flood are 2^17/p and 2^17/p^2, p = 1.3247 the plastic number: rows of cells are then spread evenly over the slots. */
-enum { FLOOD_SLOTS = 1 << 17, FLOOD_STRIDE = 98943, FLOOD_STRIDE_UP = 74691 };
+enum { FLOOD_SLOTS = 1 << 17 };
 
 /* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
 enum { LEAST_PART = 4 };
 
+/* A box has a slot for every cell. In a flood, whatever its shape, eight cells of a row lie side by side, and what is next to them anywhere
+ * else: long rows would pile up. */
 static uint32_t home(const struct sp_cells *cells, const int32_t at[3]) {
-    return ((uint32_t)at[0] + cells->stride[0] * (uint32_t)at[1] + cells->stride[1] * (uint32_t)at[2]) & cells->mask;
+    uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
+    if (cells->size[0]) return x + cells->stride[0] * y + cells->stride[1] * z;
+    uint32_t mixed = (x >> 3) * 0x9e3779b1u ^ y * 0x85ebca77u ^ z * 0xc2b2ae3du;
+    mixed = (mixed ^ mixed >> 15) * 0x2c1b3c6du;
+    return ((mixed ^ mixed >> 13) << 3 | (x & 7)) & cells->mask;
 }
 
 int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]) {
@@ -177,7 +182,6 @@ static int flood(struct sp_cells *cells) {
     double width = cells->builder->options->cell;
     for (int j = 0; j < 3; j++)
         cells->width[j] = width, cells->origin[j] = cells->builder->options->box[2 * j] - 0.5 * width;
-    cells->stride[0] = FLOOD_STRIDE, cells->stride[1] = FLOOD_STRIDE_UP;
     if (!take_slots(cells, FLOOD_SLOTS)) return 0;
     open_list(cells);
     int32_t most = cells->capacity < SP_GRAPH_FLOOD_CELLS ? cells->capacity : SP_GRAPH_FLOOD_CELLS;

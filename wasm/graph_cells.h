@@ -18,8 +18,8 @@ struct sp_cells {
     int32_t size[3]; /* cells of the box; 0 in a flood */
     struct sp_cell *list;
     int32_t count, capacity;
-    int32_t *slots; /* open addressing; -1: free */
-    uint32_t mask, stride[2];
+    int32_t *slots;           /* open addressing; -1: free */
+    uint32_t mask, stride[2]; /* strides: of a box */
 };
 
 /* Finds the cells that the options ask for: of a box, or, where `cell` is set, of a flood from the point (box[0], box[2], box[4]).
