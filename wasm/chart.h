@@ -41,6 +41,10 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
 
+/* Implicit: the middle of a chord put onto f = 0, and the gradient of f there. Returns 0 if it does not settle. */
+int sp_implicit_halve(const struct sp_surface *surface, const double from[3], const double to[3], double scale, double at[3],
+                      double normal[3]);
+
 /* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`, or no number: sheets meet there, in a
  * node, or one ends in an apex. */
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near);

@@ -32,18 +32,6 @@ static void read_node(const struct sp_polyline *line, int32_t i, struct chord *c
     chord->normal[end][0] = normal.x[lane], chord->normal[end][1] = normal.y[lane], chord->normal[end][2] = normal.z[lane];
 }
 
-/* Puts the middle of a chord onto f = 0, its normal with it. */
-static int halve(const struct sp_polyline *line, const struct chord *chord, double scale, double at[3], double normal[3]) {
-    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
-    for (int j = 0; j < 3; j++)
-        middle[j] = sp_splat(0.5 * (chord->at[0][j] + chord->at[1][j]));
-    if (!sp_implicit_settle(line->surface, 1, middle, scale)) return 0;
-    line->surface->value(1, middle, seen);
-    for (int j = 0; j < 3; j++)
-        at[j] = middle[j][0], normal[j] = seen[1 + j][0];
-    return 1;
-}
-
 static double cosine_of(const struct chord *chord) {
     const double *a = chord->normal[0], *b = chord->normal[1];
     return dot(a, b) / root(dot(a, a) * dot(b, b));
@@ -55,7 +43,7 @@ static int spans_crease(const struct sp_polyline *line, struct chord chord, doub
     double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale;
     for (int i = 0; i < BISECTIONS; i++) {
         struct chord halves[2] = {chord, chord};
-        if (!halve(line, &chord, scale, halves[0].at[1], halves[0].normal[1])) return 0;
+        if (!sp_implicit_halve(line->surface, chord.at[0], chord.at[1], scale, halves[0].at[1], halves[0].normal[1])) return 0;
         for (int j = 0; j < 3; j++)
             halves[1].at[0][j] = halves[0].at[1][j], halves[1].normal[0][j] = halves[0].normal[1][j];
         chord = halves[cosine_of(halves + 1) < cosine_of(halves)];
@@ -77,7 +65,7 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, length, chord);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_crease(line, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
-    if (!halve(line, chord, scale, settled, normal)) return SP_SHEET_JUMP;
+    if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;
     return distance_between(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }
 

@@ -108,16 +108,10 @@ static int passes(const struct sp_cell *from, const struct sp_cell *to) {
     return away == 1 && shared && from->faces && to->faces;
 }
 
-/* Puts the middle of a chord onto f = 0; 0: it does not settle. */
+/* The place on f = 0 in the middle of a chord; 0: it does not settle. */
 static int halve(const struct sp_graph *graph, const struct sp_surface *surface, const struct place *from, const struct place *to,
                  struct place *middle) {
-    sp_pair at[3], seen[SP_IMPLICIT_VALUES];
-    for (int j = 0; j < 3; j++)
-        at[j] = sp_splat(0.5 * (from->sample[j] + to->sample[j]));
-    if (!sp_implicit_settle(surface, 1, at, graph->spacing)) return 0;
-    surface->value(1, at, seen);
-    for (int j = 0; j < 3; j++)
-        middle->sample[j] = at[j][0], middle->normal[j] = seen[1 + j][0];
+    if (!sp_implicit_halve(surface, from->sample, to->sample, graph->spacing, middle->sample, middle->normal)) return 0;
     if (graph->width > 3) sp_graph_sample(surface, middle->sample, middle->sample);
     double length = norm(middle->normal);
     for (int j = 0; j < 3; j++)
@@ -159,7 +153,7 @@ static int join_around(const struct sp_cells *cells, int32_t vertex) {
                 read_vertex(graph, to, other);
                 const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
                 double length = sp_graph_sheet_length(surface, here, normal, there, other);
-                /* A box is thin where what is in it is, and its graphs are fine: only a flood has to look. */
+                /* Within bounds that gained nothing: MATH.md, "Disconnected". */
                 if (!is_finite(length) && options->cell > 0 && passes(cells->list + vertex, cells->list + to))
                     length = length_around(graph, surface, vertex, to);
                 if (options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))

@@ -184,6 +184,18 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
     return settled;
 }
 
+int sp_implicit_halve(const struct sp_surface *surface, const double from[3], const double to[3], double scale, double at[3],
+                      double normal[3]) {
+    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        middle[j] = sp_splat(0.5 * (from[j] + to[j]));
+    if (!sp_implicit_settle(surface, 1, middle, scale)) return 0;
+    surface->value(1, middle, seen);
+    for (int j = 0; j < 3; j++)
+        at[j] = middle[j][0], normal[j] = seen[1 + j][0];
+    return 1;
+}
+
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near) {
     sp_pair both[3], seen[SP_IMPLICIT_VALUES];
     for (int j = 0; j < 3; j++)

@@ -180,7 +180,7 @@ describe('sizes and themes', () => {
           return top >= frame.bottom || width === 0 ? 0 : (Math.min(right, frame.right) - Math.max(left, frame.left)) / width;
         });
       });
-    for (const [width, height, entry, most] of /** @type {const} */ ([
+    for (const [width, height, entry, least] of /** @type {const} */ ([
       [1440, 900, 'parametricTorus', 3],
       [1280, 800, 'own-graph', 1],
       [390, 844, 'parametricTorus', 1],
@@ -205,7 +205,7 @@ describe('sizes and themes', () => {
         shares.every((share) => share < 0.01 || share > 0.99),
         `${width}: ${shares}`,
       );
-      assert.ok(shares.filter((share) => share > 0.99).length >= most, `${width}: ${shares}`);
+      assert.ok(shares.filter((share) => share > 0.99).length >= least, `${width}: ${shares}`);
       const lines = await page.$eval(
         '.status',
         (words) => words.getBoundingClientRect().height / parseFloat(getComputedStyle(words).lineHeight),
