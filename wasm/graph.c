@@ -15,7 +15,7 @@ static const double BENT = 0.02, MOST_BENT = 0.01;
 enum { FIRST_CELLS = 7 };
 
 double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options) {
-    double resolution = clamp(options->resolution, 8, SP_GRAPH_MAX_RESOLUTION), vertex = 4 * sizeof(double) + 3 * sizeof(float) + 4;
+    double resolution = clamp(options->resolution, 8, SP_GRAPH_MAX_RESOLUTION), vertex = 4 * sizeof(double) + 3 * sizeof(float) + 8;
     double edge = sizeof(struct sp_graph_edge);
     if (kind == SP_PARAMETRIC) {
         double vertices = 1.2 * (resolution + 2) * (resolution + 2);
@@ -23,14 +23,14 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
         return vertices * (vertex + (wide ? SP_WIDE_EDGES : SP_USUAL_EDGES) * edge + (wide ? 16 : 4) * (4.0 * sizeof(double)) + 1) + 4096;
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
-    double lookup = options->cell > 0 ? 1 << 17 : 2 * resolution * resolution * resolution;
+    double lookup = options->cell > 0 ? 1 << 17 : resolution * resolution * resolution;
     return cells * (vertex + 16 + IMPLICIT_EDGES * edge) + lookup * sizeof(int32_t) + 4096;
 }
 
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph) {
     struct sp_graph_options clean = *options;
-    struct sp_builder builder = {surface, &clean, arena, graph, 0, 0};
+    struct sp_builder builder = {.surface = surface, .options = &clean, .arena = arena, .graph = graph};
     clean.resolution = clamp(clean.resolution, 8, SP_GRAPH_MAX_RESOLUTION);
     arena->used = 0;
     *graph = (struct sp_graph){.kind = surface->kind, .width = sp_graph_width(surface)};
@@ -50,24 +50,61 @@ int sp_builder_take(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct sp_arena *arena = builder->arena;
     size_t vertices = (size_t)graph->vertex_count;
+    builder->waits = sp_arena_take(arena, vertices, sizeof(int32_t));
     graph->samples = sp_arena_take(arena, vertices * (size_t)graph->width, sizeof(double));
     for (int j = 0; j < 2; j++)
         graph->lines[j] = sp_arena_take(arena, (size_t)graph->count[j] + 1, sizeof(double));
     graph->normals = graph->kind == SP_IMPLICIT ? sp_arena_take(arena, vertices, 3 * sizeof(float)) : NULL;
     graph->first = sp_arena_take(arena, vertices + 1, sizeof(int32_t));
-    size_t left = (arena->size - arena->used) / sizeof(struct sp_graph_edge), most = INT32_MAX / 2;
-    builder->edge_capacity = (int32_t)(left < most ? left : most);
     graph->edges = sp_arena_take(arena, 0, sizeof(struct sp_graph_edge));
-    return graph->samples && graph->lines[0] && graph->lines[1] && (graph->normals || graph->kind != SP_IMPLICIT) && graph->first;
+    builder->end = (struct sp_waiting *)(arena->base + (arena->size & ~(size_t)15));
+    return builder->waits && graph->samples && graph->lines[0] && graph->lines[1] && (graph->normals || graph->kind != SP_IMPLICIT) &&
+           graph->first && graph->edges;
 }
 
-int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord) {
+void sp_builder_begin(struct sp_builder *builder) {
+    builder->graph->edge_count = builder->bent = builder->waiting = builder->spare = 0;
+    memset(builder->waits, 0, (size_t)builder->graph->vertex_count * sizeof(int32_t));
+}
+
+/* Room for so many edges, and one that waits. */
+static int is_room(const struct sp_builder *builder, int32_t edges) {
+    const char *free = (const char *)(builder->graph->edges + builder->graph->edge_count);
+    return (const char *)(builder->end - builder->waiting - 1) - free >= (ptrdiff_t)sizeof(struct sp_graph_edge) * edges;
+}
+
+int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
+    struct sp_graph *graph = builder->graph;
+    int32_t count = 0;
+    graph->first[vertex] = graph->edge_count;
+    for (int32_t i = builder->waits[vertex]; i; i = builder->end[-i].next)
+        count++;
+    if (!is_room(builder, count)) return 0;
+    graph->edge_count += count;
+    graph->first[vertex + 1] = graph->edge_count;
+    struct sp_graph_edge *edge = graph->edges + graph->edge_count;
+    for (int32_t i = builder->waits[vertex], next; i; i = next) {
+        struct sp_waiting *one = builder->end - i;
+        *--edge = (struct sp_graph_edge){one->to, one->length};
+        next = one->next, one->next = builder->spare, builder->spare = i;
+    }
+    return 1;
+}
+
+int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
     if (!is_finite(length)) return 1;
-    if (graph->edge_count == builder->edge_capacity) return 0;
-    double excess = length - chord;
-    builder->bent += !(absolute(excess) <= BENT * chord);
+    if (!is_room(builder, 1)) return 0;
+    builder->bent += 2 * !(absolute(length - chord) <= BENT * chord);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
+    graph->first[vertex + 1] = graph->edge_count;
+    int32_t i = builder->spare;
+    if (i)
+        builder->spare = builder->end[-i].next;
+    else
+        i = ++builder->waiting;
+    builder->end[-i] = (struct sp_waiting){builder->waits[to], vertex, (float)length};
+    builder->waits[to] = i;
     return 1;
 }
 

@@ -9,12 +9,21 @@ enum { SP_GRAPH_BLOCK = 32 };                     /* pairs evaluated at once */
 enum { SP_USUAL_EDGES = 32, SP_WIDE_EDGES = 80 }; /* of a vertex of a parametric graph: by steps up to 3 and 5 */
 enum { SP_FINE_RESOLUTION = 128 }; /* from so many cells a direction on only the usual ones: finer graphs are to join what is apart */
 
+/* An edge that a later vertex has to an earlier one, measured when it was that one's turn. */
+struct sp_waiting {
+    int32_t next, to; /* next: the one that waited before it for the same vertex; 0: none */
+    float length;
+};
+
 struct sp_builder {
     const struct sp_surface *surface;
     const struct sp_graph_options *options;
     struct sp_arena *arena;
     struct sp_graph *graph;
-    int32_t edge_capacity, bent; /* bent: edges that are not about as long as their chords */
+    int32_t *waits;         /* of each vertex: the last edge that waits for it, or 0 */
+    struct sp_waiting *end; /* waiting edges are numbered from the end of the arena downwards: number i lies at end[-i] */
+    int32_t waiting, spare; /* how many there are, spare ones among them; the last spare one, or 0 */
+    int32_t bent;           /* edges that are not about as long as their chords */
 };
 
 int32_t sp_graph_build_parametric(struct sp_builder *builder);
@@ -23,9 +32,15 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder);
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 
-/* Appends an edge to those of the last vertex; 0 if there is no room. A length that is not finite is no edge. chord: what it would be if
- * the surface were flat and its metric linear; 0: not known. */
-int sp_builder_edge(struct sp_builder *builder, int32_t to, double length, double chord);
+/* Before the first vertex: forgets all edges. */
+void sp_builder_begin(struct sp_builder *builder);
+
+/* The turn of a vertex, one after the other: its edges to earlier ones. 0 if there is no room. */
+int sp_builder_turn(struct sp_builder *builder, int32_t vertex);
+
+/* Joins the vertex whose turn it is with a later one; 0 if there is no room. A length that is not finite is no edge. chord: what it would
+ * be if the surface were flat and its metric linear; 0: not known. */
+int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, double length, double chord);
 
 /* Whether few edges are longer than their chords by what a detail of the surface makes them. */
 int sp_builder_resolves(const struct sp_builder *builder);

@@ -8,18 +8,16 @@ enum { FLOOD_SLOTS = 1 << 17 };
 /* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
 enum { LEAST_PART = 4 };
 
-/* A box has a slot for every cell. In a flood, whatever its shape, eight cells of a row lie side by side, and what is next to them anywhere
- * else: long rows would pile up. */
-static uint32_t home(const struct sp_cells *cells, const int32_t at[3]) {
+/* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up. */
+static uint32_t home(const int32_t at[3]) {
     uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
-    if (cells->size[0]) return x + cells->stride[0] * y + cells->stride[1] * z;
     uint32_t mixed = (x >> 3) * 0x9e3779b1u ^ y * 0x85ebca77u ^ z * 0xc2b2ae3du;
     mixed = (mixed ^ mixed >> 15) * 0x2c1b3c6du;
-    return ((mixed ^ mixed >> 13) << 3 | (x & 7)) & cells->mask;
+    return ((mixed ^ mixed >> 13) << 3 | (x & 7)) & (FLOOD_SLOTS - 1);
 }
 
 int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]) {
-    for (uint32_t slot = home(cells, at);; slot = (slot + 1) & cells->mask) {
+    for (uint32_t slot = home(at);; slot = (slot + 1) & (FLOOD_SLOTS - 1)) {
         int32_t *found = cells->slots + slot;
         if (*found < 0) return found;
         const int32_t *cell = cells->list[*found].at;
@@ -27,13 +25,9 @@ int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]) {
     }
 }
 
-static int take_slots(struct sp_cells *cells, uint32_t wanted) {
-    uint32_t slots = 1024;
-    while (slots < wanted)
-        slots *= 2;
-    cells->mask = slots - 1;
-    cells->slots = sp_arena_take(cells->builder->arena, slots, sizeof(int32_t));
-    for (uint32_t i = 0; cells->slots && i < slots; i++)
+static int take_slots(struct sp_cells *cells, uint32_t count) {
+    cells->slots = sp_arena_take(cells->builder->arena, count, sizeof(int32_t));
+    for (uint32_t i = 0; cells->slots && i < count; i++)
         cells->slots[i] = -1;
     return cells->slots != NULL;
 }
@@ -100,7 +94,7 @@ static int list_layer(struct sp_cells *cells, int32_t k, const uint8_t *below, c
         for (int32_t i = 0; i < cells->size[0]; i++) {
             int32_t p = i + columns * j, q = p + columns;
             const uint8_t signs[8] = {below[p], below[p + 1], below[q], below[q + 1], above[p], above[p + 1], above[q], above[q + 1]};
-            if ((face_bits(signs, 2, 0) | face_bits(signs, 2, 1)) != 3) continue;
+            if ((signs[0] | signs[1] | signs[2] | signs[3] | signs[4] | signs[5] | signs[6] | signs[7]) != 3) continue;
             if (cells->count == cells->capacity) return 0;
             cells->list[cells->count++] = (struct sp_cell){{i, j, k}, faces_of(signs)};
         }
@@ -122,8 +116,8 @@ static int sweep_box(struct sp_cells *cells) {
     }
     size_t corners = (size_t)(cells->size[0] + 1) * (size_t)(cells->size[1] + 1);
     uint8_t *below = sp_arena_take(cells->builder->arena, corners, 1), *above = sp_arena_take(cells->builder->arena, corners, 1);
-    cells->stride[0] = (uint32_t)cells->size[0], cells->stride[1] = (uint32_t)(cells->size[0] * cells->size[1]);
-    if (!below || !above || !take_slots(cells, cells->stride[1] * (uint32_t)cells->size[2])) return 0;
+    uint32_t columns = (uint32_t)cells->size[0], rows = (uint32_t)cells->size[1];
+    if (!below || !above || !take_slots(cells, columns * rows * (uint32_t)cells->size[2])) return 0;
     open_list(cells);
     sweep_layer(cells, 0, below);
     for (int32_t k = 0; k < cells->size[2]; k++) {
@@ -133,7 +127,7 @@ static int sweep_box(struct sp_cells *cells) {
         below = above, above = turned;
     }
     for (int32_t i = 0; i < cells->count; i++)
-        *sp_cells_slot(cells, cells->list[i].at) = i;
+        cells->slots[sp_cells_place(cells, cells->list[i].at)] = i;
     return close_list(cells);
 }
 
@@ -191,13 +185,6 @@ static int flood(struct sp_cells *cells) {
     for (int32_t i = 0; i < cells->count; i++)
         flood_around(cells, i, most);
     return cells->count < cells->capacity && close_list(cells);
-}
-
-/* A box has a slot for every cell of its own and none for others: looked for in a full table, they would be for ever. */
-int sp_cells_hold(const struct sp_cells *cells, const int32_t at[3]) {
-    for (int j = 0; j < 3; j++)
-        if (cells->size[j] && (at[j] < 0 || at[j] >= cells->size[j])) return 0;
-    return 1;
 }
 
 int sp_cells_find(struct sp_cells *cells) { return cells->builder->options->cell > 0 ? flood(cells) : sweep_box(cells); }

@@ -18,19 +18,28 @@ struct sp_cells {
     int32_t size[3]; /* cells of the box; 0 in a flood */
     struct sp_cell *list;
     int32_t count, capacity;
-    int32_t *slots;           /* open addressing; -1: free */
-    uint32_t mask, stride[2]; /* strides: of a box */
+    int32_t *slots; /* numbers of cells, -1: free. Of a box in its order; of a flood by open addressing */
 };
 
 /* Finds the cells that the options ask for: of a box, or, where `cell` is set, of a flood from the point (box[0], box[2], box[4]).
  * `builder` is set, all else zero. Returns 0 if the arena is full. */
 int sp_cells_find(struct sp_cells *cells);
 
-/* Whether there may be such a cell. */
-int sp_cells_hold(const struct sp_cells *cells, const int32_t at[3]);
-
-/* The slot of a cell that there may be: the one that holds it, or the free one where it belongs. */
+/* A flood's slot of a cell: the one that holds it, or the free one where it belongs. */
 int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]);
+
+/* Where a cell stands in the order of its box. */
+static inline int32_t sp_cells_place(const struct sp_cells *cells, const int32_t at[3]) {
+    return at[0] + cells->size[0] * (at[1] + cells->size[1] * at[2]);
+}
+
+/* The number of a cell; -1: none is there. */
+static inline int32_t sp_cells_at(const struct sp_cells *cells, const int32_t at[3]) {
+    if (!cells->size[0]) return *sp_cells_slot(cells, at);
+    for (int j = 0; j < 3; j++)
+        if ((uint32_t)at[j] >= (uint32_t)cells->size[j]) return -1;
+    return cells->slots[sp_cells_place(cells, at)];
+}
 
 /* The lower corner of a cell. */
 void sp_cells_corner(const struct sp_cells *cells, int32_t i, int32_t j, int32_t k, double point[3]);

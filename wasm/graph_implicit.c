@@ -120,10 +120,10 @@ static int halve(const struct sp_graph *graph, const struct sp_surface *surface,
 }
 
 /* How far it is from one vertex to another around a rim that is sharper than cells are wide: by places between them, which lie on one
- * sheet, each with the next. Infinite where they do not. The same to the bit both ways. */
+ * sheet, each with the next. Infinite where they do not. */
 static double length_around(const struct sp_graph *graph, const struct sp_surface *surface, int32_t from, int32_t to) {
     struct place left, ahead[HALVINGS + 1];
-    read_place(graph, from < to ? from : to, &left), read_place(graph, from < to ? to : from, ahead);
+    read_place(graph, from, &left), read_place(graph, to, ahead);
     double most = FARTHEST_AROUND * sp_graph_chord(surface, left.sample, ahead->sample, NULL), length = 0;
     for (int halvings = 0, next = 0; next >= 0;) {
         double part = sp_graph_sheet_length(surface, left.sample, left.normal, ahead[next].sample, ahead[next].normal);
@@ -137,30 +137,37 @@ static double length_around(const struct sp_graph *graph, const struct sp_surfac
     return length <= most ? length : __builtin_inf();
 }
 
-static int join_around(const struct sp_cells *cells, int32_t vertex) {
+/* How far it is from one vertex to a later one near it; infinite where they are not to be joined. */
+static double length_between(const struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3]) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
     const struct sp_graph_options *options = cells->builder->options;
+    const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
+    double other[3];
+    read_vertex(graph, to, other);
+    double length = sp_graph_sheet_length(surface, here, normal, there, other);
+    if (is_finite(length) || !passes(cells->list + vertex, cells->list + to)) return length;
+    /* Within bounds that gained nothing: MATH.md, "Disconnected". */
+    if (options->cell > 0) length = length_around(graph, surface, vertex, to);
+    return options->loose && !is_finite(length) ? LOOSE * sp_graph_chord(surface, here, there, NULL) : length;
+}
+
+/* A vertex with those later ones whose cells are near. The later cells of a box lie behind, beside or ahead in its order. */
+static int join_around(const struct sp_cells *cells, int32_t vertex) {
+    const struct sp_graph *graph = cells->builder->graph;
     const int32_t *center = cells->list[vertex].at;
-    double normal[3], other[3];
+    int is_plain = cells->builder->surface->metric == SP_INDUCED;
+    double normal[3];
     read_vertex(graph, vertex, normal);
-    for (int32_t k = -REACH; k <= REACH; k++)
+    for (int32_t k = cells->size[0] ? 0 : -REACH; k <= REACH; k++)
         for (int32_t j = -REACH; j <= REACH; j++)
             for (int32_t i = -REACH; i <= REACH; i++) {
-                int32_t at[3] = {center[0] + i, center[1] + j, center[2] + k},
-                        to = sp_cells_hold(cells, at) ? *sp_cells_slot(cells, at) : -1;
-                if (to < 0 || to == vertex) continue;
-                read_vertex(graph, to, other);
-                const double *here = sample_at(graph, vertex), *there = sample_at(graph, to);
-                double length = sp_graph_sheet_length(surface, here, normal, there, other);
-                /* Within bounds that gained nothing: MATH.md, "Disconnected". */
-                if (!is_finite(length) && options->cell > 0 && passes(cells->list + vertex, cells->list + to))
-                    length = length_around(graph, surface, vertex, to);
-                if (options->loose && !is_finite(length) && passes(cells->list + vertex, cells->list + to))
-                    length = LOOSE * sp_graph_chord(surface, here, there, NULL);
+                int32_t to = sp_cells_at(cells, (int32_t[3]){center[0] + i, center[1] + j, center[2] + k});
+                if (to <= vertex) continue;
+                double length = length_between(cells, vertex, to, normal);
                 /* Between the ends a metric was not looked at. */
-                double chord = surface->metric == SP_INDUCED ? distance_between(here, there) : 0;
-                if (!sp_builder_edge(cells->builder, to, length, chord)) return 0;
+                double chord = is_plain ? distance_between(sample_at(graph, vertex), sample_at(graph, to)) : 0;
+                if (!sp_builder_join(cells->builder, vertex, to, length, chord)) return 0;
             }
     return 1;
 }
@@ -174,10 +181,8 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     if (!sp_builder_take(builder)) return SP_OUT_OF_MEMORY;
     write_vertices(&cells);
     if (graph->width > 3) sample_metric(&cells);
-    for (int32_t i = 0; i < cells.count; i++) {
-        graph->first[i] = graph->edge_count;
-        if (!join_around(&cells, i)) return SP_OUT_OF_MEMORY;
-    }
-    graph->first[cells.count] = graph->edge_count;
+    sp_builder_begin(builder);
+    for (int32_t i = 0; i < cells.count; i++)
+        if (!sp_builder_turn(builder, i) || !join_around(&cells, i)) return SP_OUT_OF_MEMORY;
     return SP_CONVERGED;
 }

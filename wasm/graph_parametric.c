@@ -144,17 +144,12 @@ static int find_collapsed(const struct grid *grid) {
     return any;
 }
 
-/* Where a step leads: false beyond a wall. */
-static int step_to(const struct sp_graph *graph, int direction, int32_t from, int32_t by, int32_t *to) {
-    int32_t count = graph->count[direction];
-    *to = from + by;
-    if (graph->wraps[direction]) *to = (*to + count) % count;
-    return *to >= 0 && *to < count;
-}
+/* A line around the seam, at most once. */
+static int32_t around(int32_t line, int32_t count) { return line < 0 ? line + count : line < count ? line : line - count; }
 
 /* The sample on line i, j of the fine grid, around the seams. */
 static const double *sample_around(const struct grid *grid, int32_t i, int32_t j) {
-    return sample_at(grid, (i + grid->count[0]) % grid->count[0], (j + grid->count[1]) % grid->count[1]);
+    return sample_at(grid, around(i, grid->count[0]), around(j, grid->count[1]));
 }
 
 /* What leads from one line of the fine grid to another in a direction. */
@@ -162,28 +157,47 @@ static double way_between(const struct grid *grid, int direction, int32_t from, 
     return place_of(grid, direction, to) - place_of(grid, direction, from);
 }
 
+struct step {
+    int32_t du, dv;
+};
+
 /* The length of an edge, measured in halves of cells, or in quarters. */
-static double edge_length(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32_t dv) {
+static double edge_length(const struct grid *grid, int32_t i, int32_t j, struct step step) {
+    const struct sp_surface *surface = grid->builder->surface;
     double length = 0;
     for (int32_t k = 0; k < grid->parts; k += 2) {
-        int32_t at[2] = {grid->parts * i + k * du, grid->parts * j + k * dv};
+        int32_t at[2] = {grid->parts * i + k * step.du, grid->parts * j + k * step.dv};
+        const double *from = sample_around(grid, at[0], at[1]), *middle = sample_around(grid, at[0] + step.du, at[1] + step.dv),
+                     *to = sample_around(grid, at[0] + 2 * step.du, at[1] + 2 * step.dv);
+        if (surface->metric == SP_INDUCED) {
+            length += distance_between(from, middle) + distance_between(middle, to);
+            continue;
+        }
         double place[2] = {place_of(grid, 0, at[0]), place_of(grid, 1, at[1])};
-        double by[2] = {way_between(grid, 0, at[0], at[0] + 2 * du), way_between(grid, 1, at[1], at[1] + 2 * dv)};
-        length += sp_graph_segment(grid->builder->surface, place, sample_around(grid, at[0], at[1]),
-                                   sample_around(grid, at[0] + du, at[1] + dv), sample_around(grid, at[0] + 2 * du, at[1] + 2 * dv), by);
+        double by[2] = {way_between(grid, 0, at[0], at[0] + 2 * step.du), way_between(grid, 1, at[1], at[1] + 2 * step.dv)};
+        length += sp_graph_segment(surface, place, from, middle, to, by);
     }
     return length;
 }
 
-static int join(const struct grid *grid, int32_t i, int32_t j, int32_t du, int32_t dv) {
-    struct sp_graph *graph = grid->builder->graph;
-    int32_t to_i, to_j, parts = grid->parts;
-    if (!step_to(graph, 0, i, du, &to_i) || !step_to(graph, 1, j, dv, &to_j)) return 1;
-    double by[2] = {way_between(grid, 0, parts * i, parts * (i + du)), way_between(grid, 1, parts * j, parts * (j + dv))};
-    double chord =
-        sp_graph_chord(grid->builder->surface, sample_at(grid, parts * i, parts * j), sample_at(grid, parts * to_i, parts * to_j), by);
-    return sp_builder_edge((struct sp_builder *)grid->builder, (int32_t)vertex_at(grid, to_i, to_j), edge_length(grid, i, j, du, dv),
-                           chord);
+/* What an edge would be long if the surface were flat and its metric linear. */
+static double edge_chord(const struct grid *grid, int32_t i, int32_t j, struct step step) {
+    const struct sp_surface *surface = grid->builder->surface;
+    int32_t parts = grid->parts, to_i = parts * (i + step.du), to_j = parts * (j + step.dv);
+    const double *from = sample_at(grid, parts * i, parts * j), *to = sample_around(grid, to_i, to_j);
+    if (surface->metric == SP_INDUCED) return distance_between(from, to);
+    double by[2] = {way_between(grid, 0, parts * i, to_i), way_between(grid, 1, parts * j, to_j)};
+    return sp_graph_chord(surface, from, to, by);
+}
+
+/* The vertex to which a step leads; -1: it is beyond a wall. */
+static int32_t step_to(const struct sp_graph *graph, int32_t i, int32_t j, struct step step) {
+    int32_t to[2] = {i + step.du, j + step.dv};
+    for (int d = 0; d < 2; d++) {
+        if (graph->wraps[d]) to[d] = around(to[d], graph->count[d]);
+        if (to[d] < 0 || to[d] >= graph->count[d]) return -1;
+    }
+    return to[0] * graph->count[1] + to[1];
 }
 
 static int is_coprime(int32_t a, int32_t b) {
@@ -194,22 +208,32 @@ static int is_coprime(int32_t a, int32_t b) {
     return a * a == 1;
 }
 
-/* Every vertex to those around it that a coprime step of at most `reach` leads to: 32 of 3, 80 of 5. */
+/* Coprime steps of at most `reach` cells: 32 of 3, 80 of 5. */
+static int32_t list_steps(int32_t reach, struct step *steps) {
+    int32_t count = 0;
+    for (int32_t du = -reach; du <= reach; du++)
+        for (int32_t dv = -reach; dv <= reach; dv++)
+            if (is_coprime(du, dv)) steps[count++] = (struct step){du, dv};
+    return count;
+}
+
+/* Every vertex with those around it that a step leads to. */
 static int join_all(const struct grid *grid, int32_t reach) {
-    struct sp_graph *graph = grid->builder->graph;
-    int32_t side = 2 * reach + 1;
-    int fits = 1;
-    graph->edge_count = 0;
-    for (int32_t i = 0; i < graph->count[0]; i++)
-        for (int32_t j = 0; j < graph->count[1]; j++) {
-            graph->first[vertex_at(grid, i, j)] = graph->edge_count;
-            for (int32_t k = 0; k < side * side && fits; k++) {
-                int32_t du = k / side - reach, dv = k % side - reach;
-                if (is_coprime(du, dv)) fits = join(grid, i, j, du, dv);
-            }
+    struct sp_builder *builder = (struct sp_builder *)grid->builder;
+    const struct sp_graph *graph = builder->graph;
+    struct step steps[SP_WIDE_EDGES];
+    int32_t count = list_steps(reach, steps);
+    sp_builder_begin(builder);
+    for (int32_t vertex = 0; vertex < graph->vertex_count; vertex++) {
+        int32_t i = vertex / graph->count[1], j = vertex % graph->count[1];
+        if (!sp_builder_turn(builder, vertex)) return 0;
+        for (int32_t k = 0; k < count; k++) {
+            int32_t to = step_to(graph, i, j, steps[k]);
+            if (to > vertex && !sp_builder_join(builder, vertex, to, edge_length(grid, i, j, steps[k]), edge_chord(grid, i, j, steps[k])))
+                return 0;
         }
-    graph->first[graph->vertex_count] = graph->edge_count;
-    return fits;
+    }
+    return 1;
 }
 
 /* The vertices' samples and the places of the lines. */
@@ -288,6 +312,9 @@ static int choose_lines(struct grid *grid) {
     double ratio = root(length[0] / length[1]);
     ratio = !(ratio > LEAST_RATIO) ? LEAST_RATIO : ratio > 1 / LEAST_RATIO ? 1 / LEAST_RATIO : ratio;
     grid->cells[0] = (int32_t)(resolution * ratio + 0.5), grid->cells[1] = (int32_t)(resolution / ratio + 0.5);
+    /* No step leads around more than once. */
+    for (int d = 0; d < 2; d++)
+        if (grid->cells[d] <= REACH) grid->cells[d] = REACH + 1;
     grid->size = length[0] + length[1];
     for (int d = 0; d < 2; d++) {
         grid->lines[d] = sp_arena_take(grid->builder->arena, QUARTERS * (size_t)grid->cells[d] + 1, sizeof(double));
@@ -336,7 +363,6 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
     if (sp_builder_resolves(builder) || !may_be_wide(&grid)) return SP_CONVERGED;
     /* On slopes ways along them are few among 32. */
-    builder->bent = 0;
     if (may_be_quartered(&grid)) quarter(&grid);
     return join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

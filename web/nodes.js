@@ -1,6 +1,6 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
 
-import { cross, dot, gap } from './vector.js';
+import { dot, gap } from './vector.js';
 
 /**
  * @typedef {object} Node
@@ -25,18 +25,30 @@ const SMALL = 3.5;
 /** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
 const times = (matrix, v) => matrix.map((row) => dot(row, v));
 
-/** f, the length of a step to where ∇f would vanish, and where that leads. @param {Float64Array} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz @param {ArrayLike<number>} at */
-function stepFrom(jet, at) {
-  const [, , , , xx, xy, xz, yy, yz, zz] = jet;
+/** A step to where ∇f would vanish if it were linear. @typedef {{ size: number, next: number[], determinant: number }} Step determinant: of f″ where it begins */
+
+/** @param {Float64Array} jets f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of each place @param {number} i where those of one begin @param {number[]} at the place @returns {Step} */
+function stepFrom(jets, i, at) {
+  const [x, y, z, xx, xy] = [jets[i + 1], jets[i + 2], jets[i + 3], jets[i + 4], jets[i + 5]];
+  const [xz, yy, yz, zz] = [jets[i + 6], jets[i + 7], jets[i + 8], jets[i + 9]];
+  const [a, b, c] = [yy * zz - yz * yz, yz * xz - xy * zz, xy * yz - yy * xz];
+  const [d, e, f] = [zz * xx - xz * xz, xz * xy - yz * xx, xx * yy - xy * xy];
+  const determinant = xx * a + xy * b + xz * c;
+  const step = [(a * x + b * y + c * z) / determinant, (b * x + d * y + e * z) / determinant, (c * x + e * y + f * z) / determinant];
+  return { size: Math.sqrt(dot(step, step)), next: [at[0] - step[0], at[1] - step[1], at[2] - step[2]], determinant };
+}
+
+/** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
+function nodeAt(jet, { next, determinant }, size) {
+  const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
+  const largest = Math.max(...jet.subarray(4).map(Math.abs));
+  if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2 && Math.abs(determinant) > SINGULAR * largest ** 3)) return null;
   const second = [
     [xx, xy, xz],
     [xy, yy, yz],
     [xz, yz, zz],
   ];
-  const adjugate = [cross(second[1], second[2]), cross(second[2], second[0]), cross(second[0], second[1])];
-  const determinant = dot(second[0], adjugate[0]);
-  const step = times(adjugate, jet.subarray(1, 4)).map((x) => x / determinant);
-  return { second, determinant, step: Math.sqrt(dot(step, step)), next: step.map((x, j) => at[j] - x) };
+  return { at: next, second, determinant };
 }
 
 /** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
@@ -47,30 +59,44 @@ function mayLead(jets, i, cell) {
   return Math.abs(jets[i]) <= 2 * most * cell && jets[i + 1] ** 2 + jets[i + 2] ** 2 + jets[i + 3] ** 2 <= most ** 2;
 }
 
+/** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
+
 /**
- * @param {(places: ArrayLike<number>) => Float64Array} jets ten numbers a point @param {number[]} box @param {number} grid points a direction from which they are looked for
+ * The nodes to which Newton's steps lead from some places. All take a step together: one by one, calls took most of the time.
+ * @param {Jets} jets @param {Float64Array} places @param {number} cell farther than two no node is looked for @param {number} size of the box
+ */
+function nodesFrom(jets, places, cell, size) {
+  const sampled = jets(places);
+  /** @type {{ from: number[], step: Step, node: Node | null }[]} */
+  const walks = [];
+  for (let i = 0; 3 * i < places.length; i++) {
+    if (!mayLead(sampled, 10 * i, cell)) continue;
+    const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
+    walks.push({ from, step: stepFrom(sampled, 10 * i, from), node: null });
+  }
+  let walking = walks;
+  for (let k = 0; k < STEPS && walking.length > 0; k++) {
+    walking = walking.filter(({ from, step }) => step.size < cell && gap(step.next, from) < 2 * cell);
+    const own = jets(walking.flatMap(({ step }) => step.next));
+    walking = walking.filter((walk, i) => {
+      walk.step = stepFrom(own, 10 * i, walk.step.next);
+      const ends = walk.step.size <= SAME * SAME * size;
+      if (ends) walk.node = nodeAt(own.subarray(10 * i, 10 * i + 10), walk.step, size);
+      return !ends;
+    });
+  }
+  return walks.flatMap(({ node }) => node ?? []);
+}
+
+/**
+ * @param {Jets} jets @param {number[]} box @param {number} grid points a direction from which they are looked for
  * @returns {Node[]} those in the box that are found, none where the surface is degenerate, or they are too many
  */
 function findNodes(jets, box, grid) {
   const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
   const size = gap(low, high);
-  const cell = size / grid;
   /** @type {Node[]} */
   const nodes = [];
-  /** @param {number[]} from where @param {Float64Array} jet there */
-  const follow = (from, jet) => {
-    let here = stepFrom(jet, from);
-    for (let k = 0; k < STEPS && here.step < cell && gap(here.next, from) < 2 * cell; k++) {
-      const place = here.next;
-      const own = jets(place);
-      here = stepFrom(own, place);
-      if (!(here.step <= SAME * SAME * size)) continue;
-      const largest = Math.max(...here.second.flat().map(Math.abs));
-      const isNode = Math.abs(own[0]) <= ZERO * largest * size ** 2 && Math.abs(here.determinant) > SINGULAR * largest ** 3;
-      if (isNode && !nodes.some((node) => gap(node.at, place) <= SAME * size)) nodes.push({ ...here, at: here.next });
-      return;
-    }
-  };
   const line = (/** @type {number} */ j) => Float64Array.from({ length: grid }, (_, i) => low[j] + ((i + 0.5) / grid) * (high[j] - low[j]));
   const [xs, ys, zs] = [line(0), line(1), line(2)];
   const places = new Float64Array(3 * grid ** 2);
@@ -78,9 +104,8 @@ function findNodes(jets, box, grid) {
     if (nodes.length > MOST) return [];
     let k = 0;
     for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
-    const sampled = jets(places);
-    for (let i = 0; i < grid ** 2; i++)
-      if (mayLead(sampled, 10 * i, cell)) follow(Array.from(places.subarray(3 * i, 3 * i + 3)), sampled.subarray(10 * i, 10 * i + 10));
+    for (const node of nodesFrom(jets, places, size / grid, size))
+      if (!nodes.some(({ at }) => gap(at, node.at) <= SAME * size)) nodes.push(node);
   }
   return nodes;
 }
