@@ -134,7 +134,7 @@ $(NPM): package-lock.json | tools
 
 # What a path meets once is compiled to be small; what every step meets, and what that does not make shorter, with little inlining.
 LEVEL := -Os
-HOT := graph_parametric graph_sample graph_implicit blocks chart check dop853 elements elements_condense energy functions_constants functions_exponential functions_inverse functions_trigonometric \
+HOT := mesh_vertices graph_parametric graph_sample graph_implicit blocks chart check dop853 elements elements_condense energy functions_constants functions_exponential functions_inverse functions_trigonometric \
     graph_front graph_search implicit metric_check metric_elements parametric parametric_metric reference sample stride
 $(HOT:%=build/wasm/%.o): LEVEL := -mllvm -inline-threshold=5
 # As fast as with -Os, and shorter.

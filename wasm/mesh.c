@@ -1,4 +1,4 @@
-/* Marching tetrahedra, layer by layer, counted first and then stored.
+/* Marching tetrahedra, layer by layer.
  *
  * Lattice points have doubled integer coordinates: corners of cells even, centres odd. Each face of a cell joins the centres on its two
  * sides to its four edges: four tetrahedra. Outside the box the centres are moved onto its faces, so that the tetrahedra fill the box
@@ -13,10 +13,14 @@
 #include <string.h>
 
 enum {
-    BLOCK = 64,     /* points evaluated at once */
+    MOST_COLUMNS = SP_MESH_MAX_RESOLUTION + 2,
+    FLAGS = 8,      /* of a row, looked at together */
     FACE_SITES = 6, /* lattice points around a face of a cell */
     EDGES = 7,      /* edges owned by a lattice point: those to points that come earlier in the sweep */
     LIVE_LAYERS = 3,
+    TRIANGLES_A_VERTEX = 2, /* of a closed surface, but for its handles */
+    VERTEX_BYTES = 6 * sizeof(double) + TRIANGLES_A_VERTEX * 3 * sizeof(int32_t),
+    ALIGNED = 48,   /* each of the three arrays begins at a multiple of 16 */
     LEAST_PART = 12 /* a short side has this part of the cells of the longest, at least: thin boxes hold thin surfaces, but cells that are
                        no cubes thin triangles */
 };
@@ -30,8 +34,8 @@ struct sweep {
     size_t row;                   /* places in a row of a layer */
     uint8_t *inside[LIVE_LAYERS]; /* f < 0, a place a lattice point */
     int32_t *vertex[LIVE_LAYERS]; /* EDGES a place: number of the vertex on the edge, or -1 */
-    struct sp_mesh *mesh;         /* arrays NULL: only counted */
-    struct sp_mesh counted;       /* what its arrays have room for */
+    struct sp_mesh *mesh;
+    int32_t room; /* vertices that its arrays hold, and twice as many triangles; what is beyond is only counted */
 };
 
 struct site {
@@ -82,30 +86,27 @@ static size_t place_of(const struct sweep *sweep, const int32_t at[3]) {
     return (size_t)((at[1] + 1) >> 1) * sweep->row + (size_t)((at[0] + 1) >> 1);
 }
 
-/* Point number `index` of a layer whose rows have `columns` points. */
-static void layer_point(int32_t index, int32_t columns, int32_t z, int32_t at[3]) {
-    at[0] = 2 * (index % columns) - (z & 1);
-    at[1] = 2 * (index / columns) - (z & 1);
-    at[2] = z;
+/* Evaluates a row of a layer: at most MOST_COLUMNS points. The lane without a point repeats the last. */
+static void load_row(struct sweep *sweep, int32_t y, int32_t z) {
+    sp_pair in[(MOST_COLUMNS + 1) / 2 * SP_IMPLICIT_INPUTS], out[(MOST_COLUMNS + 1) / 2 * SP_IMPLICIT_VALUES];
+    int32_t first = -(z & 1), columns = sweep->cells[0] + 1 + (z & 1);
+    sp_pair row = sp_splat(coordinate(sweep, 1, y)), layer = sp_splat(coordinate(sweep, 2, z));
+    for (int32_t i = 0; i < columns; i += 2) {
+        double x = coordinate(sweep, 0, first + 2 * i);
+        sp_pair *at = in + i / 2 * SP_IMPLICIT_INPUTS;
+        at[0] = (sp_pair){x, i + 1 < columns ? coordinate(sweep, 0, first + 2 * i + 2) : x}, at[1] = row, at[2] = layer;
+    }
+    sweep->value((columns + 1) / 2, in, out);
+    const int32_t at[3] = {first, y, z};
+    uint8_t *inside = sweep->inside[layer_of(at)] + place_of(sweep, at);
+    for (int32_t i = 0; i < columns; i++)
+        inside[i] = out[i / 2 * SP_IMPLICIT_VALUES][i & 1] < 0;
 }
 
 static void load_layer(struct sweep *sweep, int32_t z) {
-    sp_pair in[BLOCK / 2 * SP_IMPLICIT_INPUTS], out[BLOCK / 2 * SP_IMPLICIT_VALUES];
-    int32_t columns = sweep->cells[0] + 1 + (z & 1), count = columns * (sweep->cells[1] + 1 + (z & 1)), at[3];
-    for (int32_t first = 0; first < count; first += BLOCK) {
-        int32_t last = first + BLOCK < count ? first + BLOCK : count;
-        for (int32_t index = first; index < last + ((last - first) & 1); index++) {
-            layer_point(index < last ? index : last - 1, columns, z, at);
-            for (int axis = 0; axis < 3; axis++)
-                in[(index - first) / 2 * SP_IMPLICIT_INPUTS + axis][(index - first) & 1] = coordinate(sweep, axis, at[axis]);
-        }
-        sweep->value((last - first + 1) / 2, in, out);
-        for (int32_t index = first; index < last; index++) {
-            layer_point(index, columns, z, at);
-            sweep->inside[layer_of(at)][place_of(sweep, at)] = out[(index - first) / 2 * SP_IMPLICIT_VALUES][(index - first) & 1] < 0;
-        }
-    }
-    int32_t top[3] = {0, 0, z};
+    for (int32_t y = -(z & 1); y <= 2 * sweep->cells[1] + (z & 1); y += 2)
+        load_row(sweep, y, z);
+    const int32_t top[3] = {0, 0, z};
     memset(sweep->vertex[layer_of(top)], 0xff, places(sweep) * EDGES * sizeof(int32_t));
 }
 
@@ -129,7 +130,7 @@ static int32_t edge_vertex(struct sweep *sweep, const struct site *a, const stru
     const struct site *from = a->inside ? a : b, *to = a->inside ? b : a;
     struct sp_mesh *mesh = sweep->mesh;
     *slot = mesh->vertex_count++;
-    int is_stored = mesh->positions && *slot < sweep->counted.vertex_count;
+    int is_stored = *slot < sweep->room;
     for (int axis = 0; is_stored && axis < 3; axis++) {
         double start = coordinate(sweep, axis, from->at[axis]);
         mesh->positions[3 * *slot + axis] = start;
@@ -140,7 +141,7 @@ static int32_t edge_vertex(struct sweep *sweep, const struct site *a, const stru
 
 static void emit(struct sweep *sweep, int32_t a, int32_t b, int32_t c) {
     struct sp_mesh *mesh = sweep->mesh;
-    int is_stored = mesh->indices && mesh->triangle_count < sweep->counted.triangle_count;
+    int is_stored = mesh->triangle_count < TRIANGLES_A_VERTEX * sweep->room;
     int32_t *triangle = is_stored ? mesh->indices + 3 * mesh->triangle_count : NULL;
     if (triangle) triangle[0] = a, triangle[1] = b, triangle[2] = c;
     mesh->triangle_count++;
@@ -196,18 +197,32 @@ static void visit_face(struct sweep *sweep, const int32_t offsets[FACE_SITES][3]
     }
 }
 
+/* Whether the flags from one on are the same around all these faces. */
+static bool are_plain(const uint8_t *const inside[FACE_SITES], int32_t first) {
+    uint64_t any = 0, all = ~(uint64_t)0, flags;
+    for (int i = 0; i < FACE_SITES; i++) {
+        memcpy(&flags, inside[i] + first, FLAGS);
+        any |= flags, all &= flags;
+    }
+    return any == all;
+}
+
 /* All faces normal to `axis` whose centres lie in one row. Most are far from the surface: those are passed over by their flags alone. */
 static void visit_row(struct sweep *sweep, int axis, int32_t y, int32_t z) {
-    int32_t offsets[FACE_SITES][3], face[3] = {axis != 0, y, z};
+    int32_t offsets[FACE_SITES][3], face[3] = {axis != 0, y, z}, count = sweep->cells[0] + (axis == 0);
     const uint8_t *inside[FACE_SITES];
     face_offsets(axis, offsets);
     for (int i = 0; i < FACE_SITES; i++) {
         int32_t at[3] = {face[0] + offsets[i][0], y + offsets[i][1], z + offsets[i][2]};
         inside[i] = sweep->inside[layer_of(at)] + place_of(sweep, at);
     }
-    for (int32_t i = 0; face[0] <= 2 * sweep->cells[0]; i++, face[0] += 2) {
-        int count = inside[0][i] + inside[1][i] + inside[2][i] + inside[3][i] + inside[4][i] + inside[5][i];
-        if (count != 0 && count != FACE_SITES) visit_face(sweep, (const int32_t(*)[3])offsets, face);
+    for (int32_t i = 0; i < count; i++) {
+        while (i + FLAGS <= count && are_plain(inside, i))
+            i += FLAGS;
+        if (i == count) return;
+        int flags = inside[0][i] + inside[1][i] + inside[2][i] + inside[3][i] + inside[4][i] + inside[5][i];
+        face[0] = (axis != 0) + 2 * i;
+        if (flags != 0 && flags != FACE_SITES) visit_face(sweep, (const int32_t(*)[3])offsets, face);
     }
 }
 
@@ -251,36 +266,31 @@ static size_t scratch_bytes(const struct sweep *sweep) {
 double sp_mesh_bytes(const double box[6], int32_t resolution, int32_t vertex_count, int32_t triangle_count) {
     struct sweep sweep;
     if (!divide_box(&sweep, box, resolution)) return 0;
-    size_t near = ((size_t)vertex_count * sizeof(int32_t) + 15) & ~(size_t)15;
-    /* 48 bytes: each of the three arrays begins at a multiple of 16. */
-    return larger((double)scratch_bytes(&sweep), (double)near) + 48.0 * vertex_count + 12.0 * triangle_count + 48;
+    double room = larger(vertex_count, (triangle_count + 1) / TRIANGLES_A_VERTEX);
+    return larger((double)scratch_bytes(&sweep), sizeof(int32_t) * (double)vertex_count) + VERTEX_BYTES * room + ALIGNED;
 }
 
-static bool take_arrays(struct sp_mesh *mesh, struct sp_arena *arena) {
-    mesh->positions = sp_arena_take(arena, (size_t)mesh->vertex_count, 3 * sizeof(double));
-    mesh->normals = sp_arena_take(arena, (size_t)mesh->vertex_count, 3 * sizeof(double));
-    mesh->indices = sp_arena_take(arena, (size_t)mesh->triangle_count, 3 * sizeof(int32_t));
-    return mesh->positions && mesh->normals && mesh->indices;
+/* Arrays for as many vertices as there is room for beside the scratch, which lies behind them. */
+static bool take_arrays(struct sweep *sweep, struct sp_arena *arena) {
+    size_t left = arena->size - arena->used, scratch = scratch_bytes(sweep) + ALIGNED;
+    size_t room = left > scratch ? (left - scratch) / VERTEX_BYTES : 0, most = INT32_MAX / TRIANGLES_A_VERTEX;
+    sweep->room = (int32_t)(room < most ? room : most);
+    struct sp_mesh *mesh = sweep->mesh;
+    mesh->positions = sp_arena_take(arena, (size_t)sweep->room, 3 * sizeof(double));
+    mesh->normals = sp_arena_take(arena, (size_t)sweep->room, 3 * sizeof(double));
+    mesh->indices = sp_arena_take(arena, TRIANGLES_A_VERTEX * (size_t)sweep->room, 3 * sizeof(int32_t));
+    return mesh->positions && mesh->normals && mesh->indices && take_layers(sweep, arena);
 }
 
-/* The mesh with its counts already known: arrays first, so that the scratch behind them can be given back. A surface that has changed since
- * it was counted does not fit: its other counts are then known. */
-static bool store_mesh(struct sweep *sweep, struct sp_arena *arena) {
-    sweep->counted = *sweep->mesh;
-    if (!take_arrays(sweep->mesh, arena)) return false;
-    size_t kept = arena->used;
-    if (!take_layers(sweep, arena)) return false;
-    sweep_box(sweep);
-    const struct sp_mesh *found = sweep->mesh, *counted = &sweep->counted;
-    if (found->vertex_count != counted->vertex_count || found->triangle_count != counted->triangle_count) return false;
-    arena->used = kept;
-    sp_place_vertices(sweep->value, sweep->box, sweep->mesh);
-    choose_diagonals(sweep->mesh);
-    int32_t *near = sp_arena_take(arena, (size_t)sweep->mesh->vertex_count, sizeof *near);
-    if (!near) return false;
-    sp_draw_rims(sweep->value, sweep->box, sweep->mesh, near);
-    arena->used = kept;
-    return true;
+/* Moves the arrays together: exactly they are taken. */
+static void close_arrays(struct sp_mesh *mesh, struct sp_arena *arena) {
+    struct sp_mesh wide = *mesh;
+    size_t vertices = (size_t)mesh->vertex_count, triangles = (size_t)mesh->triangle_count;
+    sp_arena_take(arena, vertices, 3 * sizeof(double));
+    mesh->normals = sp_arena_take(arena, vertices, 3 * sizeof(double));
+    mesh->indices = sp_arena_take(arena, triangles, 3 * sizeof(int32_t));
+    memmove(mesh->normals, wide.normals, 3 * vertices * sizeof(double));
+    memmove(mesh->indices, wide.indices, 3 * triangles * sizeof(int32_t));
 }
 
 int32_t sp_mesh_implicit(sp_evaluate value, const double box[6], int32_t resolution, struct sp_arena *arena, struct sp_mesh *mesh) {
@@ -288,10 +298,21 @@ int32_t sp_mesh_implicit(sp_evaluate value, const double box[6], int32_t resolut
     size_t before = arena->used;
     *mesh = (struct sp_mesh){0};
     if (!divide_box(&sweep, box, resolution)) return SP_NOT_FINITE;
-    bool fits = take_layers(&sweep, arena);
+    bool fits = take_arrays(&sweep, arena);
     if (fits) sweep_box(&sweep);
     arena->used = before;
-    if (fits && store_mesh(&sweep, arena)) return SP_CONVERGED;
+    if (fits && mesh->vertex_count <= sweep.room && mesh->triangle_count <= TRIANGLES_A_VERTEX * sweep.room) {
+        close_arrays(mesh, arena);
+        size_t kept = arena->used;
+        int32_t *near = sp_arena_take(arena, (size_t)mesh->vertex_count, sizeof *near);
+        if (near) {
+            sp_place_vertices(value, box, mesh);
+            choose_diagonals(mesh);
+            sp_draw_rims(value, box, mesh, near);
+            arena->used = kept;
+            return SP_CONVERGED;
+        }
+    }
     *mesh = (struct sp_mesh){.vertex_count = mesh->vertex_count, .triangle_count = mesh->triangle_count};
     arena->used = before;
     return SP_OUT_OF_MEMORY;

@@ -36,7 +36,7 @@ double sp_mesh_bytes(const double box[6], int32_t resolution, int32_t vertex_cou
  *
  * Takes exactly the arrays of `mesh` from the arena; its scratch, O(resolution^2), is given back. Returns SP_CONVERGED (no surface in the
  * box: both counts 0), SP_NOT_FINITE (the box is empty, or not finite) or SP_OUT_OF_MEMORY: the arrays are then NULL, and the counts those
- * that the mesh would have, or 0 where not even the scratch fits; a second call with sp_mesh_bytes of them succeeds. Cost: two evaluations
+ * that the mesh would have, or 0 where not even the scratch fits; a second call with sp_mesh_bytes of them succeeds. Cost: one evaluation
  * of f at each of about 2 resolution^3 points of the cube, about twelve a vertex, and two hundred one of a rim. */
 int32_t sp_mesh_implicit(sp_evaluate value, const double box[6], int32_t resolution, struct sp_arena *arena, struct sp_mesh *mesh);
 

@@ -73,13 +73,10 @@ function meshRectangle(manifold, { lower, upper }, resolution) {
   const count = parameters.length / 2;
   const [positions, normals] = [new Float64Array(3 * count), new Float64Array(3 * count)];
   for (let i = 0; i < count; i++) {
-    positions.set(evaluated.subarray(6 * i, 6 * i + 3), 3 * i);
-    let normal = evaluated.subarray(6 * i + 3, 6 * i + 6);
-    if (Number.isNaN(normal[0])) {
-      const inwards = [0, 1].map((k) => parameters[2 * i + k] + INWARDS * ((lower[k] + upper[k]) / 2 - parameters[2 * i + k]));
-      normal = evaluateNormals(manifold, inwards).subarray(3, 6);
-    }
-    normals.set(normal, 3 * i);
+    for (let k = 0; k < 3; k++) [positions[3 * i + k], normals[3 * i + k]] = [evaluated[6 * i + k], evaluated[6 * i + 3 + k]];
+    if (!Number.isNaN(normals[3 * i])) continue;
+    const inwards = [0, 1].map((k) => parameters[2 * i + k] + INWARDS * ((lower[k] + upper[k]) / 2 - parameters[2 * i + k]));
+    normals.set(evaluateNormals(manifold, inwards).subarray(3, 6), 3 * i);
   }
   return { positions, normals, parameters, indices: gridTriangles(resolution) };
 }

@@ -10,6 +10,8 @@ const MOST_GRAPH_BYTES = 2 ** 29;
 /** Structs of wasm/surfpath.h that hold options, requests or results are at most so large. */
 export const MOST_STRUCT_BYTES = 128;
 const MOST_TRACE_STEPS = 200_000;
+/** A mesh of 64³ cells rarely has more. */
+const USUAL_VERTICES = 60_000;
 
 /** As sp_way in wasm/surfpath.h. */
 export const OVER_POINT = 1;
@@ -145,7 +147,7 @@ export class Heap extends Memory {
   }
 
   /**
-   * Runs sp_mesh_implicit, with as much arena as it asks for.
+   * Runs sp_mesh_implicit, once more with as much arena as it asks for where the mesh is larger than usual.
    * @param {number} value table slot of the surface's value function
    * @param {number[]} box @param {number} resolution
    * @returns {{ status: number, positions: Float64Array, normals: Float64Array, indices: Uint32Array }}
@@ -153,8 +155,7 @@ export class Heap extends Memory {
   meshImplicit(value, box, resolution) {
     const numbers = this.#numbers;
     this.writeDoubles(numbers, box);
-    let vertices = 0;
-    let triangles = 0;
+    let [vertices, triangles] = [USUAL_VERTICES, 0];
     for (let attempt = 0; ; attempt++) {
       const bytes = this.exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
