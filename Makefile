@@ -18,7 +18,7 @@ WASM := $(wildcard wasm/*.c)
 WEB := $(shell find web -name '*.js')
 NATIVE_TESTS := $(patsubst tests/native/%_test.c,build/sanitized/%_test,$(wildcard tests/native/*_test.c))
 NATIVE_HELPERS := $(patsubst tests/native/%.c,build/sanitized/tests/%.o,$(filter-out %_test.c,$(wildcard tests/native/*.c)))
-C_FILES := $(wildcard wasm/*.[ch] tests/native/*.[ch] tests/bench/*.[ch] tests/fuzz/*.[ch] tests/golden/*.[ch] tests/coverage/*.c)
+C_FILES := $(wildcard wasm/*.[ch] wasm/pack/*.c tests/native/*.[ch] tests/bench/*.[ch] tests/fuzz/*.[ch] tests/golden/*.[ch] tests/coverage/*.c)
 FUZZERS := expressions definitions straight global
 BIN := node_modules/.bin
 NPM := node_modules/.package-lock.json
@@ -173,15 +173,25 @@ build/named.wasm: $(WASM:%.c=build/%.o) wasm/surfpath.exports wasm/shorten.js Ma
 
 # JavaScript and types
 
-dist/wasm.js: dist/surfpath.wasm wasm/pack.js web/runtime/kinds.js
-	@node wasm/pack.js $< $@
+# What puts the packed module together: without the exports that the linker adds.
+build/pack/regroup.wasm: wasm/pack/regroup.c Makefile | tools
+	@mkdir -p $(@D)
+	@$(EMCC) -Oz $(LINK) -sTOTAL_STACK=4KB -sINITIAL_MEMORY=64KB -sEXPORTED_FUNCTIONS=_regroup $< -o $@
+	@wasm-opt $(BINARYEN) -Oz -S $@ -o $@.wat
+	@sed -i '/(export "/{/"memory"\|"regroup"/!d}' $@.wat
+	@wasm-as $(BINARYEN) $@.wat -o $@
+	@wasm-opt $(BINARYEN) -Oz --remove-unused-module-elements $@ -o $@
+	@rm $@.wat
+
+dist/wasm.js: dist/surfpath.wasm build/pack/regroup.wasm wasm/pack/pack.js web/runtime/unpack.js
+	@node wasm/pack/pack.js $< build/pack/regroup.wasm $@
 
 dist/wasm.d.ts: Makefile
 	@mkdir -p $(@D)
 	@printf 'declare const text: string;\nexport default text;\n' >$@
 
 BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
-# Once more, in 4 % fewer bytes: the module's text stays in front, where it compresses best (wasm/pack.js), and lines are short enough to stand above an
+# Once more, in 4 % fewer bytes: the module's text stays in front, where it compresses best (wasm/pack/pack.js), and lines are short enough to stand above an
 # error: they end where statements do, else a semicolon and a line's end would both stand there; no function is a constructor.
 SHORTER = --module --ecma 2022 --compress passes=3,inline=1,unsafe_arrows --mangle
 SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@

@@ -138,10 +138,10 @@ export function makeCompile(inlined) {
     const { wasm } = checkOptions(caller, options, ['wasm']);
     const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
     /* Bytes are the caller's, and an answer is read once. */
-    if (typeof key === 'object') return compileSolver(caller, key);
+    if (typeof key === 'object') return compileSolver(caller, () => key);
     let module = compiled.get(key);
     if (!module) {
-      module = compileSolver(caller, wasm ?? inlined());
+      module = compileSolver(caller, () => wasm ?? inlined());
       compiled.set(key, module);
       module.catch(() => compiled.delete(key));
     }

@@ -46,12 +46,12 @@ const compile = (bytes, name) =>
 /**
  * Compiles the solver's module.
  * @param {string} caller
- * @param {WasmSource | Promise<WasmSource>} given the module, its bytes, or where they are
+ * @param {() => WasmSource | Promise<WasmSource>} find gives the module, its bytes, or where they are, once WebAssembly is known to be there
  * @returns {Promise<WebAssembly.Module>}
  */
-export async function compileSolver(caller, given) {
+export async function compileSolver(caller, find) {
   checkEngine();
-  const source = await given;
+  const source = await find();
   if (source instanceof WebAssembly.Module) return source;
   const found = typeof source === 'string' || source instanceof URL ? await open(caller, source) : source;
   // Bytes first: to name Response takes Node.js 10 ms of a cold process.

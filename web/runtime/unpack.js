@@ -1,9 +1,10 @@
 /**
  * The bytes behind an inlined text. Text costs a third more than bytes, and compressing text again does not win it back: so the bytes are compressed first, each
- * kind by itself.
+ * kind by itself, as wasm/pack/regroup.c tells them apart.
  */
 
-import { KINDS, regroup } from './kinds.js';
+/** Kinds of bytes; and where in the memory of regroup.c there is room: behind its stack. */
+export const [KINDS, FIRST] = [8, 65536];
 
 /** @param {string} text base64 */
 function decode(text) {
@@ -26,15 +27,23 @@ async function decompress(packed) {
 }
 
 /**
- * The module that wasm/pack.js packed.
- * @param {string} text base64 of gzip data: the lengths of the heaps, 32 bits each, then the heaps, one after the other
- * @returns {Promise<Uint8Array<ArrayBuffer>>}
+ * The module that wasm/pack/pack.js packed.
+ * @param {string} text base64 of gzip data: lengths, 32 bits each, of what follows; the module that was made from regroup.c; the heaps, one after the other
  */
 export async function unpack(text) {
-  const heaps = await decompress(decode(text));
-  const next = [4 * KINDS];
-  for (const length of new Uint32Array(heaps.buffer, 0, KINDS)) next.push(next[next.length - 1] + length);
-  const module = new Uint8Array(heaps.length - next[0]);
-  regroup(module, heaps, next, false);
-  return module;
+  const bytes = await decompress(decode(text));
+  const [regrouper, ...lengths] = new Uint32Array(bytes.buffer, 0, 1 + KINDS);
+  const code = 4 + 4 * KINDS;
+  const heaps = bytes.subarray(code + regrouper);
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(bytes.subarray(code, code + regrouper)));
+  const { memory, regroup } = /** @type {{ memory: WebAssembly.Memory, regroup: Function }} */ (/** @type {unknown} */ (exports));
+  memory.grow(1 + ((2 * bytes.length) >> 16));
+  /* One behind the other: where each heap is read next, the heaps, the module. */
+  const first = FIRST + 4 * KINDS;
+  const module = first + heaps.length;
+  const next = new Uint32Array(memory.buffer, FIRST, KINDS);
+  for (let kind = 0, at = first; kind < KINDS; at += lengths[kind++]) next[kind] = at;
+  new Uint8Array(memory.buffer).set(heaps, first);
+  regroup(module, heaps.length, FIRST, 0);
+  return new Uint8Array(memory.buffer, module, heaps.length);
 }
