@@ -24,13 +24,13 @@ export const firsts = (list) => list.filter((found, i) => !isAmong(list.slice(0,
 export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.path) - estimate(b.path)));
 
 /** @param {Compared} a @param {Compared} b @param {number} [apart] in place of 0.01 of the length */
-export function isSame(a, b, apart = APART) {
-  return areNear(a, b, samplesOf(a), samplesOf(b), apart);
-}
+export const isSame = (a, b, apart = APART) => isAsLong(a, b, apart) && areNear(samplesOf(a), samplesOf(b), apart);
 
-/** @param {Compared} a @param {Compared} b @param {number[][]} p places along a @param {number[][]} q along b @param {number} apart */
-function areNear(a, b, p, q, apart) {
-  if (Math.abs(estimate(a) - estimate(b)) > apart * estimate(a)) return false;
+/** @param {Compared} a @param {Compared} b @param {number} apart */
+const isAsLong = (a, b, apart) => !(Math.abs(estimate(a) - estimate(b)) > apart * estimate(a));
+
+/** @param {number[][]} p places along a path @param {number[][]} q along another @param {number} apart */
+function areNear(p, q, apart) {
   let [away, size] = [0, 0];
   for (let i = 0; i < SAMPLES; i++) {
     away = Math.max(away, gap(p[i], q[i]));
@@ -57,8 +57,8 @@ export function comesNear(path, tip, range) {
  * @param {Tip & { path: Compared }} way @param {{ path: Compared }} found @param {Range | null} range
  */
 export function isBesideWay(way, { path }, range) {
-  const [p, q] = [way.path, path].map((one) => samplesBeside(one, way, range));
-  return comesNear(path, way, range) && areNear(way.path, path, p, q, BESIDE);
+  const samples = (/** @type {Compared} */ one) => samplesBeside(one, way, range);
+  return comesNear(path, way, range) && isAsLong(way.path, path, BESIDE) && areNear(samples(way.path), samples(path), BESIDE);
 }
 
 /** Places along a path as they are from a tip: in space or, where it has no positions, by the coordinate across. @param {Compared} path @param {Tip} tip @param {Range | null} range */
@@ -68,11 +68,17 @@ function samplesBeside(path, { at, pole }, range) {
   return samplesOf(path).map((place) => (at ? place : [place[across], 0, 0]).map((x, k) => x - origin[k]));
 }
 
+/** Places along paths that were compared before. @type {WeakMap<Compared, number[][]>} */
+const sampled = new WeakMap();
+
 /** Places along a path of equal chords: points, or u v 0 where it has no positions. @param {Compared} path @returns {number[][]} */
-function samplesOf({ points, parameters }) {
+function samplesOf(path) {
+  const known = sampled.get(path);
+  if (known) return known;
+  const { points, parameters } = path;
   const [numbers, width] = points.length > 0 || !parameters ? [points, 3] : [parameters, 2];
   const last = numbers.length / width - 1;
-  return Array.from({ length: SAMPLES + 1 }, (_, i) => {
+  const samples = Array.from({ length: SAMPLES + 1 }, (_, i) => {
     const at = (i / SAMPLES) * last;
     const before = Math.min(Math.floor(at), last - 1);
     return [0, 1, 2].map((k) => {
@@ -80,4 +86,6 @@ function samplesOf({ points, parameters }) {
       return k < width ? from + (at - before) * (to - from) : 0;
     });
   });
+  sampled.set(path, samples);
+  return samples;
 }
