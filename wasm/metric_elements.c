@@ -20,6 +20,20 @@ static int32_t pairs_of(const struct sp_reference *reference, const struct sp_po
     return (count_of(reference, line) + 1) / 2;
 }
 
+static const sp_pair *metric_at(const struct sp_metric_element *element, int32_t i, int32_t part) {
+    return element->metrics + element->components * (SP_METRIC_PARTS * i + part);
+}
+
+/* T_part V at node i. */
+static struct sp_vector lower(const struct sp_metric_element *element, int32_t i, int32_t part) {
+    const sp_pair *t = metric_at(element, i, part);
+    struct sp_vector v = element->velocity[i];
+    if (element->components == 1) return sp_scale(v, t[0]);
+    if (element->components == 3) return (struct sp_vector){t[0] * v.x + t[1] * v.y, t[1] * v.x + t[2] * v.y, sp_splat(0.0)};
+    return (struct sp_vector){t[0] * v.x + t[1] * v.y + t[3] * v.z, t[1] * v.x + t[2] * v.y + t[4] * v.z,
+                              t[3] * v.x + t[4] * v.y + t[5] * v.z};
+}
+
 /* V_q = sum_j D_qj (X_j - X_q) */
 void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, int32_t e,
                     struct sp_metric_element *element) {
@@ -28,22 +42,21 @@ void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline
     element->reference = reference, element->factor = sp_elements_stretch(elements, e), element->components = line->kind->components;
     element->charts = nodes->charts + SP_CHART * first;
     element->metrics = nodes->metrics + SP_METRIC_PARTS * element->components * first;
-    for (int32_t q = 0; q <= p; q++)
-        for (int k = 0; k < 3; k++) {
-            sp_pair here = element->charts[SP_CHART * q + k], sum = sp_splat(0.0);
-            for (int32_t j = 0; j <= p; j++)
-                sum += reference->derivative[q * (p + 1) + j] * (element->charts[SP_CHART * j + k] - here);
-            element->velocity[3 * q + k] = sum;
-        }
+    for (int32_t q = 0; q <= p; q++) {
+        struct sp_vector here = sp_load(element->charts + SP_CHART * q), sum = sp_scale(here, sp_splat(0.0));
+        for (int32_t j = 0; j <= p; j++)
+            sum = sp_add(sum, sp_scale(sp_subtract(sp_load(element->charts + SP_CHART * j), here),
+                                       sp_splat(reference->derivative[q * (p + 1) + j])));
+        element->velocity[q] = sum, element->momentum[q] = lower(element, q, SP_METRIC_T);
+    }
 }
 
-static const sp_pair *metric_at(const struct sp_metric_element *element, int32_t i, int32_t part) {
-    return element->metrics + element->components * (SP_METRIC_PARTS * i + part);
-}
-
-/* a' T_part V at node i. */
-static sp_pair moment(const struct sp_metric_element *element, int32_t i, int32_t part, const sp_pair *a) {
-    return sp_metric_product(element->components, metric_at(element, i, part), a, element->velocity + 3 * i);
+void sp_metric_open_whole(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e,
+                          struct sp_metric_element *element) {
+    sp_metric_open(elements, line, &line->nodes, e, element);
+    for (int32_t q = 0; q <= element->reference->degree; q++)
+        for (int a = 0; a < 2; a++)
+            element->pull[a][q] = lower(element, q, SP_METRIC_T1 + a);
 }
 
 double sp_metric_squares(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, double *length) {
@@ -57,7 +70,7 @@ double sp_metric_squares(const struct sp_elements *elements, const struct sp_pol
         for (int32_t q = 0; q <= p; q++) {
             struct sp_form form = sp_metric_form(element.components, element.charts + SP_CHART * q, metric_at(&element, q, SP_METRIC_T));
             if (e + q > 0 && sp_any(~sp_form_positive(form))) return not_a_number();
-            sp_pair squared = moment(&element, q, SP_METRIC_T, element.velocity + 3 * q), weight = reference->weight[q] * once;
+            sp_pair squared = sp_dot(element.momentum[q], element.velocity[q]), weight = reference->weight[q] * once;
             squares += element.factor * weight * squared;
             along += weight * sp_square_root(squared);
         }
@@ -66,26 +79,31 @@ double sp_metric_squares(const struct sp_elements *elements, const struct sp_pol
     return squares[0] + squares[1];
 }
 
+static struct sp_vector base(const sp_pair *chart, int32_t a) { return sp_load(chart + SP_CHART_1 + 3 * a); }
+
 /* Adds what the element gives to its node i. */
 static void add_terms(const struct sp_metric_element *element, int32_t i, sp_pair *terms) {
     const struct sp_reference *reference = element->reference;
     int32_t size = reference->degree + 1;
-    const sp_pair *chart = element->charts + SP_CHART * i, *velocity = element->velocity + 3 * i;
+    const sp_pair *chart = element->charts + SP_CHART * i;
     sp_pair weight = element->factor * reference->weight[i], own = weight * reference->derivative[i * size + i];
+    struct sp_vector velocity = element->velocity[i], sum = sp_scale(velocity, sp_splat(0.0));
     for (int32_t q = 0; q < size; q++) {
         double slope = reference->derivative[q * size + i];
         sp_pair factor = element->factor * (reference->weight[q] * slope);
         const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
         for (int32_t c = 0; c < element->components; c++)
             terms[MASS + c] += factor * slope * metric[c];
-        for (int32_t k = 0; k < 5; k++) /* B_1, B_2, S_11, S_12, S_22 */
-            terms[FORCE + k] += factor * moment(element, q, SP_METRIC_T, chart + SP_CHART_1 + 3 * k);
+        sum = sp_add(sum, sp_scale(element->momentum[q], factor));
     }
-    for (int32_t k = 0; k < 5; k++)
-        terms[FORCE + k] += 0.5 * weight * moment(element, i, SP_METRIC_T1 + k, velocity);
-    for (int32_t k = 0; k < 4; k++) { /* weight_i D_ii (B_b' T_a V_i + B_a' T_b V_i) */
-        sp_pair turning = own * moment(element, i, SP_METRIC_T1 + k / 2, chart + (k % 2 ? SP_CHART_2 : SP_CHART_1));
-        terms[CURVATURE + k / 2 + k % 2] += k == 1 || k == 2 ? turning : 2.0 * turning;
+    for (int32_t k = 0; k < 5; k++) /* B_1, B_2, S_11, S_12, S_22 */
+        terms[FORCE + k] += sp_dot(base(chart, k), sum);
+    for (int32_t a = 0; a < 2; a++)
+        terms[FORCE + a] += 0.5 * weight * sp_dot(element->pull[a][i], velocity);
+    for (int32_t ab = 0; ab < 3; ab++) { /* with weight_i D_ii (B_b' T_a V_i + B_a' T_b V_i) */
+        int32_t a = ab / 2, b = (ab + 1) / 2;
+        sp_pair turning = sp_dot(element->pull[a][i], base(chart, b)) + sp_dot(element->pull[b][i], base(chart, a));
+        terms[CURVATURE + ab] += own * turning + 0.5 * weight * sp_dot(lower(element, i, SP_METRIC_T11 + ab), velocity);
     }
 }
 
@@ -135,7 +153,7 @@ static void assemble_couplings(const struct sp_elements *elements, const struct 
     struct sp_metric_element element;
     for (int32_t k = 1; k <= sp_fold_both(line->fold); k++) {
         sp_pair block[4];
-        sp_metric_open(elements, line, &line->nodes, k, &element);
+        sp_metric_open_whole(elements, line, k, &element);
         sp_metric_couple(&element, 0, 1, held + 2 * k, block);
         rows[k].q11 = -block[0], rows[k].q12 = -block[1], rows[k].q21 = -block[2], rows[k].q22 = -block[3];
     }
@@ -156,7 +174,7 @@ struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const st
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
     for (int32_t e = 0; e < pairs; e++) {
-        sp_metric_open(elements, line, &line->nodes, e, &element);
+        sp_metric_open_whole(elements, line, e, &element);
         for (int32_t i = 0; i <= p; i++) {
             int32_t k = e * p + i, shared = i == p && e < pairs - 1;
             for (int j = 0; j < TERMS && i > 0; j++)
@@ -192,8 +210,8 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
         int32_t a = k / 2, b = k % 2;
         const sp_pair *here = element->charts + SP_CHART * i + SP_CHART_1 + 3 * a,
                       *there = element->charts + SP_CHART * j + SP_CHART_1 + 3 * b;
-        sp_pair value = sp_metric_product(element->components, sum, here, there) + ij * moment(element, i, SP_METRIC_T1 + a, there) +
-                        ji * moment(element, j, SP_METRIC_T1 + b, here);
+        sp_pair value = sp_metric_product(element->components, sum, here, there) + ij * sp_dot(element->pull[a][i], sp_load(there)) +
+                        ji * sp_dot(element->pull[b][j], sp_load(here));
         block[k] = sp_select(held[2 * i + a] | held[2 * j + b], sp_splat(0.0), element->factor * value);
     }
 }
@@ -201,7 +219,7 @@ void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_
 void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]) {
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
-    sp_metric_open(elements, line, &line->nodes, 0, &element);
+    sp_metric_open_whole(elements, line, 0, &element);
     add_terms(&element, 0, terms);
     pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
 }

@@ -14,21 +14,22 @@ double sp_metric_squares(const struct sp_elements *elements, const struct sp_pol
 struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const struct sp_polyline *line, enum sp_hessian hessian,
                                     struct sp_row *rows, sp_mask *straight, sp_mask *held);
 
-/* An element with the velocities at its nodes. */
+/* An element with what its nodes have of vectors: the velocity V, the momentum T V, and the pulls T_1 V and T_2 V. */
 struct sp_metric_element {
     const struct sp_reference *reference;
     sp_pair factor; /* sp_elements_stretch */
     int32_t components;
     const sp_pair *charts, *metrics; /* of its first node */
-    sp_pair velocity[3 * (SP_MAX_DEGREE + 1)];
+    struct sp_vector velocity[SP_MAX_DEGREE + 1], momentum[SP_MAX_DEGREE + 1], pull[2][SP_MAX_DEGREE + 1];
 };
 
-/* Reads element pair e. */
+/* Reads element pair e: all but its pulls, which only derivatives need; or all. */
 void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, int32_t e,
                     struct sp_metric_element *element);
+void sp_metric_open_whole(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, struct sp_metric_element *element);
 
-/* Writes the 2 x 2 block of H between nodes i != j of an element, row by row; zero in coordinates that are held (`held`: two masks a pair,
- * from its first node). */
+/* Writes the 2 x 2 block of H between nodes i != j of a whole element, row by row; zero in coordinates that are held (`held`: two masks a
+ * pair, from its first node). */
 void sp_metric_couple(const struct sp_metric_element *element, int32_t i, int32_t j, const sp_mask *held, sp_pair block[4]);
 
 /* As sp_elements_end_pull: B_a' times the pull of space, and the force of T itself. */
