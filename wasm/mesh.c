@@ -91,15 +91,17 @@ static void load_row(struct sweep *sweep, int32_t y, int32_t z) {
     sp_pair in[(MOST_COLUMNS + 1) / 2 * SP_IMPLICIT_INPUTS], out[(MOST_COLUMNS + 1) / 2 * SP_IMPLICIT_VALUES];
     int32_t first = -(z & 1), columns = sweep->cells[0] + 1 + (z & 1);
     sp_pair row = sp_splat(coordinate(sweep, 1, y)), layer = sp_splat(coordinate(sweep, 2, z));
-    for (int32_t i = 0; i < columns; i += 2) {
+    int32_t i = 0;
+    do {
         double x = coordinate(sweep, 0, first + 2 * i);
         sp_pair *at = in + i / 2 * SP_IMPLICIT_INPUTS;
         at[0] = (sp_pair){x, i + 1 < columns ? coordinate(sweep, 0, first + 2 * i + 2) : x}, at[1] = row, at[2] = layer;
-    }
+        i += 2;
+    } while (i < columns);
     sweep->value((columns + 1) / 2, in, out);
     const int32_t at[3] = {first, y, z};
     uint8_t *inside = sweep->inside[layer_of(at)] + place_of(sweep, at);
-    for (int32_t i = 0; i < columns; i++)
+    for (i = 0; i < columns; i++)
         inside[i] = out[i / 2 * SP_IMPLICIT_VALUES][i & 1] < 0;
 }
 
