@@ -92,7 +92,8 @@ static void measure(const struct field *field) {
 }
 
 double sp_graph_field_bytes(const struct sp_graph *graph) {
-    double front = sizeof(double) + 3 * sizeof(int32_t), buckets = graph->kind == SP_IMPLICIT ? 3 * sizeof(int32_t) : 0;
+    double front = sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t),
+           buckets = graph->kind == SP_IMPLICIT ? 3 * sizeof(int32_t) : 0;
     return graph->vertex_count * (front + buckets) + 2 * sizeof(int32_t) + 8 * 16;
 }
 

@@ -1,4 +1,4 @@
-/* Dijkstra's algorithm with a binary heap that knows where each vertex is. */
+/* Dijkstra's algorithm, or A*, with a binary heap that knows where each vertex is. */
 #include "graph_search.h"
 #include "scalar.h"
 
@@ -7,7 +7,7 @@ int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct s
     *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf()};
     front->distance = sp_arena_take(arena, vertices, sizeof(double));
     front->before = sp_arena_take(arena, vertices, sizeof(int32_t));
-    front->heap = sp_arena_take(arena, vertices, sizeof(int32_t));
+    front->heap = sp_arena_take(arena, vertices, sizeof(struct sp_queued));
     front->slot = sp_arena_take(arena, vertices, sizeof(int32_t));
     if (!front->distance || !front->before || !front->heap || !front->slot) return 0;
     for (size_t i = 0; i < vertices; i++)
@@ -15,50 +15,44 @@ int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct s
     return 1;
 }
 
-static void put(struct sp_front *front, int32_t slot, int32_t vertex) {
-    front->heap[slot] = vertex;
-    front->slot[vertex] = slot;
+static void put(struct sp_front *front, int32_t slot, struct sp_queued queued) {
+    front->heap[slot] = queued;
+    front->slot[queued.vertex] = slot;
 }
 
-static void rise(struct sp_front *front, int32_t slot) {
-    int32_t vertex = front->heap[slot];
-    double distance = front->distance[vertex];
+static void rise(struct sp_front *front, int32_t slot, struct sp_queued queued) {
     while (slot > 0) {
-        int32_t parent = (slot - 1) / 2, above = front->heap[parent];
-        if (front->distance[above] <= distance) break;
-        put(front, slot, above);
+        int32_t parent = (slot - 1) / 2;
+        if (front->heap[parent].key <= queued.key) break;
+        put(front, slot, front->heap[parent]);
         slot = parent;
     }
-    put(front, slot, vertex);
+    put(front, slot, queued);
 }
 
-static void sink(struct sp_front *front, int32_t slot) {
-    int32_t vertex = front->heap[slot];
-    double distance = front->distance[vertex];
+static void sink(struct sp_front *front, int32_t slot, struct sp_queued queued) {
     for (;;) {
         int32_t child = 2 * slot + 1;
         if (child >= front->count) break;
-        if (child + 1 < front->count && front->distance[front->heap[child + 1]] < front->distance[front->heap[child]]) child++;
-        if (distance <= front->distance[front->heap[child]]) break;
+        if (child + 1 < front->count && front->heap[child + 1].key < front->heap[child].key) child++;
+        if (queued.key <= front->heap[child].key) break;
         put(front, slot, front->heap[child]);
         slot = child;
     }
-    put(front, slot, vertex);
+    put(front, slot, queued);
 }
 
 void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance) {
     if (!(distance < front->distance[vertex])) return;
     front->distance[vertex] = distance;
     front->before[vertex] = before;
-    if (front->slot[vertex] < 0) put(front, front->count++, vertex);
-    rise(front, front->slot[vertex]);
+    const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
+    struct sp_queued queued = {front->target ? distance + distance_between(sample, front->target) : distance, vertex};
+    rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
 }
 
 static int leads_nowhere(const struct sp_front *front, int32_t vertex) {
-    if (front->through[0]) return front->through[0][vertex] + front->through[1][vertex] > front->most;
-    if (!front->target) return 0;
-    const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
-    return front->distance[vertex] + distance_between(sample, front->target) > front->most;
+    return front->through[0] && front->through[0][vertex] + front->through[1][vertex] > front->most;
 }
 
 /* Whether an offer would count, and be visited. Most would not: asked before the call. */
@@ -71,13 +65,11 @@ static inline __attribute__((always_inline)) int is_of_interest(const struct sp_
 
 void sp_front_advance(struct sp_front *front, double limit) {
     const struct sp_graph *graph = front->graph;
-    while (front->count > 0 && front->distance[front->heap[0]] < limit) {
-        int32_t vertex = front->heap[0], last = front->heap[--front->count];
+    while (front->count > 0 && front->heap[0].key < limit) {
+        int32_t vertex = front->heap[0].vertex;
+        struct sp_queued last = front->heap[--front->count];
         front->slot[vertex] = -1;
-        if (front->count > 0) {
-            put(front, 0, last);
-            sink(front, 0);
-        }
+        if (front->count > 0) sink(front, 0, last);
         if (leads_nowhere(front, vertex)) continue;
         for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++) {
             double distance = front->distance[vertex] + (double)graph->edges[e].length;

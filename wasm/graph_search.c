@@ -5,7 +5,7 @@
 
 /* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
  * keeps within a fifth of it is taken for the same at first, then within a tenth. */
-static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.25, ROUNDING = 1e-6;
+static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05, ROUNDING = 1e-6;
 
 /* At first, and where the graph does not resolve the surface. */
 enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
@@ -27,37 +27,37 @@ static enum sp_status attach(struct search *search) {
     return status;
 }
 
-/* From now on only the vertices of ways of interest are visited. In space no way is shorter than its chord. */
-static void bound(struct search *search) {
+/* From now on only the vertices of ways of interest are visited. */
+static void bound(struct search *search, double most) {
     struct sp_front *front = search->front, *others[2] = {front + 1, &search->taken};
-    double most = (search->longest + ROUNDING) * search->best;
-    if (search->surface->metric == SP_INDUCED) {
-        sp_graph_sample(search->surface, search->ends[1], search->target);
-        front->target = search->target, front->most = most;
-    }
     front[0].farthest = front[1].farthest = search->longest * search->best, search->taken.farthest = APART[0] * search->best;
     for (int i = 0; i < 2; i++)
         others[i]->through[0] = front[0].distance, others[i]->through[1] = front[1].distance, others[i]->most = most;
 }
 
-/* Distances from both ends as far as ways of interest go. */
+/* Distances from both ends as far as ways of interest go. In space no way is shorter than its chord. */
 static enum sp_status measure(struct search *search) {
+    struct sp_front *front = search->front;
+    if (search->surface->metric == SP_INDUCED) {
+        sp_graph_sample(search->surface, search->ends[1], search->target);
+        front->target = search->target;
+    }
     for (int end = 0; end < 2; end++)
         for (int32_t i = 0; i < search->attached[end].count; i++)
-            sp_front_offer(search->front + end, search->attached[end].vertex[i], -1, search->attached[end].length[i]);
-    struct sp_front *front = search->front;
+            sp_front_offer(front + end, search->attached[end].vertex[i], -1, search->attached[end].length[i]);
     double limit = 0;
     for (;;) {
         search->best = sp_front_reach(front, search->attached + 1);
         int all = front->count == 0; /* is visited: then the end may be the farthest of it */
         if (search->best <= limit || (all && search->best < __builtin_inf())) break;
         if (all) return SP_DISCONNECTED;
-        double nearest = front->distance[front->heap[0]];
+        double nearest = front->heap[0].key;
         limit = GROWTH * (limit > nearest ? limit : nearest) + 1e-300;
         sp_front_advance(front, limit);
     }
-    bound(search);
-    sp_front_advance(front, front[0].farthest);
+    double most = (search->longest + ROUNDING) * search->best;
+    bound(search, most);
+    sp_front_advance(front, most);
     sp_front_advance(front + 1, front[1].farthest);
     return SP_CONVERGED;
 }
@@ -109,7 +109,7 @@ static int32_t clamped_points(int32_t point_count) {
 }
 
 double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) {
-    double front = graph->vertex_count * (double)(sizeof(double) + 3 * sizeof(int32_t)) + 4 * 16;
+    double front = graph->vertex_count * (double)(sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t)) + 4 * 16;
     double answer = SP_GRAPH_MAX_CANDIDATES * (3.0 * clamped_points(point_count) + 1) * sizeof(double) + 2 * 16;
     return 3 * front + 2.0 * graph->vertex_count * sizeof(int32_t) + 16 + answer + sp_way_bytes(graph);
 }

@@ -1,4 +1,4 @@
-/* Dijkstra's algorithm on a graph, resumable, and the ways it finds. */
+/* Dijkstra's algorithm on a graph, or A*, resumable, and the ways it finds. */
 #ifndef SURFPATH_GRAPH_SEARCH_H
 #define SURFPATH_GRAPH_SEARCH_H
 
@@ -32,17 +32,26 @@ static const double SP_ATTACHED_NEAR = 1.5;
 /* The length of the surface between two places that are so near that one could be attached to the other; else infinite. */
 double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to);
 
+/* A vertex still to be visited; no way to the target over it is shorter than its key. */
+struct sp_queued {
+    double key;
+    int32_t vertex;
+};
+
 /* Distances from some seeds, settled as far as the search has gone. */
 struct sp_front {
     const struct sp_graph *graph;
-    double *distance; /* infinite: not reached */
-    int32_t *before;  /* the vertex before this one; -1: a seed */
-    int32_t *heap;    /* vertices still to be visited, nearest first */
-    int32_t *slot;    /* where a vertex is in the heap; -1: not in it */
+    double *distance;       /* infinite: not reached */
+    int32_t *before;        /* the vertex before this one; -1: a seed */
+    struct sp_queued *heap; /* least key first */
+    int32_t *slot;          /* where a vertex is in the heap; -1: not in it */
     int32_t count;
-    /* Vertices that no way of interest leads over are not visited: those where `through`, the sum of two distances, is more than `most`; or
-     * the distance and the chord to `target`. NULL: none are left out. */
-    const double *through[2], *target;
+    /* The sample to which ways lead, where no way is shorter than its chord: a key is the distance and the chord from there (A*). NULL: the
+     * distance alone. */
+    const double *target;
+    /* Vertices that no way of interest leads over are not visited: those where the sum of two distances is more than `most`. NULL: none are
+     * left out. */
+    const double *through[2];
     double most, farthest; /* nor are those that are as far as `farthest` */
 };
 
@@ -52,7 +61,7 @@ int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct s
 /* Offers a way to a vertex; it counts if it is shorter than the known one. */
 void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance);
 
-/* Visits all vertices nearer than `limit`, but for those that are left out. */
+/* Visits all vertices whose key is below `limit`, but for those that are left out. */
 void sp_front_advance(struct sp_front *front, double limit);
 
 /* The length of the shortest known way to a place; infinite: there is none. */
