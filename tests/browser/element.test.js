@@ -4,7 +4,7 @@ import { mkdir, readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load } from '../../web/index.js';
-import { COARSE, measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
+import { COARSE, countDifferent, measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
 import { RELEASES } from '../helpers/scene.js';
 import { serveSite } from '../helpers/site.js';
 
@@ -105,6 +105,36 @@ const change = async (id, name, value) => {
 };
 /** Whether the page shows a path there. @param {string} id */
 const warmth = async (id) => (await measurePicture(page, await page.locator(`#${id}`).screenshot())).warm;
+
+test('terrain in metres of a map looks as it does at the origin', async () => {
+  const looks = [];
+  for (const [x, y] of [
+    [0, 0],
+    [500000, 4600000],
+  ]) {
+    const { page: other } = await openPage(browser.context, `${site.address}/empty`);
+    await other.evaluate(
+      async ([a, b]) => {
+        await customElements.whenDefined('surface-path');
+        const element = /** @type {any} */ (document.createElement('surface-path'));
+        Object.assign(element.style, { width: '400px', height: '300px' });
+        const z = `20sin((x - ${a})/30)cos((y - ${b})/40)`;
+        element.definition = { kind: 'graph', z, x: [a - 100, a + 100], y: [b - 100, b + 100] };
+        Object.assign(element, { from: [a - 80, b - 70], to: [a + 70, b + 80] });
+        const solved = new Promise((resolve) => element.addEventListener('path', resolve, { once: true }));
+        document.querySelector('main')?.append(element);
+        await solved;
+      },
+      [x, y],
+    );
+    await nextFrame(other);
+    looks.push(await other.locator('surface-path').screenshot());
+    await other.close();
+  }
+  const differ = await countDifferent(page, looks[0], looks[1]);
+  // Edges are not the same to the last hair.
+  assert.ok(differ < 15, `${differ} pixels`);
+});
 
 test('each says its path, to the digits of the library', async () => {
   const events = await page.evaluate(() => /** @type {any} */ (window).seen.events);

@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fromHash, toHash } from '../../demo/state/link.js';
 import { sketchOf } from '../../demo/state/sketch.js';
-import { COARSE, hashOf, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, hashOf, openBrowser, openEntry, openSettled, openSketch, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -267,6 +267,25 @@ describe('exports', () => {
       accessors.some((/** @type {any} */ { count }) => count === 97 * 97),
       'the vertices of the surface',
     );
+  });
+
+  test('GLTF of terrain in metres of a map: places near to those of their nodes', async () => {
+    const range = { 'x-from': '499900', 'x-to': '500100', 'y-from': '4599900', 'y-to': '4600100' };
+    const ends = [
+      [499920, 4599930],
+      [500070, 4600080],
+    ];
+    await openSketch(page, { entry: 'own-graph', texts: { z: 'x - 500000', ...range }, ends });
+    const { nodes, meshes, accessors } = JSON.parse((await take('gltf')).toString());
+    for (const [name, middle] of /** @type {[string, number[]][]} */ ([
+      ['surface', [500000, 4600000, 0]],
+      ['path', [499995, 4600005, -5]],
+    ])) {
+      const { mesh, matrix } = nodes.find((/** @type {any} */ node) => node.name === name);
+      const { min, max } = accessors[meshes[mesh].primitives[0].attributes.POSITION];
+      for (const [k, x] of middle.entries())
+        assert.ok(Math.abs(matrix[12 + k] - x) < 1e-6 && max[k] <= 100 && Math.abs(min[k] + max[k]) < 1e-3);
+    }
   });
 });
 
