@@ -75,6 +75,36 @@ describe('sizes and themes', () => {
     }
   });
 
+  test('at 400 % it is one column, which scrolls down alone: nothing is cut off or covered', async () => {
+    await page.setViewportSize({ width: 320, height: 256 });
+    await openEntry(page, 'parametricTorus');
+    for (const name of ['surface', 'path', 'plane', 'plots', 'share']) {
+      await page.click(`#tabs [data-tab=${name}]`);
+      await nextFrame(page);
+      const boxes = await page.$$eval(`#view, #result, #tabs, .panel [data-in=${name}]`, (all) =>
+        all.map((one) => {
+          const { left, right, top, bottom } = one.getBoundingClientRect();
+          return { left, right, top, bottom, cut: one.scrollWidth - one.clientWidth };
+        }),
+      );
+      for (const [i, { left, right, top, cut }] of boxes.entries()) {
+        assert.ok(left >= 0 && right <= 320 && cut <= 0, `${name}: ${left} … ${right}, ${cut} cut off`);
+        assert.ok(i === 0 || top >= boxes[i - 1].bottom, `${name}: ${i} begins at ${top}`);
+      }
+      const { content, scrolled } = await page.evaluate((bottom) => {
+        scrollTo(0, bottom);
+        const end = [...document.querySelectorAll('.panel .card')].filter((card) => card.checkVisibility()).at(-1);
+        return { content: document.documentElement.scrollWidth, scrolled: end?.getBoundingClientRect().bottom ?? Infinity };
+      }, 1e5);
+      assert.ok(content <= 320 && scrolled <= 256, `${name}: ${content}, ${scrolled}`);
+      await page.evaluate(() => scrollTo(0, 0));
+    }
+    await page.click('#tabs [data-tab=plane]');
+    assert.ok(await page.$eval('#plane svg', (plane) => plane.clientHeight > 120), 'the plane is large enough to be seen');
+    await page.click('#tabs [data-tab=surface]');
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
   test('on a tablet the panel opens beside the view, and Escape closes it', async () => {
     await page.setViewportSize({ width: 820, height: 1180 });
     assert.equal(await page.isVisible('#panel'), false);
