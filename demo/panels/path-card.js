@@ -130,6 +130,9 @@ function renderPathCard(state) {
     if (input !== document.activeElement) input.valueAsNumber = sketch[name];
     find(`${name}-value`).textContent = `${Number(sketch[name].toPrecision(3))}${unit}`;
   }
+  const several = /** @type {HTMLOptionElement} */ (find('start').querySelector('[value=several]'));
+  several.disabled = sketch.via.length > 0;
+  several.title = several.disabled ? 'Between A and B alone, without points on the way' : '';
   const reason = whyNoVia(state);
   Object.assign(find('add-via'), { disabled: reason !== null, title: reason ?? '' });
   renderEnds(state);

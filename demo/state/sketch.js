@@ -108,6 +108,8 @@ export function readSketch(given) {
   for (const [name, choices] of Object.entries(CHOICES)) if (choices.includes(given[name])) target[name] = given[name];
   for (const [name, [least, most]] of Object.entries(NUMBERS))
     if (Number.isFinite(given[name]) && given[name] >= least && given[name] <= most) target[name] = given[name];
+  // Of these there are several only from end to end.
+  if (sketch.via.length > 0 && sketch.start === 'several') sketch.start = 'straight';
   for (const name of WHOLE) sketch[name] = Math.round(sketch[name]);
   return sketch;
 }

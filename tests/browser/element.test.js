@@ -446,6 +446,31 @@ test('moved in the page it goes on', async () => {
   assert.equal((await lastEvent())[1], 'path');
 });
 
+test('moved to another document, and back, it looks as before', async () => {
+  const before = await page.locator('#hill').screenshot();
+  const styles = await page.$eval('#hill', async (element) => {
+    const { seen } = /** @type {any} */ (window);
+    const home = /** @type {Element} */ (element.parentElement);
+    const frame = document.createElement('iframe');
+    Object.assign(frame.style, { position: 'fixed', inset: '0', width: '420px', height: '320px' });
+    document.body.append(frame);
+    const drawn = async (/** @type {Element} */ place) => {
+      const pictures = seen.pictures;
+      place.prepend(element);
+      while (seen.pictures === pictures) await new Promise(requestAnimationFrame);
+      const { display, position, height } = getComputedStyle(element);
+      return [display, position, height, getComputedStyle(/** @type {Element} */ (element.shadowRoot?.querySelector('p'))).position];
+    };
+    const there = await drawn(/** @type {Document} */ (frame.contentDocument).body);
+    const back = await drawn(home);
+    frame.remove();
+    return [there, back];
+  });
+  for (const style of styles) assert.deepEqual(style, ['block', 'relative', '300px', 'absolute']);
+  await nextFrame(page);
+  assert.equal(await countDifferent(page, before, await page.locator('#hill').screenshot()), 0);
+});
+
 test('properties set before the element is defined, and those that have the names of attributes, as React sets them', async () => {
   const late = await browser.context.newPage();
   await late.goto(`${site.address}/late`);

@@ -97,9 +97,38 @@ test('who loads the page anew right after a change has not lost it', async () =>
   // What opening it had to write is written.
   await page.waitForTimeout(600);
   await page.fill('#end-0-0', '1.25');
+  await page.fill('#end-1-0', '4.5');
   await page.reload();
   await settled(page);
-  assert.equal(await page.inputValue('#end-0-0'), '1.25');
+  assert.deepEqual([await page.inputValue('#end-0-0'), await page.inputValue('#end-1-0')], ['1.25', '4.5']);
+});
+
+test('the address is rewritten less often than browsers allow, and holds the last change soon', async () => {
+  await openEntry(page, 'parametricTorus');
+  const count = await page.evaluate(async () => {
+    const { replaceState } = History.prototype;
+    let calls = 0;
+    window.history.replaceState = (...given) => {
+      calls++;
+      return replaceState.apply(window.history, given);
+    };
+    const input = /** @type {HTMLInputElement} */ (document.getElementById('end-0-0'));
+    const end = performance.now() + 2000;
+    for (let i = 0; performance.now() < end; i++) {
+      input.value = String(1 + (i % 100) / 100);
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    input.value = '2.5';
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    delete (/** @type {any} */ (window.history).replaceState);
+    return calls;
+  });
+  // 20 in a row, then one in 0.4 s.
+  assert.ok(count <= 20 + 7, `${count} times in 2.5 s`);
+  assert.equal(fromHash(await page.evaluate(() => location.hash))?.ends[0][0], 2.5);
+  await settled(page);
 });
 
 test('every sketch comes back from its link', () => {
@@ -121,6 +150,11 @@ test('every sketch comes back from its link', () => {
     points: 12,
   };
   assert.deepEqual(fromHash(toHash(sketch)), sketch);
+});
+
+test('a link with points on the way and several starts has what is computed of them', () => {
+  assert.equal(fromHash(hashOf({ entry: 'saddle', via: [[0, 0]], start: 'several' }))?.start, 'straight');
+  assert.equal(fromHash(hashOf({ entry: 'saddle', start: 'several' }))?.start, 'several');
 });
 
 test('a link of another version, or junk, is refused or repaired, never believed', () => {

@@ -254,6 +254,13 @@ test('several starts converge to one path, and the straight one alone may miss t
   assert.equal(await page.locator('#plane .straight').count(), 5);
   assert.equal(await page.isVisible('#start-figure'), false);
   assert.match(await text('#legend'), /^Geodesic\s*Starts/);
+  const isOffered = () => page.$eval('#start [value=several]', (option) => !(/** @type {HTMLOptionElement} */ (option).disabled));
+  assert.equal(await isOffered(), true);
+  await doing(() => page.click('#add-via'));
+  assert.equal(await page.inputValue('#start'), 'global');
+  assert.equal(await isOffered(), false, 'they lead from end to end');
+  await doing(() => page.click('[aria-label="Remove point 1"]'));
+  assert.equal(await isOffered(), true);
 });
 
 test('a density and a metric change the path, and the presets fit any rectangle', async () => {
