@@ -4,7 +4,7 @@ import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { runsOf } from '../compute/legs.js';
-import { chooseEnds, letterOf, onto } from '../state/ends.js';
+import { chooseEnds, letterOf, onto, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
@@ -96,7 +96,7 @@ function middleOf(runs, legs, leg) {
 /** @param {string[]} names @param {string} letter @param {number} row */
 function endRow(names, letter, row) {
   const inputs = names.map((name, i) => {
-    const input = create('input', { type: 'number', step: '0.05', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
+    const input = create('input', { type: 'number', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
     input.setAttribute('aria-label', `${name} of ${letter}`);
     input.setAttribute('aria-describedby', 'ends-problem');
     return create('label', { className: 'coordinate' }, create('span', { className: 'variable' }, name), input);
@@ -162,6 +162,12 @@ function placeOfRow({ drawn, shown, building, sketch }, row, point) {
   return place;
 }
 
+/** What an arrow key adds to a coordinate: 0.05 in a range of 1 to 100, a hundred times as much in one that is a hundred times as wide. @param {readonly number[]} range */
+function stepOf([low, high]) {
+  const hundreds = Math.floor(Math.log10(high - low) / 2);
+  return Number.isFinite(hundreds) ? `5e${2 * hundreds - 2}` : 'any';
+}
+
 /** @param {State} state */
 function renderEnds(state) {
   const { kind, ends, via, task } = state.sketch;
@@ -173,11 +179,16 @@ function renderEnds(state) {
     if (task === 'trace') rows.splice(1, 1);
     find('ends').replaceChildren(...rows);
   }
+  const { surface, shown } = state;
+  const ranges = surface && shown?.kind === kind ? rangesOf(surface, surfaceOf(shown)) : [];
   for (const [row, point] of points.entries()) {
     for (const [i, x] of placeOfRow(state, row, point).entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
+      if (!input) continue;
+      const range = ranges[i] ?? [-Infinity, Infinity];
+      input.step = stepOf(range);
       // What is being written is the number itself, and stays as it is written.
-      if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
+      if (!Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? shorten(x, range) : '';
     }
   }
 }
