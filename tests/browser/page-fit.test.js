@@ -146,6 +146,22 @@ describe('sizes and themes', () => {
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
+  test('on a phone what is wrong with a formula is seen while it is written', async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    for (const [name, formula, problem] of [
+      ['own-graph', 'foo(x)', '#problem-z'],
+      ['own-graph', '1e30*x', '#formula-problem'],
+    ]) {
+      await openEntry(page, name);
+      await page.fill('#field-z', formula);
+      await page.waitForSelector(`${problem}:not([hidden])`);
+      await nextFrame(page);
+      const box = await page.locator(problem).boundingBox();
+      assert.ok(box && box.y + box.height < 845, `${formula}: down to ${(box?.y ?? 0) + (box?.height ?? 0)}`);
+    }
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+
   test('on a phone with large type no word of the status is cut off', async () => {
     const session = await browser.context.newCDPSession(page);
     await page.setViewportSize({ width: 390, height: 844 });
