@@ -91,6 +91,7 @@ describe('sizes and themes', () => {
         assert.ok(left >= 0 && right <= 320 && cut <= 0, `${name}: ${left} … ${right}, ${cut} cut off`);
         assert.ok(i === 0 || top >= boxes[i - 1].bottom, `${name}: ${i} begins at ${top}`);
       }
+      assert.ok(boxes[0].bottom <= 0.8 * 256, 'room beside the view for the wheel and the finger that scroll');
       const { content, scrolled } = await page.evaluate((bottom) => {
         scrollTo(0, bottom);
         const end = [...document.querySelectorAll('.panel .card')].filter((card) => card.checkVisibility()).at(-1);
@@ -143,6 +144,8 @@ describe('sizes and themes', () => {
       'Hidden part',
       'Drag A and B',
     ]);
+    const [player, button] = await Promise.all(['#player', '#play'].map((id) => page.locator(id).boundingBox()));
+    assert.deepEqual(player, button, 'in its corner the player is its button');
     await page.setViewportSize({ width: 1440, height: 900 });
   });
 
