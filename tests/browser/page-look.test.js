@@ -258,6 +258,27 @@ test('terrain in metres of a map looks as it does at the origin', async () => {
   assert.ok(differ < 30, `${differ} pixels`);
 });
 
+test('a scale has the numbers of its surface, however large that is and wherever', async () => {
+  const ball = (/** @type {number[]} */ middle, /** @type {number} */ radius) => {
+    const f = ['x', 'y', 'z'].map((name, k) => `(${name} - ${middle[k]})^2`).join(' + ');
+    const ranges = ['x', 'y', 'z'].flatMap((name, k) => [
+      [`${name}-from`, `${middle[k] - 1.2 * radius}`],
+      [`${name}-to`, `${middle[k] + 1.2 * radius}`],
+    ]);
+    const ends = [0, 1].map((k) => middle.map((x, i) => (i === k ? x + radius : x)));
+    return { entry: 'own-implicit', texts: { f: `${f} - ${radius}^2`, ...Object.fromEntries(ranges) }, ends, colour: 'curvature' };
+  };
+  for (const [middle, radius, words] of /** @type {const} */ ([
+    [[0, 0, 0], 6371000, '2.46 × 10⁻¹⁴ everywhere'],
+    [[1e6, 2e6, 3e6], 100, '0.000100 everywhere'],
+  ])) {
+    await openSketch(page, ball([...middle], radius));
+    await page.waitForFunction((text) => document.querySelector('#scale b')?.textContent === text, words, { timeout: 10000 });
+  }
+  await openSketch(page, { entry: 'own-graph', texts: { z: '1000x - 2y' }, colour: 'curvature' });
+  await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '0 everywhere', null, { timeout: 10000 });
+});
+
 describe('colours that the system forces', () => {
   before(async () => {
     await page.setViewportSize({ width: 1040, height: 640 });
