@@ -6,6 +6,8 @@ import { create, find, say } from './dom.js';
 import { runsOf } from '../compute/legs.js';
 import { chooseEnds, letterOf, onto, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
+import { boxOf } from '../../web/view/origin.js';
+import { isWithin } from '../../web/vector.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
 
@@ -40,10 +42,27 @@ export function startPathCard() {
 
 const choiceOf = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).value;
 
-/** All geodesics between two ends pass no points on the way. @param {Event} event */
+/** All geodesics between two ends pass no points on the way; straight ahead it goes as far as the surface is large. @param {Event} event */
 function changeTask(event) {
   const task = /** @type {State['sketch']['task']} */ (choiceOf(event));
-  change(task === 'all' ? { task, via: [] } : { task });
+  const { reach } = state.sketch;
+  const unit = unitOf(state);
+  const isFar = reach > FARTHEST * unit || reach < unit / 10;
+  change({ task, ...(task === 'all' ? { via: [] } : {}), ...(task === 'trace' && isFar ? { reach: USUAL * unit } : {}) });
+}
+
+/** How far straight ahead it goes at most, and at first, in powers of ten of the surface's size. */
+const [FARTHEST, USUAL] = [40, 6];
+/** @type {{ mesh: unknown, unit: number }} */ let measured = { mesh: null, unit: 1 };
+
+/** The power of ten up to the size of what is seen of the surface. @param {Pick<State, 'mesh' | 'seen'>} state */
+function unitOf({ mesh, seen }) {
+  if (!mesh || mesh === measured.mesh) return measured.unit;
+  const { positions } = mesh;
+  const isWhole = seen.flat().every((x) => !Number.isFinite(x));
+  const shown = isWhole ? positions : positions.filter((_, i) => isWithin(positions.subarray(i - (i % 3)), seen));
+  measured = { mesh, unit: 10 ** Math.floor(Math.log10(boxOf(shown).radius || 1)) };
+  return measured.unit;
 }
 
 /** @param {Event} event */
@@ -122,6 +141,8 @@ function renderPathCard(state) {
   for (const id of ['solver-card', 'swap-ends', 'add-via']) find(id).hidden = sketch.task === 'trace';
   find('start-row').hidden = sketch.task === 'all';
   find('trace-rows').hidden = sketch.task !== 'trace';
+  if (sketch.task === 'trace')
+    /** @type {HTMLInputElement} */ (find('reach')).max = String(Math.max(FARTHEST * unitOf(state), sketch.reach));
   for (const [name, unit] of /** @type {const} */ ([
     ['angle', '°'],
     ['reach', ''],

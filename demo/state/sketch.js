@@ -36,7 +36,7 @@ const CHOICES = {
   colour: ['plain', 'curvature', 'distance', 'density'],
 };
 /** Least and most of each number. @type {Record<string, [number, number]>} */
-const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e6], tolerance: [1e-15, 0.1], points: [1, 2000], chosen: [0, 100] };
+const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e12], tolerance: [1e-15, 0.1], points: [1, 2000], chosen: [0, 100] };
 export const MOST_VIA = 8;
 /** More sliders than anyone makes by hand. */
 const MOST_PARAMETERS = 1000;
