@@ -186,12 +186,19 @@ function showProblem(problem) {
   for (const input of form.querySelectorAll('.formula [aria-invalid], .range [aria-invalid]')) input.removeAttribute('aria-invalid');
   const field = problem?.field && document.getElementById(`field-${problem.field}`) ? problem.field : null;
   say(find('formula-problem'), problem && !field ? problem.message : null);
+  if (problem && !field) reveal(find('formula-problem'));
   if (!problem || !field) return;
   find(`field-${field}`).setAttribute('aria-invalid', 'true');
   const place = find(`problem-${field}`);
   place.hidden = false;
   place.closest('details')?.setAttribute('open', '');
   place.replaceChildren(...(problem.source ? [mark(problem)] : []), create('p', { role: 'alert' }, problem.message), ...offer(problem));
+  reveal(place);
+}
+
+/** Scrolls to what is wrong, where the reader is writing it: on a phone it would stand below the edge. @param {HTMLElement} place */
+function reveal(place) {
+  if (place.parentElement?.contains(document.activeElement)) place.scrollIntoView({ block: 'nearest' });
 }
 
 /** Whether the surface is still the entry's, so that the entry's words speak of it. */

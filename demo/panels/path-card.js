@@ -4,8 +4,10 @@ import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { runsOf } from '../compute/legs.js';
-import { chooseEnds, letterOf, onto } from '../state/ends.js';
+import { chooseEnds, letterOf, onto, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
+import { boxOf } from '../../web/view/origin.js';
+import { isWithin } from '../../web/vector.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
 
@@ -40,10 +42,27 @@ export function startPathCard() {
 
 const choiceOf = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).value;
 
-/** All geodesics between two ends pass no points on the way. @param {Event} event */
+/** All geodesics between two ends pass no points on the way; straight ahead it goes as far as the surface is large. @param {Event} event */
 function changeTask(event) {
   const task = /** @type {State['sketch']['task']} */ (choiceOf(event));
-  change(task === 'all' ? { task, via: [] } : { task });
+  const { reach } = state.sketch;
+  const unit = unitOf(state);
+  const isFar = reach > FARTHEST * unit || reach < unit / 10;
+  change({ task, ...(task === 'all' ? { via: [] } : {}), ...(task === 'trace' && isFar ? { reach: USUAL * unit } : {}) });
+}
+
+/** How far straight ahead it goes at most, and at first, in powers of ten of the surface's size. */
+const [FARTHEST, USUAL] = [40, 6];
+/** @type {{ mesh: unknown, unit: number }} */ let measured = { mesh: null, unit: 1 };
+
+/** The power of ten up to the size of what is seen of the surface. @param {Pick<State, 'mesh' | 'seen'>} state */
+function unitOf({ mesh, seen }) {
+  if (!mesh || mesh === measured.mesh) return measured.unit;
+  const { positions } = mesh;
+  const isWhole = seen.flat().every((x) => !Number.isFinite(x));
+  const shown = isWhole ? positions : positions.filter((_, i) => isWithin(positions.subarray(i - (i % 3)), seen));
+  measured = { mesh, unit: 10 ** Math.floor(Math.log10(boxOf(shown).radius || 1)) };
+  return measured.unit;
 }
 
 /** @param {Event} event */
@@ -96,7 +115,7 @@ function middleOf(runs, legs, leg) {
 /** @param {string[]} names @param {string} letter @param {number} row */
 function endRow(names, letter, row) {
   const inputs = names.map((name, i) => {
-    const input = create('input', { type: 'number', step: '0.05', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
+    const input = create('input', { type: 'number', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
     input.setAttribute('aria-label', `${name} of ${letter}`);
     input.setAttribute('aria-describedby', 'ends-problem');
     return create('label', { className: 'coordinate' }, create('span', { className: 'variable' }, name), input);
@@ -122,6 +141,8 @@ function renderPathCard(state) {
   for (const id of ['solver-card', 'swap-ends', 'add-via']) find(id).hidden = sketch.task === 'trace';
   find('start-row').hidden = sketch.task === 'all';
   find('trace-rows').hidden = sketch.task !== 'trace';
+  if (sketch.task === 'trace')
+    /** @type {HTMLInputElement} */ (find('reach')).max = String(Math.max(FARTHEST * unitOf(state), sketch.reach));
   for (const [name, unit] of /** @type {const} */ ([
     ['angle', '°'],
     ['reach', ''],
@@ -130,6 +151,9 @@ function renderPathCard(state) {
     if (input !== document.activeElement) input.valueAsNumber = sketch[name];
     find(`${name}-value`).textContent = `${Number(sketch[name].toPrecision(3))}${unit}`;
   }
+  const several = /** @type {HTMLOptionElement} */ (find('start').querySelector('[value=several]'));
+  several.disabled = sketch.via.length > 0;
+  several.title = several.disabled ? 'Between A and B alone, without points on the way' : '';
   const reason = whyNoVia(state);
   Object.assign(find('add-via'), { disabled: reason !== null, title: reason ?? '' });
   renderEnds(state);
@@ -159,6 +183,12 @@ function placeOfRow({ drawn, shown, building, sketch }, row, point) {
   return place;
 }
 
+/** What an arrow key adds to a coordinate: 0.05 in a range of 1 to 100, a hundred times as much in one that is a hundred times as wide. @param {readonly number[]} range */
+function stepOf([low, high]) {
+  const hundreds = Math.floor(Math.log10(high - low) / 2);
+  return Number.isFinite(hundreds) ? `5e${2 * hundreds - 2}` : 'any';
+}
+
 /** @param {State} state */
 function renderEnds(state) {
   const { kind, ends, via, task } = state.sketch;
@@ -170,11 +200,16 @@ function renderEnds(state) {
     if (task === 'trace') rows.splice(1, 1);
     find('ends').replaceChildren(...rows);
   }
+  const { surface, shown } = state;
+  const ranges = surface && shown?.kind === kind ? rangesOf(surface, surfaceOf(shown)) : [];
   for (const [row, point] of points.entries()) {
     for (const [i, x] of placeOfRow(state, row, point).entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
+      if (!input) continue;
+      const range = ranges[i] ?? [-Infinity, Infinity];
+      input.step = stepOf(range);
       // What is being written is the number itself, and stays as it is written.
-      if (input && !Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? String(Number(x.toPrecision(5))) : '';
+      if (!Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? shorten(x, range) : '';
     }
   }
 }

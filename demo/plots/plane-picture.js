@@ -33,7 +33,7 @@ function grid({ low, high, size, to }, names) {
     svg('rect', { x: left, y: top, width: size[0], height: size[1], class: 'ground' }),
     ...lines,
     svg('text', { x: left + size[0], y: bottom + 26, 'text-anchor': 'end', class: 'axis' }, names[0]),
-    svg('text', { x: left - 36, y: top + 8, class: 'axis' }, names[1]),
+    svg('text', { x: left, y: top - 3, 'text-anchor': 'middle', class: 'axis' }, names[1]),
     svg('rect', { x: left, y: top, width: size[0], height: size[1], class: 'edge' }),
   ];
 }

@@ -83,10 +83,10 @@ function renderLegend(names) {
   find('legend').replaceChildren(...rows.map(([what, text]) => create('li', { className: `legend-${what}` }, text)));
 }
 
-/** Curvature of which not more is left than rounding leaves. */
+/** Part of the largest number, or curvature times the square of the surface's size, of which not more is left than rounding leaves. */
 const NOTHING = 1e-6;
-/** Relative difference of numbers that are one but for rounding. */
-const SAME = 1e-9;
+/** Relative difference of numbers that are one but for rounding, of which differences far from the origin leave most. */
+const SAME = 1e-6;
 const SCALES = { curvature: 'Gaussian curvature', distance: 'Distance from A', density: 'Length counts', plain: '' };
 
 /** What shows the metric that is measured by. */
@@ -113,13 +113,14 @@ function renderShade(view) {
   scale.replaceChildren(
     create('span', {}, SCALES[sketch.colour]),
     bar,
-    ...endsOfScale(colours, shade).map((text) => create('b', {}, text)),
+    ...endsOfScale(colours, shade, view.surface.geometry.boundingSphere?.radius ?? 1).map((text) => create('b', {}, text)),
   );
 }
 
-/** What stands at the ends of a scale; one text, where there is one number. @param {{ low: number, high: number }} scale @param {ArrayLike<number> | null} values */
-function endsOfScale({ low, high }, values) {
-  const [first, last] = [low, high].map((x) => (Math.abs(x) < NOTHING ? '0' : formatNumber(x, 3)));
+/** What stands at the ends of a scale; one text, where there is one number. @param {import('surfpath/three').ColourScale} scale @param {ArrayLike<number> | null} values @param {number} size */
+function endsOfScale({ quantity, low, high }, values, size) {
+  const unit = quantity === 'curvature' ? 1 / size ** 2 : Math.max(Math.abs(low), Math.abs(high));
+  const [first, last] = [low, high].map((x) => (Math.abs(x) < NOTHING * unit ? '0' : formatNumber(x, 3)));
   const isOne = values && Array.from(values).every((x) => Math.abs(x - values[0]) <= SAME * Math.abs(values[0]));
   if (isOne) return [`${first === last ? first : formatNumber(values[0], 3)} everywhere`];
   return first === '0' && last === '0' ? ['0 everywhere'] : [first, last];

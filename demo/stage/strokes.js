@@ -1,6 +1,7 @@
 /** Short thin lines on the surface. */
 
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { originOf } from '../../web/view/origin.js';
 
 /** A hair nearer to the eye than the surface they lie on. */
 function strokeMaterial() {
@@ -35,6 +36,10 @@ export class Strokes extends LineSegments {
     this.geometry.dispose();
     this.geometry = new BufferGeometry();
     this.visible = ends !== null && ends.length > 0;
-    if (ends && ends.length > 0) this.geometry.setAttribute('position', new BufferAttribute(Float32Array.from(ends), 3));
+    if (!ends || ends.length === 0) return;
+    const origin = originOf(ends);
+    this.position.fromArray(origin);
+    const offsets = Float32Array.from(ends, (x, i) => x - origin[i % 3]);
+    this.geometry.setAttribute('position', new BufferAttribute(offsets, 3));
   }
 }

@@ -15,8 +15,10 @@ export const history = new History();
 /** What can be changed while the paths stay those that are seen. */
 const BESIDE_PATHS = ['chosen', 'colour'];
 
-/** Milliseconds of quiet before the address is rewritten once more: browsers limit how often. */
-const QUIET = 400;
+/** Browsers limit how often the address is rewritten, Safari to 100 times in half a minute: so many times in a row, then once in so many milliseconds. */
+const [ROW, PAUSE] = [20, 400];
+/** How often it may be now, as of the last time. */
+let [left, written] = [ROW, 0];
 /** 0: the address holds what is seen. */
 let timer = 0;
 
@@ -106,11 +108,12 @@ function writeAddress(before = state.sketch, isStep = false) {
     window.history.replaceState(null, '', toHash(before));
     window.history.pushState(null, '', toHash(state.sketch));
   }
-  // The first of many changes at once: who loads the page anew right after it has not lost it.
-  if (!timer) rewriteAddress();
-  clearTimeout(timer);
-  timer = window.setTimeout(rewriteAddress, QUIET);
+  // At once: who loads the page anew right after it has not lost it, and while it is left it is too late.
+  if (rewritesLeft() >= 1) rewriteAddress();
+  else timer ||= window.setTimeout(rewriteAddress, PAUSE);
 }
+
+const rewritesLeft = () => Math.min(left + (performance.now() - written) / PAUSE, ROW);
 
 function forgetToWrite() {
   clearTimeout(timer);
@@ -119,5 +122,6 @@ function forgetToWrite() {
 
 function rewriteAddress() {
   forgetToWrite();
+  [left, written] = [rewritesLeft() - 1, performance.now()];
   window.history.replaceState(null, '', toHash(state.sketch));
 }

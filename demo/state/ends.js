@@ -1,6 +1,7 @@
 /** The ends of a path and the points on its way: what is wrong with them, and where to put them instead. */
 
 import { coordinates } from './definition.js';
+import { boxOf } from '../../web/view/origin.js';
 import { isWithin } from '../../web/vector.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
@@ -27,13 +28,23 @@ export function findBadEnd(kind, { domain }, points) {
       const range = domain[axis];
       const slack = (domain.periodic[axis] ? MOST_TURNS : 1e-9) * (range[1] - range[0]);
       if (value < range[0] - slack || value > range[1] + slack)
-        return { end, coordinate, message: `${name} of ${nameOf(end)} must lie between ${shorten(range[0])} and ${shorten(range[1])}.` };
+        return {
+          end,
+          coordinate,
+          message: `${name} of ${nameOf(end)} must lie between ${shorten(range[0], range)} and ${shorten(range[1], range)}.`,
+        };
     }
   return null;
 }
 
-/** A number of a range for the reader, and for an input. @param {number} x */
-const shorten = (x) => String(Number(x.toPrecision(5)));
+/** A number of a range for the reader, and for an input: five digits after those that are the same in all of the range. @param {number} x @param {readonly number[]} range */
+export function shorten(x, [low, high]) {
+  const same = Math.max(Math.ceil(Math.log10(Math.abs(x) / (high - low))), 0);
+  return String(Number(x.toPrecision(Math.min(5 + same, 17))));
+}
+
+/** From where to where each coordinate of a surface's points goes. @param {Surface} surface @param {any} definition of it @returns {number[][]} */
+export const rangesOf = ({ domain }, { bounds }) => (domain ? [domain.u, domain.v] : bounds);
 
 /** Share of its box's diagonal from which an implicit surface is too far from a point: the library's. */
 const FAR = 0.1;
@@ -145,8 +156,11 @@ function randomPair(surface, mesh, vertices) {
 /** What points of a surface are given by, of each vertex, and how many numbers these are. @param {Surface} surface @param {SurfaceMesh} mesh @returns {[number, Float64Array]} */
 const coordinatesOf = ({ domain }, { parameters, positions }) => (domain && parameters ? [2, parameters] : [3, positions]);
 
-/** A vertex as a point of the surface, in few digits. @param {Surface} surface @param {SurfaceMesh} mesh @param {number} vertex */
+/** A vertex as a point of the surface, in few digits: thousandths, or of what is small, less. @param {Surface} surface @param {SurfaceMesh} mesh @param {number} vertex */
 function pointAt(surface, mesh, vertex) {
   const [dimension, places] = coordinatesOf(surface, mesh);
-  return Array.from(places.subarray(dimension * vertex, dimension * (vertex + 1)), (x) => Math.trunc(1000 * x) / 1000);
+  const { domain } = surface;
+  const size = domain ? Math.min(...[domain.u, domain.v].map(([low, high]) => high - low)) : boxOf(mesh.positions).radius;
+  const whole = 10 ** (3 + Math.max(-Math.floor(Math.log10(size)), 0));
+  return Array.from(places.subarray(dimension * vertex, dimension * (vertex + 1)), (x) => Math.trunc(whole * x) / whole);
 }

@@ -36,7 +36,7 @@ const CHOICES = {
   colour: ['plain', 'curvature', 'distance', 'density'],
 };
 /** Least and most of each number. @type {Record<string, [number, number]>} */
-const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e6], tolerance: [1e-15, 0.1], points: [1, 2000], chosen: [0, 100] };
+const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e12], tolerance: [1e-15, 0.1], points: [1, 2000], chosen: [0, 100] };
 export const MOST_VIA = 8;
 /** More sliders than anyone makes by hand. */
 const MOST_PARAMETERS = 1000;
@@ -108,6 +108,8 @@ export function readSketch(given) {
   for (const [name, choices] of Object.entries(CHOICES)) if (choices.includes(given[name])) target[name] = given[name];
   for (const [name, [least, most]] of Object.entries(NUMBERS))
     if (Number.isFinite(given[name]) && given[name] >= least && given[name] <= most) target[name] = given[name];
+  // Of these there are several only from end to end.
+  if (sketch.via.length > 0 && sketch.start === 'several') sketch.start = 'straight';
   for (const name of WHOLE) sketch[name] = Math.round(sketch[name]);
   return sketch;
 }

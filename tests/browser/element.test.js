@@ -4,7 +4,7 @@ import { mkdir, readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load } from '../../web/index.js';
-import { COARSE, measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
+import { COARSE, countDifferent, measurePicture, nextFrame, openBrowser, openPage } from '../helpers/page.js';
 import { RELEASES } from '../helpers/scene.js';
 import { serveSite } from '../helpers/site.js';
 
@@ -105,6 +105,36 @@ const change = async (id, name, value) => {
 };
 /** Whether the page shows a path there. @param {string} id */
 const warmth = async (id) => (await measurePicture(page, await page.locator(`#${id}`).screenshot())).warm;
+
+test('terrain in metres of a map looks as it does at the origin', async () => {
+  const looks = [];
+  for (const [x, y] of [
+    [0, 0],
+    [500000, 4600000],
+  ]) {
+    const { page: other } = await openPage(browser.context, `${site.address}/empty`);
+    await other.evaluate(
+      async ([a, b]) => {
+        await customElements.whenDefined('surface-path');
+        const element = /** @type {any} */ (document.createElement('surface-path'));
+        Object.assign(element.style, { width: '400px', height: '300px' });
+        const z = `20sin((x - ${a})/30)cos((y - ${b})/40)`;
+        element.definition = { kind: 'graph', z, x: [a - 100, a + 100], y: [b - 100, b + 100] };
+        Object.assign(element, { from: [a - 80, b - 70], to: [a + 70, b + 80] });
+        const solved = new Promise((resolve) => element.addEventListener('path', resolve, { once: true }));
+        document.querySelector('main')?.append(element);
+        await solved;
+      },
+      [x, y],
+    );
+    await nextFrame(other);
+    looks.push(await other.locator('surface-path').screenshot());
+    await other.close();
+  }
+  const differ = await countDifferent(page, looks[0], looks[1]);
+  // Edges are not the same to the last hair.
+  assert.ok(differ < 15, `${differ} pixels`);
+});
 
 test('each says its path, to the digits of the library', async () => {
   const events = await page.evaluate(() => /** @type {any} */ (window).seen.events);
@@ -414,6 +444,31 @@ test('moved in the page it goes on', async () => {
   await page.waitForFunction((count) => /** @type {any} */ (window).seen.events.length > count, before);
   await nextFrame(page);
   assert.equal((await lastEvent())[1], 'path');
+});
+
+test('moved to another document, and back, it looks as before', async () => {
+  const before = await page.locator('#hill').screenshot();
+  const styles = await page.$eval('#hill', async (element) => {
+    const { seen } = /** @type {any} */ (window);
+    const home = /** @type {Element} */ (element.parentElement);
+    const frame = document.createElement('iframe');
+    Object.assign(frame.style, { position: 'fixed', inset: '0', width: '420px', height: '320px' });
+    document.body.append(frame);
+    const drawn = async (/** @type {Element} */ place) => {
+      const pictures = seen.pictures;
+      place.prepend(element);
+      while (seen.pictures === pictures) await new Promise(requestAnimationFrame);
+      const { display, position, height } = getComputedStyle(element);
+      return [display, position, height, getComputedStyle(/** @type {Element} */ (element.shadowRoot?.querySelector('p'))).position];
+    };
+    const there = await drawn(/** @type {Document} */ (frame.contentDocument).body);
+    const back = await drawn(home);
+    frame.remove();
+    return [there, back];
+  });
+  for (const style of styles) assert.deepEqual(style, ['block', 'relative', '300px', 'absolute']);
+  await nextFrame(page);
+  assert.equal(await countDifferent(page, before, await page.locator('#hill').screenshot()), 0);
 });
 
 test('properties set before the element is defined, and those that have the names of attributes, as React sets them', async () => {

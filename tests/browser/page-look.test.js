@@ -1,7 +1,18 @@
 // How the page looks: labels that stand apart, a view that follows the surface, colours that are forced, a sheet of paper.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { COARSE, measurePicture, nextFrame, openBrowser, openEntry, openSettled, openSketch, settled } from '../helpers/page.js';
+import {
+  COARSE,
+  countDifferent,
+  measurePicture,
+  nextFrame,
+  openBrowser,
+  openEntry,
+  openSettled,
+  openSketch,
+  pictureOfView,
+  settled,
+} from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -230,6 +241,42 @@ test('a path that leads straight away from the middle is not looked at end on', 
   const [a, b] = await Promise.all(['#handle-A', '#handle-B'].map((id) => page.locator(id).boundingBox()));
   const apart = Math.hypot((a?.x ?? 0) - (b?.x ?? 0), (a?.y ?? 0) - (b?.y ?? 0));
   assert.ok(apart > 100, `${apart} pixels from A to B`);
+});
+
+test('terrain in metres of a map looks as it does at the origin', async () => {
+  const pictureAt = async (/** @type {number} */ x, /** @type {number} */ y) => {
+    const range = { 'x-from': `${x - 100}`, 'x-to': `${x + 100}`, 'y-from': `${y - 100}`, 'y-to': `${y + 100}` };
+    const ends = [
+      [x - 80, y - 70],
+      [x + 70, y + 80],
+    ];
+    await openSketch(page, { entry: 'own-graph', texts: { z: `20sin((x - ${x})/30)cos((y - ${y})/40)`, ...range }, ends });
+    return pictureOfView(page);
+  };
+  const differ = await countDifferent(page, await pictureAt(0, 0), await pictureAt(500000, 4600000));
+  // Edges are not the same to the last hair.
+  assert.ok(differ < 30, `${differ} pixels`);
+});
+
+test('a scale has the numbers of its surface, however large that is and wherever', async () => {
+  const ball = (/** @type {number[]} */ middle, /** @type {number} */ radius) => {
+    const f = ['x', 'y', 'z'].map((name, k) => `(${name} - ${middle[k]})^2`).join(' + ');
+    const ranges = ['x', 'y', 'z'].flatMap((name, k) => [
+      [`${name}-from`, `${middle[k] - 1.2 * radius}`],
+      [`${name}-to`, `${middle[k] + 1.2 * radius}`],
+    ]);
+    const ends = [0, 1].map((k) => middle.map((x, i) => (i === k ? x + radius : x)));
+    return { entry: 'own-implicit', texts: { f: `${f} - ${radius}^2`, ...Object.fromEntries(ranges) }, ends, colour: 'curvature' };
+  };
+  for (const [middle, radius, words] of /** @type {const} */ ([
+    [[0, 0, 0], 6371000, '2.46 × 10⁻¹⁴ everywhere'],
+    [[1e6, 2e6, 3e6], 100, '0.000100 everywhere'],
+  ])) {
+    await openSketch(page, ball([...middle], radius));
+    await page.waitForFunction((text) => document.querySelector('#scale b')?.textContent === text, words, { timeout: 10000 });
+  }
+  await openSketch(page, { entry: 'own-graph', texts: { z: '1000x - 2y' }, colour: 'curvature' });
+  await page.waitForFunction(() => document.querySelector('#scale b')?.textContent === '0 everywhere', null, { timeout: 10000 });
 });
 
 describe('colours that the system forces', () => {

@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { fromHash, toHash } from '../../demo/state/link.js';
 import { sketchOf } from '../../demo/state/sketch.js';
-import { COARSE, hashOf, openBrowser, openEntry, openSettled, settled } from '../helpers/page.js';
+import { COARSE, hashOf, openBrowser, openEntry, openSettled, openSketch, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -97,9 +97,38 @@ test('who loads the page anew right after a change has not lost it', async () =>
   // What opening it had to write is written.
   await page.waitForTimeout(600);
   await page.fill('#end-0-0', '1.25');
+  await page.fill('#end-1-0', '4.5');
   await page.reload();
   await settled(page);
-  assert.equal(await page.inputValue('#end-0-0'), '1.25');
+  assert.deepEqual([await page.inputValue('#end-0-0'), await page.inputValue('#end-1-0')], ['1.25', '4.5']);
+});
+
+test('the address is rewritten less often than browsers allow, and holds the last change soon', async () => {
+  await openEntry(page, 'parametricTorus');
+  const count = await page.evaluate(async () => {
+    const { replaceState } = History.prototype;
+    let calls = 0;
+    window.history.replaceState = (...given) => {
+      calls++;
+      return replaceState.apply(window.history, given);
+    };
+    const input = /** @type {HTMLInputElement} */ (document.getElementById('end-0-0'));
+    const end = performance.now() + 2000;
+    for (let i = 0; performance.now() < end; i++) {
+      input.value = String(1 + (i % 100) / 100);
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    input.value = '2.5';
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    delete (/** @type {any} */ (window.history).replaceState);
+    return calls;
+  });
+  // 20 in a row, then one in 0.4 s.
+  assert.ok(count <= 20 + 7, `${count} times in 2.5 s`);
+  assert.equal(fromHash(await page.evaluate(() => location.hash))?.ends[0][0], 2.5);
+  await settled(page);
 });
 
 test('every sketch comes back from its link', () => {
@@ -121,6 +150,11 @@ test('every sketch comes back from its link', () => {
     points: 12,
   };
   assert.deepEqual(fromHash(toHash(sketch)), sketch);
+});
+
+test('a link with points on the way and several starts has what is computed of them', () => {
+  assert.equal(fromHash(hashOf({ entry: 'saddle', via: [[0, 0]], start: 'several' }))?.start, 'straight');
+  assert.equal(fromHash(hashOf({ entry: 'saddle', start: 'several' }))?.start, 'several');
 });
 
 test('a link of another version, or junk, is refused or repaired, never believed', () => {
@@ -267,6 +301,25 @@ describe('exports', () => {
       accessors.some((/** @type {any} */ { count }) => count === 97 * 97),
       'the vertices of the surface',
     );
+  });
+
+  test('GLTF of terrain in metres of a map: places near to those of their nodes', async () => {
+    const range = { 'x-from': '499900', 'x-to': '500100', 'y-from': '4599900', 'y-to': '4600100' };
+    const ends = [
+      [499920, 4599930],
+      [500070, 4600080],
+    ];
+    await openSketch(page, { entry: 'own-graph', texts: { z: 'x - 500000', ...range }, ends });
+    const { nodes, meshes, accessors } = JSON.parse((await take('gltf')).toString());
+    for (const [name, middle] of /** @type {[string, number[]][]} */ ([
+      ['surface', [500000, 4600000, 0]],
+      ['path', [499995, 4600005, -5]],
+    ])) {
+      const { mesh, matrix } = nodes.find((/** @type {any} */ node) => node.name === name);
+      const { min, max } = accessors[meshes[mesh].primitives[0].attributes.POSITION];
+      for (const [k, x] of middle.entries())
+        assert.ok(Math.abs(matrix[12 + k] - x) < 1e-6 && max[k] <= 100 && Math.abs(min[k] + max[k]) < 1e-3);
+    }
   });
 });
 

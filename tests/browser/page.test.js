@@ -2,7 +2,17 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { KINDS } from '../../demo/state/kinds.js';
-import { COARSE, measurePicture, openBrowser, openEntry, openPage, openSettled, pictureOfView, settled } from '../helpers/page.js';
+import {
+  COARSE,
+  measurePicture,
+  openBrowser,
+  openEntry,
+  openPage,
+  openSettled,
+  openSketch,
+  pictureOfView,
+  settled,
+} from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
 /** @type {import('playwright-core').Page} */ let page;
@@ -238,6 +248,22 @@ test('straight ahead from A: the length is the one that was asked for', async ()
   assert.ok(Math.abs((await length()) - 11) < 0.05, 'a step of the slider away at most');
 });
 
+test('straight ahead it goes as far as the surface is large', async () => {
+  const range = { 'x-from': '499900', 'x-to': '500100', 'y-from': '4599900', 'y-to': '4600100' };
+  const ends = [
+    [499920, 4599930],
+    [500070, 4600080],
+  ];
+  await openSketch(page, { entry: 'own-graph', texts: { z: '20sin((x - 500000)/30)', ...range }, ends });
+  await doing(() => page.check('[name=task][value=trace]'));
+  const reach = () =>
+    page.$eval('#reach', (input) => [/** @type {HTMLInputElement} */ (input).valueAsNumber, Number(input.getAttribute('max'))]);
+  assert.deepEqual(await reach(), [600, 4000]);
+  await openEntry(page, 'parametricTorus');
+  await doing(() => page.check('[name=task][value=trace]'));
+  assert.deepEqual(await reach(), [6, 40]);
+});
+
 test('several starts converge to one path, and the straight one alone may miss the shortest', async () => {
   await openEntry(page, 'hills');
   const [global, start] = [await length(), await text('#start-length')];
@@ -254,6 +280,13 @@ test('several starts converge to one path, and the straight one alone may miss t
   assert.equal(await page.locator('#plane .straight').count(), 5);
   assert.equal(await page.isVisible('#start-figure'), false);
   assert.match(await text('#legend'), /^Geodesic\s*Starts/);
+  const isOffered = () => page.$eval('#start [value=several]', (option) => !(/** @type {HTMLOptionElement} */ (option).disabled));
+  assert.equal(await isOffered(), true);
+  await doing(() => page.click('#add-via'));
+  assert.equal(await page.inputValue('#start'), 'global');
+  assert.equal(await isOffered(), false, 'they lead from end to end');
+  await doing(() => page.click('[aria-label="Remove point 1"]'));
+  assert.equal(await isOffered(), true);
 });
 
 test('a density and a metric change the path, and the presets fit any rectangle', async () => {

@@ -192,6 +192,85 @@ for (const [title, name] of TESTED)
       });
     });
 
+    describe('far from the origin of space', () => {
+      /** A hilly square with a line, an end and a handle, its middle at some place; what is drawn, and where the handle is. @param {number[]} middle @param {string} picture */
+      const hills = async (middle, picture) => {
+        const pixels = await page.evaluate(([a, b, c]) => {
+          const { view } = /** @type {any} */ (window);
+          const { THREE, draw, surfpath, scene, camera, controls, renderer, render } = view;
+          for (const thing of view.things ?? []) thing.dispose();
+          scene.remove(view.mesh);
+          const z = `${c} + 20*sin((x - ${a})/30)*cos((y - ${b})/40)`;
+          const surface = surfpath.graph({ z, x: [a - 100, a + 100], y: [b - 100, b + 100] });
+          const [from, to] = [
+            [a - 80, b - 70],
+            [a + 70, b + 80],
+          ];
+          const geometry = draw.surfaceGeometry(surface);
+          const material = draw.surfaceMaterial(geometry);
+          view.mesh = new THREE.Mesh(geometry, material);
+          const line = new draw.GeodesicLine(surface.shortestPath(from, to));
+          const marker = new draw.Marker();
+          marker.position.fromArray(surface.evaluate(from));
+          view.surface = surface;
+          view.handle = new draw.DragHandle(surface, to, { camera, controls, domElement: renderer.domElement, mesh: view.mesh });
+          view.things = [geometry, material, line, marker, view.handle];
+          scene.add(view.mesh, line, marker, view.handle);
+          controls.target.copy(draw.fitCamera(camera, geometry, [1, -2, 1.5]));
+          controls.update();
+          render();
+          const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+          drawing?.drawImage(renderer.domElement, 0, 0);
+          return Array.from(drawing?.getImageData(0, 0, 640, 480).data ?? []);
+        }, middle);
+        await page.locator('#frame').screenshot({ path: `${SCREENSHOTS}three-${picture}-${name}.png` });
+        return pixels;
+      };
+      /** As far as maps in metres are. */
+      const AWAY = [500000, 4600000, 3000000];
+
+      test('everything is drawn as it is at the origin', async () => {
+        const [here, there] = [await hills([0, 0, 0], 'hills'), await hills(AWAY, 'hills-away')];
+        const differ = here.filter((x, i) => Math.abs(x - there[i]) > 24).length / 4;
+        // Pixels of edges, where a hair decides.
+        assert.ok(differ < 60, `${differ} pixels differ`);
+      });
+
+      test('a handle stays under the pointer, and on the surface', async () => {
+        await hills(AWAY, 'hills-away');
+        const drag = async () => {
+          await page.evaluate(() => /** @type {any} */ (window).view.render());
+          return page.evaluate(() => {
+            const { handle, place } = /** @type {any} */ (window).view;
+            return { ...place(handle.position), position: /** @type {number[]} */ (handle.position.toArray()) };
+          });
+        };
+        const start = await drag();
+        await page.mouse.move(start.x + 3, start.y - 2);
+        await page.mouse.down();
+        for (let i = 1; i <= 5; i++) {
+          await page.mouse.move(start.x + 3 - 21 * i, start.y - 2 + 9 * i);
+          const { x, y, position } = await drag();
+          assert.ok(Math.hypot(x - start.x + 21 * i, y - start.y - 9 * i) < 0.5, `(${x}, ${y})`);
+          const [across, along, up] = AWAY.map((x0, k) => position[k] - x0);
+          assert.ok(Math.abs(up - 20 * Math.sin(across / 30) * Math.cos(along / 40)) < 1e-8);
+        }
+        await page.mouse.up();
+        const before = await drag();
+        await page.keyboard.press('ArrowLeft');
+        const moved = await drag();
+        assert.ok(before.x - moved.x > 3 && Math.abs(before.y - moved.y) < 3, `by ${moved.x - before.x}, ${moved.y - before.y}`);
+      });
+
+      after(() =>
+        page.evaluate(() => {
+          const { camera, controls } = /** @type {any} */ (window).view;
+          controls.target.set(0, 0, 0);
+          Object.assign(camera, { near: 1, far: 60 }).updateProjectionMatrix();
+        }),
+      );
+    });
+
     describe('a handle', () => {
       test('follows the mouse on the surface, the controls off', async () => {
         await begin([5, 0.9]);

@@ -1,10 +1,11 @@
 /** Gaussian curvature K at many places of a surface, as space has it: exact normals and gradients, differentiated once more by central differences. */
 
 import { cross, dot } from '../vector.js';
+import { boxOf } from './origin.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 
-/** Share of the range, or of the size, on either side: truncation and rounding are both near 1e-10 of K then. */
+/** Share of the range, or of the size, on either side: truncation and rounding are both near 1e-10 of K then, more of it far from the origin. */
 const STEP = 1e-5;
 
 /** @param {Float64Array} values @param {number} width @param {number} i @param {number} offset: the three from there on, of entry i minus those of entry i + 1 */
@@ -39,7 +40,9 @@ function parametricCurvature(surface, places) {
  * @param {Surface} surface implicit @param {Float64Array} places x y z of each
  */
 function implicitCurvature(surface, places) {
-  const size = places.reduce((most, x) => Math.max(most, Math.abs(x)), 0) || 1;
+  // Truncation goes with (step / radius)², rounding with farthest / step.
+  const farthest = places.reduce((most, x) => Math.max(most, Math.abs(x)), 0) || 1;
+  const size = Math.cbrt(farthest * (boxOf(places).radius || farthest) ** 2);
   const step = STEP * size;
   const stencil = new Float64Array(7 * places.length);
   for (let i = 0; i < places.length; i += 3)

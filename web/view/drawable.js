@@ -1,6 +1,7 @@
 /** Meshes as they are drawn: cut where a formula ends or jumps, without what has a place that is no number, or one that graphics cannot compute with. */
 
 import { cutMesh, LARGEST } from './cuts.js';
+import { refineRims } from './rims.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 /** @typedef {import('../mesh.js').Mesh} Mesh */
@@ -13,7 +14,7 @@ import { cutMesh, LARGEST } from './cuts.js';
 
 /** @param {Pick<Surface, 'domain' | 'evaluate'>} surface with positions @param {Mesh} mesh of it @returns {SurfaceMesh} */
 export function drawableMesh(surface, mesh) {
-  const drawn = dropUndrawable(mesh.parameters ? cutMesh(mesh, (places) => surface.evaluate(places)) : mesh);
+  const drawn = dropUndrawable((mesh.parameters ? cutMesh : refineRims)(mesh, (places) => surface.evaluate(places)));
   return surface.domain?.turn?.sign === -1 ? { ...drawn, isOneSided: true } : drawn;
 }
 

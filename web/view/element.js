@@ -133,6 +133,11 @@ export class SurfacePathElement extends TypedElement {
     this.#renew(SURFACE);
   }
 
+  /** It has come to another document, which takes no style of the last one. */
+  adoptedCallback() {
+    adoptStyle(/** @type {ShadowRoot} */ (this.shadowRoot));
+  }
+
   disconnectedCallback() {
     this.#connection?.abort();
     this.#connection = null;

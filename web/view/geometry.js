@@ -6,6 +6,8 @@ import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
 import { drawableMesh } from './drawable.js';
+import { FarGeometry } from './far.js';
+import { originOf } from './origin.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 /** @typedef {import('../mesh.js').Mesh} Mesh */
@@ -72,8 +74,9 @@ function measure(surface, mesh, distances, colour, size) {
 
 /** A mesh as geometry, without colours. @param {SurfaceMesh} mesh */
 export function bareGeometry(mesh) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
+  const isFar = originOf(mesh.positions).some((x) => x !== 0);
+  const geometry = isFar ? new FarGeometry(mesh.positions) : new BufferGeometry();
+  if (!isFar) geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(mesh.normals), 3));
   geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   geometry.computeBoundingSphere();

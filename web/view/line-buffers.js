@@ -22,13 +22,13 @@ export class LineBuffers extends LineGeometry {
     this.setAttribute('instanceDistanceEnd', new InterleavedBufferAttribute(this.#distances, 1, 1));
   }
 
-  /** @param {ArrayLike<number>} points x y z of two points or more */
-  write(points) {
+  /** @param {ArrayLike<number>} points x y z of two points or more @param {ArrayLike<number>} origin from which they are written */
+  write(points, origin) {
     const pieces = points.length / 3 - 1;
     if (pieces !== this.#pieces) this.#resize(pieces);
     const [ends, distances] = [this.#ends.array, this.#distances.array];
     for (let i = 0, distance = 0; i < pieces; i++) {
-      for (let k = 0; k < 6; k++) ends[6 * i + k] = points[3 * i + k];
+      for (let k = 0; k < 6; k++) ends[6 * i + k] = points[3 * i + k] - origin[k % 3];
       const [dx, dy, dz] = [0, 1, 2].map((k) => points[3 * i + 3 + k] - points[3 * i + k]);
       distances[2 * i] = distance;
       distance += Math.hypot(dx, dy, dz);

@@ -8,6 +8,7 @@ import { readPoints } from './check.js';
 import { LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
 import { HALO, PATH } from './colours.js';
+import { originOf } from './origin.js';
 
 /** @typedef {import('three').ColorRepresentation} Colour */
 /** @typedef {import('../path.js').Path} Path */
@@ -121,7 +122,10 @@ export class GeodesicLine extends Group {
   setPath(path) {
     const points = readPoints('GeodesicLine', path);
     this.#body.visible = points !== null;
-    if (points) this.#buffers.write(points);
+    if (!points) return;
+    const origin = originOf(points);
+    this.#body.position.fromArray(origin);
+    this.#buffers.write(points, origin);
   }
 
   /**

@@ -2,6 +2,7 @@
 
 import { DoubleSide, MeshStandardMaterial, Vector2, Vector3 } from 'three';
 import { checkGeometry } from './check.js';
+import { drawFromOrigin, FarGeometry, PROJECT } from './far.js';
 
 /**
  * @typedef {object} LineOptions
@@ -15,6 +16,9 @@ const BAND = 0.07;
 const FAR_SHADE = /** @type {const} */ ([0.93, 0.9, 0.86]);
 
 const VERTEX = /* glsl */ `
+#ifdef FAR
+  attribute vec3 offset;
+#endif
 #ifdef CONTOURS
   attribute float contour;
   varying float vContour;
@@ -96,6 +100,7 @@ export function surfaceMaterial(geometry, options = {}) {
   material.defines = { ...material.defines };
   if (lines && geometry.hasAttribute('uv')) Object.assign(material.defines, { USE_UV: '', PARAMETER_LINES: '' });
   if (contours && coloured) material.defines.CONTOURS = '';
+  if (geometry instanceof FarGeometry) drawFromOrigin(material);
   const uniforms = {
     cells: { value: new Vector2(cells[0], cells[1]) },
     band: { value: scale?.spacing > 0 ? BAND : 0 },
@@ -103,7 +108,10 @@ export function surfaceMaterial(geometry, options = {}) {
   };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = shader.vertexShader.replace('#include <common>', VERTEX).replace('#include <begin_vertex>', VERTEX_MAIN);
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', VERTEX)
+      .replace('#include <begin_vertex>', VERTEX_MAIN)
+      .replace('#include <project_vertex>', PROJECT);
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', FRAGMENT)
       .replace('#include <clipping_planes_fragment>', SIDE)

@@ -70,5 +70,5 @@ export function pointsWithin(points, ranges, ends = []) {
     if (isWithin(place, ranges)) kept.push(...place);
   }
   for (const end of ends) if (isWithin(end, ranges)) kept.push(...Array.from(end));
-  return new BufferAttribute(Float32Array.from(kept), 3);
+  return new BufferAttribute(Float64Array.from(kept), 3);
 }

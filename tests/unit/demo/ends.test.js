@@ -1,7 +1,7 @@
 // What is wrong with the ends of a path and the points on its way, and which of them have a place on the surface.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { describeMoved, findBadEnd, isOnSurface, mendEnds } from '../../../demo/state/ends.js';
+import { chooseEnds, describeMoved, findBadEnd, isOnSurface, mendEnds, shorten } from '../../../demo/state/ends.js';
 import { gallery } from 'surfpath/gallery';
 import { load } from 'surfpath';
 
@@ -22,6 +22,25 @@ test('a number that is missing or outside is named with its point', () => {
   const torus = surfpath.surface(gallery.parametricTorus);
   assert.equal(findBadEnd('parametric', torus, [a, [99, 0]]), null);
   assert.match(findBadEnd('parametric', torus, [a, [1e12, 0]])?.message ?? '', /^u of B must lie between /);
+});
+
+test('a number is written with five digits that tell places of its range apart', () => {
+  assert.equal(shorten(1.234567, [-2, 2]), '1.2346');
+  assert.equal(shorten(4599930.123456, [4599900, 4600100]), '4599930.123');
+  assert.equal(shorten(-2.34567e-5, [-3e-5, 3e-5]), '-0.000023457');
+  assert.deepEqual([shorten(0, [-1, 1]), shorten(12345.678, [-Infinity, Infinity]), shorten(2, [2, 2])], ['0', '12346', '2']);
+});
+
+test('ends at random are two places, however small the surface is', () => {
+  const f = 'x^2 + y^2 + z^2 - 1e-8';
+  for (const surface of [
+    surfpath.graph({ z: '1e-5*sin(x*1e5)', x: [-3e-5, 3e-5], y: [-3e-5, 3e-5] }),
+    surfpath.implicit({ f, bounds: /** @type {any} */ ([1, 2, 3].map(() => [-2e-4, 2e-4])) }),
+  ]) {
+    const [from, to] = chooseEnds(surface, surface.mesh());
+    assert.notDeepEqual(from, to);
+    assert.ok(surface.shortestPath(from, to).converged);
+  }
 });
 
 test('a point far from an implicit surface has no place on it, as the solver has it', () => {

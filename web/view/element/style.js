@@ -1,4 +1,4 @@
-/** The look of <surface-path>, as one constructed sheet for all: a strict Content-Security-Policy allows it. Custom properties are what a page may set. */
+/** The look of <surface-path>, as one constructed sheet for all of a document: a strict Content-Security-Policy allows it. Custom properties are what a page may set. */
 
 import { PATH, START, SURFACE } from '../colours.js';
 
@@ -52,14 +52,14 @@ p:empty { display: none; }
 }
 `;
 
-/** @type {CSSStyleSheet | null} */ let sheet = null;
+/** One for each document: no other takes it. @type {WeakMap<Document, CSSStyleSheet>} */ const sheets = new WeakMap();
 
 /** @param {ShadowRoot} root */
 export function adoptStyle(root) {
-  if (!sheet) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(CSS);
-  }
+  const { ownerDocument } = root;
+  const sheet = sheets.get(ownerDocument) ?? new (ownerDocument.defaultView ?? globalThis).CSSStyleSheet();
+  if (!sheets.has(ownerDocument)) sheet.replaceSync(CSS);
+  sheets.set(ownerDocument, sheet);
   root.adoptedStyleSheets = [sheet];
 }
 
