@@ -63,7 +63,7 @@ int sp_builder_take(struct sp_builder *builder) {
 }
 
 void sp_builder_begin(struct sp_builder *builder) {
-    builder->graph->edge_count = builder->bent = builder->waiting = builder->spare = 0;
+    builder->graph->first[0] = builder->graph->edge_count = builder->bent = builder->waiting = builder->spare = 0;
     memset(builder->waits, 0, (size_t)builder->graph->vertex_count * sizeof(int32_t));
 }
 
