@@ -95,35 +95,75 @@ static void implicit_normal(const struct sp_surface *surface, const double place
         normal[c] /= size;
 }
 
-/* The vertices within one and a half cell diagonals, on the same sheet. */
+/* A place of an implicit surface to which vertices are attached. */
+struct place {
+    const double *at;
+    double normal[3], sample[SP_GRAPH_WIDTH], near;
+    int is_node; /* beside a node no normal tells which sheet it lies on */
+};
+
+static void read_place(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct place *place) {
+    place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing;
+    place->is_node = sp_implicit_is_node(surface, at, BESIDE * graph->spacing);
+    implicit_normal(surface, at, place->normal);
+    sp_graph_sample(surface, at, place->sample);
+}
+
+/* The square of the chord to a vertex; infinite where that is too far. */
+static inline __attribute__((always_inline)) double near_chord(const struct place *place, const double *vertex) {
+    double x = vertex[0] - place->at[0], y = vertex[1] - place->at[1], z = vertex[2] - place->at[2], squared = x * x + y * y + z * z;
+    return squared <= place->near * place->near ? squared : __builtin_inf();
+}
+
+/* How far a vertex is; infinite unless on the same sheet. */
+static double length_to(const struct sp_surface *surface, const struct sp_graph *graph, const struct place *place, int32_t vertex) {
+    double normal[3];
+    for (int c = 0; c < 3; c++)
+        normal[c] = (double)graph->normals[3 * (size_t)vertex + (size_t)c];
+    const double *sample = graph->samples + (size_t)graph->width * (size_t)vertex;
+    return sp_graph_sheet_length(surface, place->sample, place->is_node ? normal : place->normal, sample, normal);
+}
+
 static void attach_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,
-                            const struct sp_candidates *among, struct sp_attachment *attached) {
-    double normal[3], other[3], sample[SP_GRAPH_WIDTH], best = __builtin_inf(), near = SP_ATTACHED_NEAR * graph->spacing;
-    implicit_normal(surface, end, normal);
-    sp_graph_sample(surface, end, sample);
-    int is_node = sp_implicit_is_node(surface, end, BESIDE * graph->spacing);
-    int32_t count = among ? among->count : graph->vertex_count;
-    for (int32_t k = 0; k < count && attached->count < SP_MAX_ATTACHED; k++) {
-        int32_t i = among ? among->vertices[k] : k;
-        const double *vertex = graph->samples + (size_t)graph->width * (size_t)i;
-        double x = vertex[0] - end[0], y = vertex[1] - end[1], z = vertex[2] - end[2];
-        if (!(x * x + y * y + z * z <= near * near) || (among && !(among->distance[i] < best))) continue;
-        for (int c = 0; c < 3; c++)
-            other[c] = (double)graph->normals[3 * (size_t)i + (size_t)c];
-        double length = sp_graph_sheet_length(surface, sample, is_node ? other : normal, vertex, other);
-        if (!is_finite(length)) continue;
-        if (among && among->distance[i] + length < best) best = among->distance[i] + length;
-        attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
+                            struct sp_attachment *attached) {
+    struct place place;
+    read_place(surface, graph, end, &place);
+    for (int32_t i = 0; i < graph->vertex_count && attached->count < SP_MAX_ATTACHED; i++) {
+        if (near_chord(&place, graph->samples + (size_t)graph->width * (size_t)i) == __builtin_inf()) continue;
+        double length = length_to(surface, graph, &place, i);
+        if (is_finite(length)) attached->vertex[attached->count] = i, attached->length[attached->count++] = length;
     }
 }
 
+double sp_graph_reach(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct sp_reached *vertices,
+                      int32_t count) {
+    struct place place;
+    double best = __builtin_inf();
+    int32_t first = 0;
+    read_place(surface, graph, at, &place);
+    for (int32_t k = 0; k < count; k++) {
+        double room = best - vertices[k].distance;
+        if (!(room > 0)) continue;
+        double chord = near_chord(&place, vertices[k].place);
+        /* In space no way is shorter than its chord. */
+        if (chord == __builtin_inf() || (surface->metric == SP_INDUCED && chord > room * room)) continue;
+        double length = vertices[k].distance + length_to(surface, graph, &place, vertices[k].vertex);
+        if (length < best) best = length, first = k;
+    }
+    if (count > 0) {
+        struct sp_reached found = vertices[first];
+        vertices[first] = vertices[0], vertices[0] = found;
+    }
+    return best;
+}
+
 enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place,
-                               const struct sp_candidates *among, struct sp_attachment *attached) {
+                               struct sp_attachment *attached) {
     attached->count = 0;
     for (int j = 0; j < (graph->kind == SP_IMPLICIT ? 3 : 2); j++)
         if (!is_finite(place[j])) return SP_NOT_FINITE;
     if (graph->kind == SP_IMPLICIT)
-        attach_implicit(surface, graph, place, among, attached);
+        attach_implicit(surface, graph, place, attached);
     else
         attach_parametric(surface, graph, place, attached);
     return attached->count == 0 ? SP_OFF_SURFACE : SP_CONVERGED;

@@ -11,12 +11,12 @@ struct sp_field_request {
     int32_t count, unused;
 };
 
-/* Bytes of arena that sp_graph_field needs. */
-double sp_graph_field_bytes(const struct sp_graph *graph);
+/* Bytes of arena that sp_graph_field needs for `count` places. */
+double sp_graph_field_bytes(const struct sp_graph *graph, int32_t count);
 
 /* Finds how far places are from a point: one search of the whole graph, then for each place the least sum over the vertices around it, or
  * the length straight to it. Returns SP_CONVERGED; SP_OFF_SURFACE: no vertex is near the point; SP_NOT_FINITE: the point; SP_OUT_OF_MEMORY.
- * Cost: 5 ms, and 10 us a place. */
+ * Cost: 2 ms, and 1 us a place. */
 int32_t sp_graph_field(const struct sp_surface *surface, const struct sp_graph *graph, const struct sp_field_request *request,
                        struct sp_arena *arena);
 

@@ -23,7 +23,7 @@ struct search {
 static enum sp_status attach(struct search *search) {
     enum sp_status status = SP_CONVERGED;
     for (int end = 0; end < 2 && status == SP_CONVERGED; end++)
-        status = sp_graph_attach(search->surface, search->graph, search->ends[end], NULL, search->attached + end);
+        status = sp_graph_attach(search->surface, search->graph, search->ends[end], search->attached + end);
     return status;
 }
 

@@ -13,18 +13,21 @@ struct sp_attachment {
     int32_t count;
 };
 
-/* Some vertices of an implicit graph: those among which the ones around a point are looked for, and only such as make its distance from
- * the seeds of a search shorter than the ones before. */
-struct sp_candidates {
-    const int32_t *vertices;
-    int32_t count;
-    const double *distance; /* of all vertices */
+/* Finds the vertices around a place: parametric, the 4 x 4 around it in the grid; implicit, those within one and a half cell diagonals on
+ * its sheet. Returns SP_CONVERGED, SP_NOT_FINITE, or SP_OFF_SURFACE: there are none. */
+enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place,
+                               struct sp_attachment *attached);
+
+/* A vertex of an implicit graph, and how far it is from the seeds of a search. */
+struct sp_reached {
+    double place[3], distance;
+    int32_t vertex;
 };
 
-/* Finds the vertices around a place: parametric, the 4 x 4 around it in the grid; implicit, those of `among` (NULL: of all) within one and
- * a half cell diagonals on its sheet. Returns SP_CONVERGED, SP_NOT_FINITE, or SP_OFF_SURFACE: there are none. */
-enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place,
-                               const struct sp_candidates *among, struct sp_attachment *attached);
+/* The length of the shortest way to a place over one of these vertices, `count` of them, that could be attached to it; infinite: there is
+ * none. The vertex of that way becomes the first, as it will soon be known then that most are too far for a place nearby. */
+double sp_graph_reach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place, struct sp_reached *vertices,
+                      int32_t count);
 
 /* How far, in cell diagonals, attached vertices are from their place at most. Implicit. */
 static const double SP_ATTACHED_NEAR = 1.5;

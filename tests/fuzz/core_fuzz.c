@@ -294,7 +294,7 @@ static void fuzz_search(struct input *input, const struct sp_surface *surface, c
     double places[24];
     read_numbers(input, places, 24);
     struct sp_field_request field = {{ends[0], ends[1], ends[2]}, places, lengths, 8, 0};
-    arena = read_arena(input, sp_graph_field_bytes(graph), &whole);
+    arena = read_arena(input, sp_graph_field_bytes(graph, 8), &whole);
     status = sp_graph_field(surface, graph, &field, &arena);
     DEMAND(!whole || status != SP_OUT_OF_MEMORY, "the promised size is not enough");
     for (int i = 0; status == SP_CONVERGED && i < 8; i++)

@@ -66,7 +66,7 @@ static void check_field(const struct sp_surface *surface, const struct sp_graph_
     choose(&state, request.from);
     for (int i = 0; i < PLACES; i++)
         choose(&state, places + dimension * i);
-    double enough = sp_graph_field_bytes(&graph);
+    double enough = sp_graph_field_bytes(&graph, PLACES);
     for (double part = 0.1; part < 1; part += 0.2) {
         struct sp_arena less = allocate_arena(part * enough);
         CHECK(sp_graph_field(surface, &graph, &request, &less) == SP_OUT_OF_MEMORY, "%g of the memory", part);

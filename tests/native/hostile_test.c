@@ -125,7 +125,7 @@ static void check_empty_graph(void) {
     CHECK(status == SP_CONVERGED && graph.vertex_count == 0, "status %d, %d vertices", status, graph.vertex_count);
     double places[3] = {0, 0, 0}, length = 0;
     struct sp_field_request field = {{0, 0, 0}, places, &length, 1, 0};
-    struct sp_arena scratch = arena_of(sp_graph_field_bytes(&graph));
+    struct sp_arena scratch = arena_of(sp_graph_field_bytes(&graph, 1));
     status = sp_graph_field(&surface, &graph, &field, &scratch);
     CHECK(status == SP_OFF_SURFACE, "status %d", status);
     free(arena.base), free(scratch.base);

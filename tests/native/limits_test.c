@@ -110,7 +110,7 @@ static void check_traces(void) {
 
 /* Searches and fields of one graph, in arenas of every size. */
 static void check_questions(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6]) {
-    double searching = sp_graph_search_bytes(graph, 65), spreading = sp_graph_field_bytes(graph);
+    double searching = sp_graph_search_bytes(graph, 65), spreading = sp_graph_field_bytes(graph, 1);
     struct sp_arena arena = allocate(searching > spreading ? searching : spreading);
     struct sp_graph_answer answer;
     double length;
