@@ -241,7 +241,8 @@ export class Heap extends Memory {
   measureField(surface, graph, from, places) {
     const count = places.length / from.length;
     const own = (8 * (places.length + count) + 15) & ~15;
-    if (!this.reserve(own + this.exports.sp_graph_field_bytes(graph.at, count))) return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
+    if (!this.reserve(own + this.exports.sp_graph_field_bytes(graph.at, count)))
+      return { status: OUT_OF_MEMORY, lengths: new Float64Array(0) };
     const base = this.arenaBase;
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
