@@ -10,8 +10,8 @@ const MOST_GRAPH_BYTES = 2 ** 29;
 /** Structs of wasm/surfpath.h that hold options, requests or results are at most so large. */
 export const MOST_STRUCT_BYTES = 128;
 const MOST_TRACE_STEPS = 200_000;
-/** A mesh of 64³ cells rarely has more. */
-const USUAL_VERTICES = 60_000;
+/** A mesh rarely has more vertices for the square of its cells a direction, and of 64³ cells rarely more than so many. */
+const [USUAL_DENSITY, USUAL_VERTICES] = [30, 60_000];
 
 /** As sp_way in wasm/surfpath.h. */
 export const OVER_POINT = 1;
@@ -155,7 +155,7 @@ export class Heap extends Memory {
   meshImplicit(value, box, resolution) {
     const numbers = this.#numbers;
     this.writeDoubles(numbers, box);
-    let [vertices, triangles] = [USUAL_VERTICES, 0];
+    let [vertices, triangles] = [Math.min(USUAL_DENSITY * resolution ** 2, USUAL_VERTICES), 0];
     for (let attempt = 0; ; attempt++) {
       const bytes = this.exports.sp_mesh_bytes(numbers, resolution, vertices, triangles);
       if (!this.reserve(bytes)) return emptyMesh(OUT_OF_MEMORY);
