@@ -2,6 +2,13 @@
 #include "graph_search.h"
 #include "scalar.h"
 
+/* In place of a slot: visited, and not to be visited again. Keys fall along no way but by rounding, which may be more than edges are long
+ * where a surface is large beside them: led by that, a search would come back for ever. */
+enum { CLOSED = -2 };
+
+/* Of a chord: edges are rounded to 24 bits, and none is shorter than what is left of its chord. */
+static const double BELOW = 1 - 1e-6;
+
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
     *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf()};
@@ -43,11 +50,11 @@ static void sink(struct sp_front *front, int32_t slot, struct sp_queued queued) 
 }
 
 void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance) {
-    if (!(distance < front->distance[vertex])) return;
+    if (!(distance < front->distance[vertex]) || front->slot[vertex] == CLOSED) return;
     front->distance[vertex] = distance;
     front->before[vertex] = before;
     const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
-    struct sp_queued queued = {front->target ? distance + distance_between(sample, front->target) : distance, vertex};
+    struct sp_queued queued = {front->target ? distance + BELOW * distance_between(sample, front->target) : distance, vertex};
     rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
 }
 
@@ -68,7 +75,7 @@ void sp_front_advance(struct sp_front *front, double limit) {
     while (front->count > 0 && front->heap[0].key < limit) {
         int32_t vertex = front->heap[0].vertex;
         struct sp_queued last = front->heap[--front->count];
-        front->slot[vertex] = -1;
+        front->slot[vertex] = front->target ? CLOSED : -1;
         if (front->count > 0) sink(front, 0, last);
         if (leads_nowhere(front, vertex)) continue;
         for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++) {

@@ -569,3 +569,15 @@ describe('cones of more than a full turn around the apex: through it, or past it
       cone.dispose();
     });
 });
+
+test('a surface so large in places that chords are rounded to more than edges are long is searched to an end', () => {
+  const surface = surfpath.revolution({
+    r: '1.5+sign(t) atan2((t) - t ^ -2, 0.5 ^ 3+cosh(t) t * t^2)*sinh(t^-2 + min(t, t) sinh(t)*3^0.5*sinh(t)^-1 + 1e-1) t^2',
+    z: 't',
+    t: [-1, 1],
+  });
+  const options = /** @type {const} */ ({ start: 'straight', algorithm: 'polyline', points: 3, maxIterations: 22 });
+  const path = surface.shortestPath([0.5555716645784134, 0.9326746980659664], [4.711128916377966, -0.06660764012485743], options);
+  assert.equal(path.status, 'singular-metric');
+  surface.dispose();
+});
