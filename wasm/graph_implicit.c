@@ -152,7 +152,7 @@ static double length_between(const struct sp_cells *cells, int32_t vertex, int32
     return options->loose && !is_finite(length) ? LOOSE * sp_graph_chord(surface, here, there, NULL) : length;
 }
 
-/* A vertex with those later ones whose cells are near. The later cells of a box lie behind, beside or ahead in its order. */
+/* A vertex with those later ones whose cells are near: in a box, which is swept by layers, none of a lower layer. */
 static int join_around(const struct sp_cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const int32_t *center = cells->list[vertex].at;
