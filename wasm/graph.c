@@ -8,8 +8,8 @@
 enum { IMPLICIT_EDGES = 56, CELLS_PER_FACE = 6 };
 
 /* An edge longer than its chord by more than a surface of a radius of 2.5 edges makes it, or a metric that changes as much along it; how
- * many may be. */
-static const double BENT = 0.02, MOST_BENT = 0.01;
+ * many may be, where the graph resolves the surface, and where it does so nearly. */
+static const double BENT = 0.02, MOST_BENT = 0.01, COARSE = 0.25;
 
 /* A flood that ends with the cells it began with saw no surface. */
 enum { FIRST_CELLS = 7 };
@@ -19,8 +19,9 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     double edge = sizeof(struct sp_graph_edge);
     if (kind == SP_PARAMETRIC) {
         double vertices = 1.2 * (resolution + 2) * (resolution + 2);
-        int wide = resolution < SP_FINE_RESOLUTION;
-        return vertices * (vertex + (wide ? SP_WIDE_EDGES : SP_USUAL_EDGES) * edge + (wide ? 16 : 4) * (4.0 * sizeof(double)) + 1) + 4096;
+        /* Finer graphs have wide edges less often than not. */
+        int32_t edges = options->level == 0 ? SP_WIDE_EDGES : SP_USUAL_EDGES, samples = options->level == 0 ? 16 : 4;
+        return vertices * (vertex + edges * edge + samples * (4.0 * sizeof(double)) + 1) + 4096;
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
     double lookup = options->cell > 0 ? 1 << 17 : resolution * resolution * resolution;
@@ -46,6 +47,8 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
 
 int sp_builder_resolves(const struct sp_builder *builder) { return builder->bent <= MOST_BENT * builder->graph->edge_count; }
 
+int sp_builder_is_coarse(const struct sp_builder *builder) { return builder->bent > COARSE * builder->graph->edge_count; }
+
 int sp_builder_take(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct sp_arena *arena = builder->arena;
@@ -67,8 +70,7 @@ void sp_builder_begin(struct sp_builder *builder) {
     memset(builder->waits, 0, (size_t)builder->graph->vertex_count * sizeof(int32_t));
 }
 
-/* Room for so many edges, and one that waits. */
-static int is_room(const struct sp_builder *builder, int32_t edges) {
+int sp_builder_has_room(const struct sp_builder *builder, int32_t edges) {
     const char *free = (const char *)(builder->graph->edges + builder->graph->edge_count);
     return (const char *)(builder->end - builder->waiting - 1) - free >= (ptrdiff_t)sizeof(struct sp_graph_edge) * edges;
 }
@@ -79,7 +81,7 @@ int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
     graph->first[vertex] = graph->edge_count;
     for (int32_t i = builder->waits[vertex]; i; i = builder->end[-i].next)
         count++;
-    if (!is_room(builder, count)) return 0;
+    if (!sp_builder_has_room(builder, count)) return 0;
     graph->edge_count += count;
     graph->first[vertex + 1] = graph->edge_count;
     struct sp_graph_edge *edge = graph->edges + graph->edge_count;
@@ -94,7 +96,7 @@ int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
 int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
     if (!is_finite(length)) return 1;
-    if (!is_room(builder, 1)) return 0;
+    if (!sp_builder_has_room(builder, 1)) return 0;
     builder->bent += 2 * !(absolute(length - chord) <= BENT * chord);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
     graph->first[vertex + 1] = graph->edge_count;

@@ -18,9 +18,10 @@ struct sp_graph_options {
     double box[6]; /* parametric: umin umax vmin vmax, one period of a direction without walls; implicit: xmin xmax ymin ymax zmin zmax */
     double cell;   /* implicit: > 0: no box; cells of this width are flooded from the point (box[0], box[2], box[4]). Else 0 */
     int32_t resolution; /* parametric: about this many cells a direction; implicit: cells along the longest side. 8 … 256 */
-    int32_t loose;      /* implicit: 1: join cells that share a face across creases, too, and whatever else keeps their sheets apart */
-    double reach;       /* of a flood, > 0: no farther than where the distances in space from the point and from (box[1], box[3], box[5])
-                           add up to this; 0: however far */
+    int32_t level; /* how often coarser graphs were refined. Parametric: at 2 edges are never wide; implicit: from 2 on cells that share a
+                      face are joined across creases, too, and across whatever else keeps their sheets apart */
+    double reach;  /* of a flood, > 0: no farther than where the distances in space from the point and from (box[1], box[3], box[5])
+                      add up to this; 0: however far */
 };
 
 struct sp_graph_edge {
@@ -45,6 +46,7 @@ struct sp_graph {
     int32_t count[2], wraps[2];
     int32_t width;
     int32_t resolved; /* 1: few details are smaller than edges. 0 with a metric on an implicit surface */
+    int32_t coarse; /* 1: parametric, level 0, in space: so many are that level 1 finds ways which this one, without wide edges, does not */
 };
 
 /* What a search found. */
@@ -61,11 +63,11 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
 /* Builds the graph of a surface in `arena`, which is reset first.
  *
  * Parametric: a grid whose lines are as far apart on the surface as it goes, every vertex joined to the 32 around it that a coprime step of
- * at most 3 reaches or, where these do not resolve the surface, the 80 that one of at most 5 does; an edge is two chords through its middle
- * on the surface, or Simpson's rule for the metric in use. Edges do not cross a curve on which S_u x S_v vanishes. Implicit: the cells of a
- * cubic grid in which f changes sign, centres moved onto f = 0; neighbours at most two cells away are joined where their normals and the
- * chord say that they lie on the same sheet. Returns SP_CONVERGED, SP_NOT_FINITE
- * (the box is empty or not finite) or SP_OUT_OF_MEMORY. */
+ * at most 3 reaches or, where these do not resolve the surface, but nearly, and at level 1 also where it is steep, the 80 that one of at
+ * most 5 does; an edge is two chords through its middle on the surface, or Simpson's rule for the metric in use. Edges do not cross a curve
+ * on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes sign, centres moved onto f = 0; neighbours at most
+ * two cells away are joined where their normals and the chord say that they lie on the same sheet. Returns SP_CONVERGED, SP_NOT_FINITE (the
+ * box is empty or not finite) or SP_OUT_OF_MEMORY. */
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph);
 

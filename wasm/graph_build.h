@@ -7,7 +7,7 @@
 
 enum { SP_GRAPH_BLOCK = 32 };                     /* pairs evaluated at once */
 enum { SP_USUAL_EDGES = 32, SP_WIDE_EDGES = 80 }; /* of a vertex of a parametric graph: by steps up to 3 and 5 */
-enum { SP_FINE_RESOLUTION = 128 }; /* from so many cells a direction on only the usual ones: finer graphs are to join what is apart */
+enum { SP_LAST_LEVEL = 2 };                       /* only the usual ones: it is to join what is apart */
 
 /* An edge that a later vertex has to an earlier one, measured when it was that one's turn. */
 struct sp_waiting {
@@ -32,6 +32,9 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder);
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 
+/* Whether there is room for so many more edges, and one that waits. */
+int sp_builder_has_room(const struct sp_builder *builder, int32_t edges);
+
 /* Before the first vertex: forgets all edges. */
 void sp_builder_begin(struct sp_builder *builder);
 
@@ -44,6 +47,9 @@ int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, doub
 
 /* Whether few edges are longer than their chords by what a detail of the surface makes them. */
 int sp_builder_resolves(const struct sp_builder *builder);
+
+/* Whether so many edges are bent that finer cells tell more than wider edges. */
+int sp_builder_is_coarse(const struct sp_builder *builder);
 
 /* Points put and got one by one, evaluated together: `capacity` of them. The lane without a point repeats the last. */
 struct sp_block {

@@ -16,6 +16,7 @@ static const double WITHIN = 1 + 1e-9;
 /* Cells that share a face, but not a sheet, are joined at this many times their chord: across a crease, but not while there is another way.
  */
 static const double LOOSE = 2;
+enum { LOOSE_LEVEL = 2 };
 
 /* Around a rim so many chords are halved at most; it is no longer than so many times the first. */
 enum { HALVINGS = 16 };
@@ -149,7 +150,7 @@ static double length_between(const struct sp_cells *cells, int32_t vertex, int32
     if (is_finite(length) || !passes(cells->list + vertex, cells->list + to)) return length;
     /* Within bounds that gained nothing: MATH.md, "Disconnected". */
     if (options->cell > 0) length = length_around(graph, surface, vertex, to);
-    return options->loose && !is_finite(length) ? LOOSE * sp_graph_chord(surface, here, there, NULL) : length;
+    return options->level >= LOOSE_LEVEL && !is_finite(length) ? LOOSE * sp_graph_chord(surface, here, there, NULL) : length;
 }
 
 /* A vertex with those later ones whose cells are near: in a box, which is swept by layers, none of a lower layer. */

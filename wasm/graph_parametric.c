@@ -17,6 +17,9 @@ static const double COLLAPSED = 1e-9, VANISHING = 1e-2, NOTHING = 1e-12;
 /* The curvature by which no geodesics as long as the rectangle meet again (they would at pi^2), beside rounding of one that is zero. */
 static const double FLAT = 1e-6;
 
+/* A cell is steep that is more than twice as long one way as across it, (1 + 2^2)^2 / 2^2; and a surface where more than this part is. */
+static const double STEEP = 6.25, MOST_STEEP = 0.1;
+
 /* The square root of how much longer a rectangle may be one way than the other; and what lines are spread by at least, of the mean. */
 static const double LEAST_RATIO = 0.3, LEAST_SPREAD = 0.05;
 
@@ -28,6 +31,7 @@ struct grid {
     double *samples;            /* v fastest */
     double *normals;            /* 3 a vertex: S_u x S_v */
     double size;                /* how long the surface is both ways */
+    int32_t steep;              /* vertices at which a cell is far longer one way than across it */
 };
 
 /* Where a line of the fine grid lies, beyond a seam too. */
@@ -62,9 +66,17 @@ static void take_samples(const struct grid *grid) {
     }
 }
 
-/* Normals at the vertices (offset 0), or at the middles of cells nothing (offset 1); and the largest curvature there, infinite where it is
- * not a number. */
-static double inspect(const struct grid *grid, int32_t offset) {
+/* Whether a cell at a vertex is far longer one way on the surface than across it: (trace of its form)^2 over its determinant. */
+static int is_cell_steep(const struct grid *grid, const struct sp_form *form, int lane, int32_t i, int32_t j) {
+    double by[2] = {place_of(grid, 0, HALVES * i + 1) - place_of(grid, 0, HALVES * i - 1),
+                    place_of(grid, 1, HALVES * j + 1) - place_of(grid, 1, HALVES * j - 1)};
+    double e = form->e[lane] * by[0] * by[0], f = form->f[lane] * by[0] * by[1], g = form->g[lane] * by[1] * by[1];
+    return (e + g) * (e + g) > STEEP * (e * g - f * f);
+}
+
+/* Normals and steepness at the vertices (offset 0), or at the middles of cells nothing (offset 1); and the largest curvature there,
+ * infinite where it is not a number. */
+static double inspect(struct grid *grid, int32_t offset) {
     const int32_t *count = offset ? grid->cells : grid->builder->graph->count;
     struct sp_point point;
     double largest = -__builtin_inf();
@@ -78,8 +90,10 @@ static double inspect(const struct grid *grid, int32_t offset) {
             for (int lane = 0; lane < 2; lane++) {
                 double curvature = point.geometry.curvature[lane];
                 if (!(curvature <= largest)) largest = is_finite(curvature) ? curvature : __builtin_inf();
-                double *at = grid->normals + 3 * vertex_at(grid, i, lane ? other : j);
-                if (!offset) at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
+                if (offset || (lane && other == j)) continue;
+                double *at = grid->normals + 3 * vertex_at(grid, i, j + lane);
+                at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
+                grid->steep += is_cell_steep(grid, &point.geometry.form, lane, i, j + lane);
             }
         }
     return largest;
@@ -224,6 +238,7 @@ static int join_all(const struct grid *grid, int32_t reach) {
     struct step steps[SP_WIDE_EDGES];
     int32_t count = list_steps(reach, steps);
     sp_builder_begin(builder);
+    if (!sp_builder_has_room(builder, count * graph->vertex_count)) return 0;
     for (int32_t vertex = 0; vertex < graph->vertex_count; vertex++) {
         int32_t i = vertex / graph->count[1], j = vertex % graph->count[1];
         if (!sp_builder_turn(builder, vertex)) return 0;
@@ -249,12 +264,14 @@ static void write_vertices(const struct grid *grid) {
 }
 
 static int may_be_wide(const struct grid *grid) {
-    return grid->builder->options->resolution < SP_FINE_RESOLUTION && grid->cells[0] > WIDE_REACH && grid->cells[1] > WIDE_REACH;
+    return grid->builder->options->level < SP_LAST_LEVEL && grid->cells[0] > WIDE_REACH && grid->cells[1] > WIDE_REACH;
 }
 
 /* Whether wide edges are measured in quarters: where they are long beside the waves of a metric. In space chords over the middle are
  * better: a way around a steep bump is shorter than edges straight over it, by about what these cut off. */
-static int may_be_quartered(const struct grid *grid) { return may_be_wide(grid) && grid->builder->surface->metric != SP_INDUCED; }
+static int may_be_quartered(const struct grid *grid) {
+    return may_be_wide(grid) && grid->builder->options->level == 0 && grid->builder->surface->metric != SP_INDUCED;
+}
 
 static int take_grid(struct grid *grid) {
     struct sp_builder *builder = (struct sp_builder *)grid->builder;
@@ -342,6 +359,21 @@ static void quarter(struct grid *grid) {
     take_samples(grid);
 }
 
+/* All edges: wide ones where the usual ones do not resolve the surface, or on slopes, along which few of them lead. */
+static int join_fitting(struct grid *grid) {
+    struct sp_builder *builder = (struct sp_builder *)grid->builder;
+    struct sp_graph *graph = builder->graph;
+    int first = builder->options->level == 0, may_widen = may_be_wide(grid);
+    int is_steep = !first && grid->steep > MOST_STEEP * graph->vertex_count;
+    if (!is_steep || !may_widen) {
+        if (!join_all(grid, REACH)) return 0;
+        graph->coarse = first && builder->surface->metric == SP_INDUCED && sp_builder_is_coarse(builder);
+        if (graph->coarse || sp_builder_resolves(builder) || !may_widen) return 1;
+    }
+    if (may_be_quartered(grid)) quarter(grid);
+    return join_all(grid, WIDE_REACH);
+}
+
 int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct grid grid = {.builder = builder};
@@ -360,9 +392,5 @@ int32_t sp_graph_build_parametric(struct sp_builder *builder) {
     graph->unique =
         curvature <= flat && !collapsed && !graph->singular && !graph->wraps[0] && !graph->wraps[1] && inspect(&grid, 1) <= flat;
     write_vertices(&grid);
-    if (!join_all(&grid, REACH)) return SP_OUT_OF_MEMORY;
-    if (sp_builder_resolves(builder) || !may_be_wide(&grid)) return SP_CONVERGED;
-    /* On slopes ways along them are few among 32. */
-    if (may_be_quartered(&grid)) quarter(&grid);
-    return join_all(&grid, WIDE_REACH) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
+    return join_fitting(&grid) ? SP_CONVERGED : SP_OUT_OF_MEMORY;
 }

@@ -7,11 +7,11 @@ import { gap } from './vector.js';
 /** @typedef {import('./runtime/heap.js').Graph} Graph */
 
 /**
- * Cells a direction, by level of refinement; an implicit surface that the first does not resolve begins with the second. The last is loose: it joins
- * what its cells join, creases or not.
+ * Cells a direction, by level of refinement; a surface that the first does not resolve begins with the second (a parametric one if it is far from that). The last
+ * is loose on implicit surfaces: it joins what its cells join, creases or not.
  */
 const RESOLUTION = [
-  [64, 128, 256],
+  [64, 96, 256],
   [40, 56, 96],
 ];
 /** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
@@ -34,18 +34,21 @@ export class Graphs {
   }
 
   /**
-   * The graph of all of the surface; null: there is none so fine. One of status out-of-memory holds nothing, and is tried again by the next call.
+   * The graph of all of the surface, the next finer one if it is coarse; null: there is none so fine. One of status out-of-memory holds nothing, and is tried
+   * again by the next call.
    * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
    * @param {number} level how often it is refined @param {number} [turns] how often the surface lies in the box: so many times as many cells
+   * @returns {Graph | null}
    */
   find(heap, record, box, level, turns = 1) {
     const resolutions = RESOLUTION[this.#kind];
     const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
     if (!box || !resolution) return null;
-    const loose = !resolutions[level + 1];
-    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose });
+    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, level });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
-    return usable(graph);
+    /** @type {Graph | null} */
+    const finer = graph.coarse ? this.find(heap, record, box, 1, turns) : null;
+    return finer?.status === CONVERGED ? finer : usable(graph);
   }
 
   /**
@@ -63,7 +66,7 @@ export class Graphs {
       box: from.flatMap((x, j) => [x, to[j]]),
       cell,
       resolution: 0,
-      loose: level > 1,
+      level,
       reach: length && length * LONGER + BESIDE * cell,
     });
     return usable(this.#flood);

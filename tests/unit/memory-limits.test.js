@@ -47,7 +47,7 @@ describe('the graph of a global start', () => {
     Heap.prototype.buildGraph = buildGraph;
   });
 
-  /* With so many cells a direction, whatever the surface would take itself. The first path asks for one graph or, of ends that it separates, for two. */
+  /* With so many cells a direction, joined as the last graphs are, whatever the surface would take itself. The first path asks for one graph or, of ends that it separates, for two. */
   for (const [kind, resolution, most] of /** @type {const} */ ([
     ['parametric', 128, 16],
     ['implicit', 80, 48],
@@ -56,7 +56,7 @@ describe('the graph of a global start', () => {
       let built = 0;
       Heap.prototype.buildGraph = function (surface, number, options) {
         built++;
-        return buildGraph.call(this, surface, number, { ...options, resolution });
+        return buildGraph.call(this, surface, number, { ...options, resolution, level: 2 });
       };
       const entries = Object.entries(gallery).filter(([, entry]) => (entry.kind === 'implicit') === (kind === 'implicit'));
       for (const [name, entry] of entries) {
@@ -67,4 +67,18 @@ describe('the graph of a global start', () => {
       }
       assert.ok(built >= entries.length);
     });
+
+  test('parametric: of steep land with waves shorter than three cells at most 18 MB, two graphs', async () => {
+    const resolutions = new Set();
+    Heap.prototype.buildGraph = function (surface, number, options) {
+      resolutions.add(options.resolution);
+      return buildGraph.call(this, surface, number, options);
+    };
+    const memory = await memoryAfter((surfpath) => {
+      const land = surfpath.graph({ z: 'sin(9x)*cos(8y) + 0.5sin(17x + y)', x: [-4, 4], y: [-4, 4] });
+      assert.ok(land.shortestPath([-3, -3], [3, 2], { tolerance: 1e-4 }).length > 7);
+    });
+    assert.deepEqual([...resolutions].slice(0, 2), [64, 96]);
+    assert.ok(memory <= 18, `${memory} MB`);
+  });
 });

@@ -30,6 +30,31 @@ test('a landscape with slopes of 2.6: every path converges, to the length that p
   assert.ok(told > 20, `${told} that touch no edge`);
 });
 
+test('land of many scales, waves shorter than three cells of the first graph: none of 16 bent starts leads to a shorter path, seed 5', () => {
+  const waves = [
+    'sin(x + 0.3)*cos(1.3y)',
+    '0.6sin(2.1x + 1)*cos(2.3y - x)',
+    '0.35sin(4.3x + y)*cos(4.7y)',
+    '0.2sin(9.1x - 3y)*cos(8.3y + x)',
+    '0.1sin(19x)*cos(17y + 2x)',
+  ];
+  const surface = surfpath.graph({ z: waves.join(' + '), x: [-4, 4], y: [-4, 4] });
+  const random = createRandom(5);
+  const point = () => [random.between(-4, 4), random.between(-4, 4)];
+  const [from, to] = [
+    [-2.746, 3.884],
+    [2.425, -3.662],
+  ];
+  const path = surface.shortestPath(from, to);
+  assert.equal(path.status, 'converged');
+  for (let i = 0; i < 16; i++) {
+    const bends = i % 3 ? point() : [...point(), ...point()];
+    const { converged, length } = surface.shortestPath(from, to, { start: [...from, ...bends, ...to], tolerance: 1e-6 });
+    assert.ok(!converged || path.length <= length * (1 + 2e-6), `${path.length}, by ${bends} ${length}`);
+  }
+  surface.dispose();
+});
+
 test('across a line where a formula has no derivative, but the surface a tangent plane: as unrolled, seed 3', () => {
   const random = createRandom(3);
   const point = () => [random.between(-1, 1), random.between(-1, 1)];

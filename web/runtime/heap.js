@@ -33,6 +33,7 @@ export const BESIDE_POINT = 3;
  * @property {boolean} unique geodesics of this surface are taken as unique
  * @property {boolean} singular the normal vanishes along a curve
  * @property {boolean} resolved its lengths are nearly those of the surface
+ * @property {boolean} coarse a finer one finds ways that it does not
  */
 
 export class Heap extends Memory {
@@ -177,14 +178,14 @@ export class Heap extends Memory {
 
   /**
    * Runs sp_graph_build and keeps the graph.
-   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, loose: boolean, reach?: number }} options
+   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, level: number, reach?: number }} options
    * @returns {Graph} of status CONVERGED; any other: nothing is kept
    */
-  buildGraph(surface, kind, { box, cell, resolution, loose, reach = 0 }) {
+  buildGraph(surface, kind, { box, cell, resolution, level, reach = 0 }) {
     const at = this.allocate(layout.sp_graph_bytes);
     this.writeDoubles(this.#options + layout.sp_graph_options_box, [...[...box, 0, 0].slice(0, 6), cell]);
     this.writeDoubles(this.#options + layout.sp_graph_options_reach, [reach]);
-    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, Number(loose)]);
+    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, level]);
     let status = OUT_OF_MEMORY;
     for (let bytes = this.exports.sp_graph_build_bytes(kind, this.#options); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.reserve(bytes)) break;
@@ -205,6 +206,7 @@ export class Heap extends Memory {
       unique: word(layout.sp_graph_unique) !== 0,
       singular: word(layout.sp_graph_singular) !== 0,
       resolved: word(layout.sp_graph_resolved) !== 0,
+      coarse: word(layout.sp_graph_coarse) !== 0,
     };
   }
 

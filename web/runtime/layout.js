@@ -91,7 +91,7 @@ export const sp_graph_options_bytes = 72;
 export const sp_graph_options_box = 0;
 export const sp_graph_options_cell = 48;
 export const sp_graph_options_resolution = 56;
-export const sp_graph_options_loose = 60;
+export const sp_graph_options_level = 60;
 export const sp_graph_options_reach = 64;
 
 export const sp_graph_bytes = 96;
@@ -100,6 +100,7 @@ export const sp_graph_vertex_count = 36;
 export const sp_graph_unique = 44;
 export const sp_graph_singular = 48;
 export const sp_graph_resolved = 88;
+export const sp_graph_coarse = 92;
 
 export const sp_graph_answer_bytes = 24;
 export const sp_graph_answer_distance = 0;
