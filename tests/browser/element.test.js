@@ -395,6 +395,23 @@ test('it follows the theme of the reader and the colours of the page', async () 
   assert.equal(await warmth('torus'), 0);
 });
 
+test('on a screen with finer pixels it is drawn with these', async () => {
+  const pixels = () =>
+    page.$eval('#torus', (element) => /** @type {HTMLCanvasElement} */ (element.shadowRoot?.querySelector('canvas'))?.width);
+  const session = await browser.context.newCDPSession(page);
+  const widths = [];
+  for (const deviceScaleFactor of [2, 1.5]) {
+    // Chromium tells of no other pixels where the window, too, stays the same.
+    const width = 1040 - 4 * deviceScaleFactor;
+    await session.send('Emulation.setDeviceMetricsOverride', { width, height: 640, deviceScaleFactor, mobile: false });
+    await nextFrame(page);
+    widths.push(await pixels());
+  }
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  await session.detach();
+  assert.deepEqual(widths, [800, 600]);
+});
+
 test('removed elements leave nothing behind: no context, no element', async () => {
   const own = await openBrowser([], COARSE);
   await own.context.addInitScript(watch);

@@ -61,6 +61,23 @@ describe('sizes and themes', () => {
         if (colorScheme === 'light' || width === 1440) assert.deepEqual(await violations(page), []);
       });
 
+  test('on a screen with finer pixels the view is drawn with these', async () => {
+    const session = await browser.context.newCDPSession(page);
+    const ratios = [];
+    const resize = (/** @type {string} */ width) => page.$eval('#view', (view, size) => Object.assign(view.style, { width: size }), width);
+    await resize('400px');
+    for (const deviceScaleFactor of [2, 1]) {
+      // Chromium tells of no other pixels where the window, too, stays the same.
+      const width = 848 - 4 * deviceScaleFactor;
+      await session.send('Emulation.setDeviceMetricsOverride', { width, height: 390, deviceScaleFactor, mobile: false });
+      await nextFrame(page);
+      ratios.push(await page.$eval('#canvas', (canvas) => /** @type {HTMLCanvasElement} */ (canvas).width / canvas.clientWidth));
+    }
+    await resize('');
+    await session.detach();
+    assert.deepEqual(ratios, [2, 1]);
+  });
+
   test('on a phone every card is behind a tab, and none scrolls sideways', async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     for (const name of ['path', 'plane', 'plots', 'share', 'surface']) {
