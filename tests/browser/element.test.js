@@ -70,7 +70,11 @@ before(async () => {
     '<surface-path id="late"></surface-path><surface-path id="sweep" s="-pi,0" t="0,3" profile="cos(s);sin(s)" from="-3,0.2" to="-0.2,2.8"></surface-path>',
   );
   site = await serveSite({
-    ...{ page: pageOf(TORUS + HILL + spacer + far), empty: pageOf('') },
+    ...{
+      page: pageOf(TORUS + HILL + spacer + far),
+      empty: pageOf(''),
+      many: pageOf('<surface-path surface="vase"></surface-path>'.repeat(6)),
+    },
     late: late.replace(/<script type="module".*<\/script>/, ''),
   });
   browser = await openBrowser([], COARSE);
@@ -410,6 +414,27 @@ test('on a screen with finer pixels it is drawn with these', async () => {
   await session.send('Emulation.clearDeviceMetricsOverride');
   await session.detach();
   assert.deepEqual(widths, [800, 600]);
+});
+
+test('many on a page take turns: between two of them the browser is at hand', async () => {
+  const many = await browser.context.newPage();
+  await many.addInitScript(() => {
+    const { port1, port2 } = new MessageChannel();
+    let tasks = 0;
+    port1.onmessage = () => {
+      tasks++;
+      if (/** @type {any} */ (window).seen.events.length < 6) port2.postMessage(null);
+    };
+    port2.postMessage(null);
+    /** @type {number[]} */ const turns = [];
+    addEventListener('path', () => turns.push(tasks), true);
+    Object.assign(window, { turns });
+  });
+  await many.goto(`${site.address}/many`);
+  await many.waitForFunction(() => /** @type {any} */ (window).seen.events.length === 6);
+  const turns = /** @type {number[]} */ (await many.evaluate(() => /** @type {any} */ (window).turns));
+  assert.equal(new Set(turns).size, 6, `in tasks ${turns}`);
+  await many.close();
 });
 
 test('removed elements leave nothing behind: no context, no element', async () => {

@@ -17,6 +17,7 @@ import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
 import { Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
+import { turn } from './element/turn.js';
 import { watch } from './element/watch.js';
 import { describePath, describeProblem } from './element/words.js';
 
@@ -126,7 +127,7 @@ export class SurfacePathElement extends TypedElement {
     adopt(this);
     watch(this, this.#connection.signal, {
       print: () => this.#print(),
-      see: (isVisible) => this.#see(isVisible),
+      see: (isVisible) => turn().then(() => this.#see(isVisible)),
       resize: () => this.#stage?.resize(this.clientWidth, this.clientHeight),
       repaint: () => this.#stage?.setTheme(readTheme(this)),
     });
@@ -168,6 +169,7 @@ export class SurfacePathElement extends TypedElement {
     let what = this.#stale;
     try {
       const surfpath = await getSolver();
+      await turn();
       this.#isQueued = false;
       if (!this.#connection) return;
       what = this.#stale;
@@ -239,6 +241,7 @@ export class SurfacePathElement extends TypedElement {
 
   /** @param {boolean} isVisible on screen */
   #see(isVisible) {
+    if (!this.#connection) return;
     this.#isVisible = isVisible;
     this.#stage?.setVisible(isVisible);
     this.#show();
