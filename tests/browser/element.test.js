@@ -230,6 +230,38 @@ describe('attributes', () => {
   });
 });
 
+test('a complaint that is longer than its element is tall begins at the top, and can be scrolled', async () => {
+  const small = await browser.context.newPage();
+  await small.goto(`${site.address}/empty`);
+  await small.evaluate(() => {
+    const element = document.createElement('surface-path');
+    element.setAttribute('surface', 'nowhere');
+    element.style.width = '140px';
+    document.body.append(element);
+  });
+  await small.waitForFunction(() => document.querySelector('surface-path')?.shadowRoot?.textContent);
+  const place = await small.$eval('surface-path', (element) => {
+    const text = /** @type {Element} */ (element.shadowRoot?.querySelector('p'));
+    return {
+      above: text.getBoundingClientRect().top - element.getBoundingClientRect().top,
+      x: 40,
+      y: element.getBoundingClientRect().top + 50,
+    };
+  });
+  assert.ok(place.above >= 0, `${-place.above} pixels are cut off`);
+  await small.mouse.move(place.x, place.y);
+  await small.mouse.wheel(0, 1000);
+  await small.waitForFunction(() => {
+    const {
+      scrollTop = 0,
+      scrollHeight = 0,
+      clientHeight = 0,
+    } = document.querySelector('surface-path')?.shadowRoot?.querySelector('p') ?? {};
+    return scrollTop > 0 && scrollTop + clientHeight >= scrollHeight - 1;
+  });
+  await small.close();
+});
+
 test('a look that is wrong is said, and what is right again mends it', async () => {
   for (const [name, wrong, right] of [
     ['colour', 'blue', 'none'],
@@ -393,10 +425,15 @@ test('it follows the theme of the reader and the colours of the page', async () 
     await page.screenshot({ path: `${SCREENSHOTS}element-${colorScheme}.png` });
     assert.ok((await warmth('torus')) > 60);
   }
-  await page.evaluate(() => document.documentElement.style.setProperty('--surfpath-line', '#0000ff'));
-  await page.waitForTimeout(50);
-  await nextFrame(page);
-  assert.equal(await warmth('torus'), 0);
+  const warm = [];
+  // Also in notations that three.js does not read.
+  for (const colour of ['#0000ff', 'color(srgb 1 0.25 0)', 'hsl(240 100% 50%)', 'color-mix(in srgb, #f40 95%, red)', '#0000ff']) {
+    await page.evaluate((line) => document.documentElement.style.setProperty('--surfpath-line', line), colour);
+    await page.waitForTimeout(50);
+    await nextFrame(page);
+    warm.push((await warmth('torus')) > 60);
+  }
+  assert.deepEqual(warm, [false, true, false, true, false]);
 });
 
 test('on a screen with finer pixels it is drawn with these', async () => {

@@ -15,6 +15,7 @@ export function watch(element, signal, { see, resize, repaint, print }) {
   }
   watchPixels(resize, signal);
   addEventListener('beforeprint', print, { signal });
-  element.addEventListener('transitionend', repaint, { signal });
+  // It does not leave the shadow tree.
+  element.shadowRoot?.addEventListener('transitionend', repaint, { signal });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal });
 }
