@@ -7,6 +7,7 @@ import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
 import { addLights } from '../light.js';
 import { sideOf } from '../side.js';
+import { shareWheel } from '../wheel.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */
@@ -47,30 +48,10 @@ export class Stage {
   constructor(canvas) {
     acquireRenderer(this.#redraw);
     this.#canvas = canvas;
-    this.#listen();
+    shareWheel(canvas, () => this.#controls, { signal: this.#listening.signal });
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, new HemisphereLight('#ffffff', '#b9b2a6'));
     this.#scene.add(this.#camera, this.#line);
-  }
-
-  /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held on the way past it. */
-  #listen() {
-    const { signal } = this.#listening;
-    let isPressed = false;
-    const press = () => {
-      isPressed = true;
-      // Two fingers pinch.
-      if (this.#controls) this.#controls.enableZoom = true;
-    };
-    const leave = () => {
-      isPressed = false;
-    };
-    const weigh = (/** @type {WheelEvent} */ event) => {
-      if (this.#controls) this.#controls.enableZoom = isPressed || event.ctrlKey || event.metaKey;
-    };
-    this.#canvas.addEventListener('pointerdown', press, { signal, capture: true });
-    this.#canvas.addEventListener('pointerleave', leave, { signal });
-    this.#canvas.addEventListener('wheel', weigh, { signal, capture: true });
   }
 
   /** Whether there is a surface to look at. */
