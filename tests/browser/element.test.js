@@ -385,6 +385,21 @@ describe('with controls', () => {
     assert.notEqual((await lastEvent())[2], length);
     assert.equal(await page.locator('#hill').getByRole('button').count(), 0);
   });
+
+  test('the view is turned by keys, and comes nearer; the other element is no stop of the tabulator', async () => {
+    const picture = () => page.locator('#torus').screenshot();
+    const canvas = (/** @type {string} */ id) => page.locator(`#${id} canvas`);
+    await canvas('torus').focus();
+    for (const key of ['ArrowRight', 'ArrowDown', '+']) {
+      const before = await picture();
+      await page.keyboard.press(key);
+      await nextFrame(page);
+      const changed = await countDifferent(page, before, await picture());
+      assert.ok(changed > 300, `${key}: ${changed} pixels`);
+    }
+    for (const key of ['-', 'ArrowUp', 'ArrowLeft']) await page.keyboard.press(key);
+    assert.equal(await canvas('hill').getAttribute('tabindex'), null);
+  });
 });
 
 test('a parameter that changes moves what is there: no new shaders, no new surface, the same handles, the focus where it is', async () => {

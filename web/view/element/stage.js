@@ -7,6 +7,7 @@ import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
 import { addLights } from '../light.js';
 import { sideOf } from '../side.js';
+import { turnByKeys } from '../turn-keys.js';
 import { shareWheel } from '../wheel.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
@@ -26,6 +27,7 @@ export class Stage {
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   /** @type {OrbitControls | null} */ #controls = null;
+  #keys = new AbortController();
   #mesh = new Mesh();
   /** Materials that hold the shaders until the next ones, drawn with them, hold them too. @type {import('three').Material[]} */ #outgoing =
     [];
@@ -146,15 +148,28 @@ export class Stage {
   /** @param {boolean} on */
   #switchControls(on) {
     if (on === (this.#controls !== null)) return;
-    this.#controls?.dispose();
-    this.#controls = on ? new OrbitControls(this.#camera, this.#canvas) : null;
+    this.#dropControls();
+    if (on) this.#makeControls();
+    this.#isFitted = false;
+  }
+
+  #makeControls() {
+    const controls = new OrbitControls(this.#camera, this.#canvas);
     // The page scrolls on under a finger that moves up or down.
-    if (on) this.#canvas.style.touchAction = 'pan-y';
-    this.#controls?.addEventListener('change', () => this.invalidate());
-    this.#controls?.addEventListener('start', () => {
+    this.#canvas.style.touchAction = 'pan-y';
+    controls.addEventListener('change', () => this.invalidate());
+    controls.addEventListener('start', () => {
       this.#isTurned = true;
     });
-    this.#isFitted = false;
+    this.#keys = new AbortController();
+    turnByKeys(this.#canvas, controls, this.#keys.signal);
+    this.#controls = controls;
+  }
+
+  #dropControls() {
+    this.#keys.abort();
+    this.#controls?.dispose();
+    this.#controls = null;
   }
 
   /** @param {Theme} theme */
@@ -227,7 +242,7 @@ export class Stage {
     this.#listening.abort();
     this.#player.dispose();
     this.#dropEnds();
-    this.#controls?.dispose();
+    this.#dropControls();
     this.#line.dispose();
     this.#mesh.geometry.dispose();
     for (const material of [this.#mesh.material, ...this.#outgoing]) /** @type {import('three').Material} */ (material).dispose();

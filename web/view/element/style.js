@@ -34,6 +34,7 @@ canvas {
   /* That it has ended tells that a page has changed a colour. */
   transition: border-color 1ms;
 }
+canvas:focus-visible { outline: 2px solid var(--line); outline-offset: -2px; border-radius: inherit; }
 p {
   box-sizing: border-box;
   position: absolute;
