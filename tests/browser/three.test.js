@@ -17,7 +17,11 @@ const [R, A] = [4, 1.5];
 
 before(async () => {
   await mkdir(SCREENSHOTS, { recursive: true });
-  site = await serveSite(Object.fromEntries(TESTED.map(([, name]) => [name, scenePage(name)])));
+  const pages = TESTED.flatMap(([, name]) => [
+    [name, scenePage(name)],
+    [`${name}-logarithmic`, scenePage(name, ', logarithmicDepthBuffer: true')],
+  ]);
+  site = await serveSite(Object.fromEntries(pages));
 });
 after(() => site?.close());
 
@@ -142,6 +146,25 @@ for (const [title, name] of TESTED)
           assert.deepEqual(swallowed, []);
           await page.locator('#frame').screenshot({ path: `${SCREENSHOTS}three-line-${eye[0]}-${name}.png` });
         });
+
+      test('is seen also where depths are logarithms, and so is a handle', async () => {
+        const usual = page;
+        ({ page } = await openPage(browser.context, `${site.address}/${name}-logarithmic`));
+        await page.waitForFunction(() => /** @type {any} */ (window).view);
+        await begin([0.3, 0.4]);
+        const places = await along([8, -12, 8], { colour: '#ff0000' });
+        const { screen } = await where();
+        const frame = await page.locator('#frame').boundingBox();
+        const clip = { x: screen.x - 8, y: screen.y - 8, width: 16, height: 16 };
+        const ball = frame && (await measurePicture(page, await page.screenshot({ clip })));
+        await page.close();
+        page = usual;
+        const open = places.filter(({ facing, before }) => facing > 0.26 && before < 0.05);
+        const seen = open.filter(({ colour: [r, g] }) => r > 200 && g < 130);
+        // The ball's ring covers some.
+        assert.ok(seen.length > 0.97 * open.length, `${seen.length} of ${open.length}`);
+        assert.ok(ball && ball.warm > 60, `${ball?.warm} pixels of the handle`);
+      });
 
       test('is dashed and dimmer where the surface hides it', async () => {
         await begin(null);
