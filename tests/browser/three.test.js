@@ -259,6 +259,43 @@ for (const [title, name] of TESTED)
         assert.ok(differ < 60, `${differ} pixels differ`);
       });
 
+      test('instances stand where their matrices say, also turned ones', async () => {
+        // Places that 32 bits hold, as those of instances are.
+        const places = [
+          [0, 0, 0],
+          [524288, 4194304, 3145728],
+        ];
+        const pictures = [];
+        for (const middle of places) {
+          await hills(middle, 'instances');
+          pictures.push(
+            await page.evaluate(([a, b, c]) => {
+              const { THREE, scene, mesh, renderer, render } = /** @type {any} */ (window).view;
+              const instances = new THREE.InstancedMesh(mesh.geometry, mesh.material, 1);
+              const about = new THREE.Matrix4().makeTranslation(a, b, c);
+              const turned = about
+                .clone()
+                .multiply(new THREE.Matrix4().makeRotationZ(Math.PI / 2))
+                .multiply(about.clone().invert());
+              instances.setMatrixAt(0, turned);
+              scene.remove(mesh);
+              scene.add(instances);
+              render();
+              const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+              drawing?.drawImage(renderer.domElement, 0, 0);
+              scene.remove(instances);
+              instances.dispose();
+              return Array.from(drawing?.getImageData(0, 0, 640, 480).data ?? []);
+            }, middle),
+          );
+        }
+        const [here, there] = pictures;
+        const lit = here.filter((x, i) => Math.abs(x - here[i % 4]) > 24).length / 4;
+        const differ = here.filter((x, i) => Math.abs(x - there[i]) > 24).length / 4;
+        // Their places in space have steps of a quarter.
+        assert.ok(differ < 0.02 * lit, `${differ} pixels of ${lit} differ`);
+      });
+
       test('a handle stays under the pointer, and on the surface', async () => {
         await hills(AWAY, 'hills-away');
         const drag = async () => {
