@@ -5,6 +5,8 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { fitView } from '../../web/view/fit.js';
 import { sideOf } from '../../web/view/side.js';
 import { pointsWithin, rangesWithoutSpikes } from '../../web/view/spikes.js';
+import { turnByKeys } from '../../web/view/turn-keys.js';
+import { shareWheel } from '../../web/view/wheel.js';
 import { shareOfView } from './fit.js';
 
 const FIELD_OF_VIEW = 32;
@@ -47,6 +49,9 @@ export class Eye {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, rotateSpeed: 0.9 });
+    turnByKeys(canvas, this.controls);
+    // At 400 % the page is one column, which scrolls.
+    shareWheel(canvas, () => this.controls, { scrolls: () => document.documentElement.scrollHeight > innerHeight });
     this.controls.addEventListener('change', () => {
       onChange();
       this.#planned = null;

@@ -3,6 +3,7 @@
 import { HemisphereLight, NeutralToneMapping, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { Marker } from 'surfpath/three';
 import { addLights } from '../../web/view/light.js';
+import { watchPixels } from '../../web/view/pixels.js';
 import { CurveLines } from './curve-lines.js';
 import { Eye } from './eye.js';
 import { Strokes } from './strokes.js';
@@ -49,6 +50,7 @@ export class View {
     this.#compile();
     this.resize();
     new ResizeObserver(() => this.resize()).observe(element);
+    watchPixels(() => this.resize());
     // Phones take it from pages behind others; what it held is sent again with the next frame.
     canvas.addEventListener('webglcontextrestored', () => this.#compile());
   }

@@ -70,7 +70,11 @@ before(async () => {
     '<surface-path id="late"></surface-path><surface-path id="sweep" s="-pi,0" t="0,3" profile="cos(s);sin(s)" from="-3,0.2" to="-0.2,2.8"></surface-path>',
   );
   site = await serveSite({
-    ...{ page: pageOf(TORUS + HILL + spacer + far), empty: pageOf('') },
+    ...{
+      page: pageOf(TORUS + HILL + spacer + far),
+      empty: pageOf(''),
+      many: pageOf('<surface-path surface="vase"></surface-path>'.repeat(6)),
+    },
     late: late.replace(/<script type="module".*<\/script>/, ''),
   });
   browser = await openBrowser([], COARSE);
@@ -226,6 +230,38 @@ describe('attributes', () => {
   });
 });
 
+test('a complaint that is longer than its element is tall begins at the top, and can be scrolled', async () => {
+  const small = await browser.context.newPage();
+  await small.goto(`${site.address}/empty`);
+  await small.evaluate(() => {
+    const element = document.createElement('surface-path');
+    element.setAttribute('surface', 'nowhere');
+    element.style.width = '140px';
+    document.body.append(element);
+  });
+  await small.waitForFunction(() => document.querySelector('surface-path')?.shadowRoot?.textContent);
+  const place = await small.$eval('surface-path', (element) => {
+    const text = /** @type {Element} */ (element.shadowRoot?.querySelector('p'));
+    return {
+      above: text.getBoundingClientRect().top - element.getBoundingClientRect().top,
+      x: 40,
+      y: element.getBoundingClientRect().top + 50,
+    };
+  });
+  assert.ok(place.above >= 0, `${-place.above} pixels are cut off`);
+  await small.mouse.move(place.x, place.y);
+  await small.mouse.wheel(0, 1000);
+  await small.waitForFunction(() => {
+    const {
+      scrollTop = 0,
+      scrollHeight = 0,
+      clientHeight = 0,
+    } = document.querySelector('surface-path')?.shadowRoot?.querySelector('p') ?? {};
+    return scrollTop > 0 && scrollTop + clientHeight >= scrollHeight - 1;
+  });
+  await small.close();
+});
+
 test('a look that is wrong is said, and what is right again mends it', async () => {
   for (const [name, wrong, right] of [
     ['colour', 'blue', 'none'],
@@ -349,6 +385,21 @@ describe('with controls', () => {
     assert.notEqual((await lastEvent())[2], length);
     assert.equal(await page.locator('#hill').getByRole('button').count(), 0);
   });
+
+  test('the view is turned by keys, and comes nearer; the other element is no stop of the tabulator', async () => {
+    const picture = () => page.locator('#torus').screenshot();
+    const canvas = (/** @type {string} */ id) => page.locator(`#${id} canvas`);
+    await canvas('torus').focus();
+    for (const key of ['ArrowRight', 'ArrowDown', '+']) {
+      const before = await picture();
+      await page.keyboard.press(key);
+      await nextFrame(page);
+      const changed = await countDifferent(page, before, await picture());
+      assert.ok(changed > 300, `${key}: ${changed} pixels`);
+    }
+    for (const key of ['-', 'ArrowUp', 'ArrowLeft']) await page.keyboard.press(key);
+    assert.equal(await canvas('hill').getAttribute('tabindex'), null);
+  });
 });
 
 test('a parameter that changes moves what is there: no new shaders, no new surface, the same handles, the focus where it is', async () => {
@@ -389,10 +440,53 @@ test('it follows the theme of the reader and the colours of the page', async () 
     await page.screenshot({ path: `${SCREENSHOTS}element-${colorScheme}.png` });
     assert.ok((await warmth('torus')) > 60);
   }
-  await page.evaluate(() => document.documentElement.style.setProperty('--surfpath-line', '#0000ff'));
-  await page.waitForTimeout(50);
-  await nextFrame(page);
-  assert.equal(await warmth('torus'), 0);
+  const warm = [];
+  // Also in notations that three.js does not read.
+  for (const colour of ['#0000ff', 'color(srgb 1 0.25 0)', 'hsl(240 100% 50%)', 'color-mix(in srgb, #f40 95%, red)', '#0000ff']) {
+    await page.evaluate((line) => document.documentElement.style.setProperty('--surfpath-line', line), colour);
+    await page.waitForTimeout(50);
+    await nextFrame(page);
+    warm.push((await warmth('torus')) > 60);
+  }
+  assert.deepEqual(warm, [false, true, false, true, false]);
+});
+
+test('on a screen with finer pixels it is drawn with these', async () => {
+  const pixels = () =>
+    page.$eval('#torus', (element) => /** @type {HTMLCanvasElement} */ (element.shadowRoot?.querySelector('canvas'))?.width);
+  const session = await browser.context.newCDPSession(page);
+  const widths = [];
+  for (const deviceScaleFactor of [2, 1.5]) {
+    // Chromium tells of no other pixels where the window, too, stays the same.
+    const width = 1040 - 4 * deviceScaleFactor;
+    await session.send('Emulation.setDeviceMetricsOverride', { width, height: 640, deviceScaleFactor, mobile: false });
+    await nextFrame(page);
+    widths.push(await pixels());
+  }
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  await session.detach();
+  assert.deepEqual(widths, [800, 600]);
+});
+
+test('many on a page take turns: between two of them the browser is at hand', async () => {
+  const many = await browser.context.newPage();
+  await many.addInitScript(() => {
+    const { port1, port2 } = new MessageChannel();
+    let tasks = 0;
+    port1.onmessage = () => {
+      tasks++;
+      if (/** @type {any} */ (window).seen.events.length < 6) port2.postMessage(null);
+    };
+    port2.postMessage(null);
+    /** @type {number[]} */ const turns = [];
+    addEventListener('path', () => turns.push(tasks), true);
+    Object.assign(window, { turns });
+  });
+  await many.goto(`${site.address}/many`);
+  await many.waitForFunction(() => /** @type {any} */ (window).seen.events.length === 6);
+  const turns = /** @type {number[]} */ (await many.evaluate(() => /** @type {any} */ (window).turns));
+  assert.equal(new Set(turns).size, 6, `in tasks ${turns}`);
+  await many.close();
 });
 
 test('removed elements leave nothing behind: no context, no element', async () => {

@@ -429,6 +429,33 @@ test('plots are measured on the path that is seen', async () => {
   await page.click('#plots-card summary');
 });
 
+test('by keys the view is turned, and comes nearer', async () => {
+  /** From what is looked at to the camera: the angle around the axis, above the ground, and the distance. */
+  const place = () =>
+    page.evaluate(() => {
+      const { camera, controls } = /** @type {any} */ (window).surfpathView;
+      const { x, y, z } = camera.position.clone().sub(controls.target);
+      return [Math.atan2(y, x), Math.atan2(z, Math.hypot(x, y)), Math.hypot(x, y, z)];
+    });
+  await page.focus('#canvas');
+  for (const [k, key, sign] of /** @type {const} */ ([
+    [0, 'ArrowRight', -1],
+    [0, 'ArrowLeft', 1],
+    [1, 'ArrowDown', 1],
+    [1, 'ArrowUp', -1],
+    [2, '+', -1],
+    [2, '-', 1],
+  ])) {
+    const before = (await place())[k];
+    await page.keyboard.press(key);
+    // It comes to rest softly.
+    for (let last = ''; last !== String(await place()); await page.waitForTimeout(200)) last = String(await place());
+    const change = (await place())[k] - before;
+    assert.ok(sign * change > 0.05, `${key}: ${change}`);
+  }
+  await page.click('#reframe');
+});
+
 test('nothing is drawn when nothing moves', async () => {
   await page.waitForTimeout(500);
   const frames = await page.evaluate(async () => {

@@ -17,7 +17,11 @@ const [R, A] = [4, 1.5];
 
 before(async () => {
   await mkdir(SCREENSHOTS, { recursive: true });
-  site = await serveSite(Object.fromEntries(TESTED.map(([, name]) => [name, scenePage(name)])));
+  const pages = TESTED.flatMap(([, name]) => [
+    [name, scenePage(name)],
+    [`${name}-logarithmic`, scenePage(name, ', logarithmicDepthBuffer: true')],
+  ]);
+  site = await serveSite(Object.fromEntries(pages));
 });
 after(() => site?.close());
 
@@ -143,6 +147,25 @@ for (const [title, name] of TESTED)
           await page.locator('#frame').screenshot({ path: `${SCREENSHOTS}three-line-${eye[0]}-${name}.png` });
         });
 
+      test('is seen also where depths are logarithms, and so is a handle', async () => {
+        const usual = page;
+        ({ page } = await openPage(browser.context, `${site.address}/${name}-logarithmic`));
+        await page.waitForFunction(() => /** @type {any} */ (window).view);
+        await begin([0.3, 0.4]);
+        const places = await along([8, -12, 8], { colour: '#ff0000' });
+        const { screen } = await where();
+        const frame = await page.locator('#frame').boundingBox();
+        const clip = { x: screen.x - 8, y: screen.y - 8, width: 16, height: 16 };
+        const ball = frame && (await measurePicture(page, await page.screenshot({ clip })));
+        await page.close();
+        page = usual;
+        const open = places.filter(({ facing, before }) => facing > 0.26 && before < 0.05);
+        const seen = open.filter(({ colour: [r, g] }) => r > 200 && g < 130);
+        // The ball's ring covers some.
+        assert.ok(seen.length > 0.97 * open.length, `${seen.length} of ${open.length}`);
+        assert.ok(ball && ball.warm > 60, `${ball?.warm} pixels of the handle`);
+      });
+
       test('is dashed and dimmer where the surface hides it', async () => {
         await begin(null);
         const places = await along([8, -12, 8], { colour: '#ff0000' });
@@ -234,6 +257,43 @@ for (const [title, name] of TESTED)
         const differ = here.filter((x, i) => Math.abs(x - there[i]) > 24).length / 4;
         // Pixels of edges, where a hair decides.
         assert.ok(differ < 60, `${differ} pixels differ`);
+      });
+
+      test('instances stand where their matrices say, also turned ones', async () => {
+        // Places that 32 bits hold, as those of instances are.
+        const places = [
+          [0, 0, 0],
+          [524288, 4194304, 3145728],
+        ];
+        const pictures = [];
+        for (const middle of places) {
+          await hills(middle, 'instances');
+          pictures.push(
+            await page.evaluate(([a, b, c]) => {
+              const { THREE, scene, mesh, renderer, render } = /** @type {any} */ (window).view;
+              const instances = new THREE.InstancedMesh(mesh.geometry, mesh.material, 1);
+              const about = new THREE.Matrix4().makeTranslation(a, b, c);
+              const turned = about
+                .clone()
+                .multiply(new THREE.Matrix4().makeRotationZ(Math.PI / 2))
+                .multiply(about.clone().invert());
+              instances.setMatrixAt(0, turned);
+              scene.remove(mesh);
+              scene.add(instances);
+              render();
+              const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+              drawing?.drawImage(renderer.domElement, 0, 0);
+              scene.remove(instances);
+              instances.dispose();
+              return Array.from(drawing?.getImageData(0, 0, 640, 480).data ?? []);
+            }, middle),
+          );
+        }
+        const [here, there] = pictures;
+        const lit = here.filter((x, i) => Math.abs(x - here[i % 4]) > 24).length / 4;
+        const differ = here.filter((x, i) => Math.abs(x - there[i]) > 24).length / 4;
+        // Their places in space have steps of a quarter.
+        assert.ok(differ < 0.02 * lit, `${differ} pixels of ${lit} differ`);
       });
 
       test('a handle stays under the pointer, and on the surface', async () => {

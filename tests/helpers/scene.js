@@ -5,9 +5,9 @@ export const RELEASES = { 'latest release': 'three', 'the release before': 'thre
 
 /**
  * A page with a canvas of 640 × 480, a camera at (6, -9, 6) that looks at the origin, light, controls, and `view` for all of it.
- * @param {string} three folder in node_modules
+ * @param {string} three folder in node_modules @param {string} [more] parameters of the renderer
  */
-export const scenePage = (three) => `<!doctype html>
+export const scenePage = (three, more = '') => `<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>Scene</title>
 <body><main><div id="frame"><canvas id="canvas" width="640" height="480"></canvas></div></main>
 <script type="importmap">{ "imports": {
@@ -21,7 +21,7 @@ export const scenePage = (three) => `<!doctype html>
   import * as draw from 'surfpath/three';
   const canvas = document.getElementById('canvas');
   Object.assign(canvas.parentElement.style, { position: 'relative', width: '640px' });
-  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true${more} });
   const camera = new THREE.PerspectiveCamera(32, 4 / 3, 1, 60);
   camera.up.set(0, 0, 1);
   camera.position.set(8, -12, 8);

@@ -13,12 +13,13 @@ import {
   SURFACE_ATTRIBUTES,
 } from './element/attributes.js';
 import { adopt, reflect, TypedElement } from './element/base.js';
+import { Caption } from './element/caption.js';
 import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
 import { Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
+import { turn } from './element/turn.js';
 import { watch } from './element/watch.js';
-import { describePath, describeProblem } from './element/words.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../surface.js').Surface} Surface */
@@ -35,14 +36,13 @@ const [LOOK, PATH, SURFACE] = [1, 2, 3];
 export class SurfacePathElement extends TypedElement {
   static observedAttributes = [...SURFACE_ATTRIBUTES, ...PATH_ATTRIBUTES, ...LOOK_ATTRIBUTES];
   #canvas = document.createElement('canvas');
-  #words = document.createElement('p');
+  #caption = new Caption(this.#canvas);
   /** @type {Stage | null} */ #stage = null;
   /** @type {AnyDefinition | null} */ #given = null;
   /** @type {Surface | null} */ #surface = null;
   /** @type {Path | null} */ #path = null;
   /** @type {number[][]} */ #ends = [];
   /** The ends that were asked for: they may have been dragged since. @type {number[][]} */ #asked = [];
-  #title = 'Surface';
   /** The definition of the surface, but for the values of its parameters: where only these change, it is not compiled anew. */
   #built = '';
   /** What is looked at: where it stays the same, so does the view. */
@@ -62,11 +62,8 @@ export class SurfacePathElement extends TypedElement {
     super();
     const root = this.attachShadow({ mode: 'open' });
     adoptStyle(root);
-    this.#canvas.setAttribute('role', 'img');
     this.#canvas.setAttribute('part', 'canvas');
-    this.#words.setAttribute('part', 'length');
-    this.#words.setAttribute('role', 'status');
-    root.append(this.#canvas, this.#words);
+    root.append(this.#canvas, this.#caption.element);
   }
 
   /** The path that was computed last; null before, and after an error. @returns {Path | null} */
@@ -126,9 +123,9 @@ export class SurfacePathElement extends TypedElement {
     adopt(this);
     watch(this, this.#connection.signal, {
       print: () => this.#print(),
-      see: (isVisible) => this.#see(isVisible),
+      see: (isVisible) => turn().then(() => this.#see(isVisible)),
       resize: () => this.#stage?.resize(this.clientWidth, this.clientHeight),
-      repaint: () => this.#stage?.setTheme(readTheme(this)),
+      repaint: () => this.#stage?.setTheme(readTheme(this.#canvas)),
     });
     this.#renew(SURFACE);
   }
@@ -168,6 +165,7 @@ export class SurfacePathElement extends TypedElement {
     let what = this.#stale;
     try {
       const surfpath = await getSolver();
+      await turn();
       this.#isQueued = false;
       if (!this.#connection) return;
       what = this.#stale;
@@ -213,7 +211,7 @@ export class SurfacePathElement extends TypedElement {
     this.#surface = surface;
     if (built !== this.#built) this.#asked = [];
     this.#built = built;
-    this.#title = definition.title ?? 'Surface';
+    this.#caption.title = definition.title ?? 'Surface';
   }
 
   /** @param {Path | null} [start] an earlier path, while an end is dragged */
@@ -225,7 +223,7 @@ export class SurfacePathElement extends TypedElement {
       const [from, to] = this.#ends;
       this.#path = this.#surface.shortestPath(from, to, start && !options.via ? { ...options, start } : options);
     }
-    this.#tell();
+    this.#caption.tell(this.#path);
     if (this.#path) this.dispatchEvent(new CustomEvent('path', { detail: this.#path }));
   }
 
@@ -239,6 +237,7 @@ export class SurfacePathElement extends TypedElement {
 
   /** @param {boolean} isVisible on screen */
   #see(isVisible) {
+    if (!this.#connection) return;
     this.#isVisible = isVisible;
     this.#stage?.setVisible(isVisible);
     this.#show();
@@ -250,7 +249,7 @@ export class SurfacePathElement extends TypedElement {
     this.#isUndrawn = false;
     try {
       this.#draw(this.#surface);
-      if (this.#isUndrawable) this.#tell();
+      if (this.#isUndrawable) this.#caption.tell(this.#path);
       this.#isUndrawable = false;
     } catch (error) {
       this.#isUndrawable = true;
@@ -276,7 +275,7 @@ export class SurfacePathElement extends TypedElement {
 
   #openStage() {
     const stage = new Stage(this.#canvas);
-    stage.setTheme(readTheme(this));
+    stage.setTheme(readTheme(this.#canvas));
     stage.resize(this.clientWidth, this.clientHeight);
     stage.setVisible(this.#isVisible);
     this.#stage = stage;
@@ -294,21 +293,10 @@ export class SurfacePathElement extends TypedElement {
     }
   }
 
-  /** In place of any complaint. */
-  #tell() {
-    this.#say(this.#path ? describePath(this.#path) : '');
-  }
-
-  /** @param {string} words */
-  #say(words) {
-    if (words !== this.#words.textContent) this.#words.textContent = words;
-    this.#canvas.setAttribute('aria-label', words ? `${this.#title}. ${words}` : this.#title);
-  }
-
   /** @param {unknown} error */
   #complain(error) {
     const detail = error instanceof Error ? error : new Error(String(error));
-    this.#say(describeProblem(detail, this.#path));
+    this.#caption.complain(detail, this.#path);
     this.dispatchEvent(new CustomEvent('error', { detail }));
   }
 }

@@ -73,7 +73,10 @@ export class FarGeometry extends BufferGeometry {
   }
 }
 
-/** GLSL in place of `#include <project_vertex>`. What else is computed of a vertex, shadows say, may be coarse. */
+/**
+ * GLSL in place of `#include <project_vertex>`. What else is computed of a vertex, shadows say, may be coarse. An instance is turned about the origin of space,
+ * not that of the offsets, which the turn moves, too: by nothing where it is only shifted.
+ */
 export const PROJECT = /* glsl */ `
 #ifdef FAR
   vec3 coarse = transformed;
@@ -82,6 +85,10 @@ export const PROJECT = /* glsl */ `
 #include <project_vertex>
 #ifdef FAR
   transformed = coarse;
+  #ifdef USE_INSTANCING
+  mvPosition.xyz += mat3(modelViewMatrix) * (mat3(instanceMatrix) - mat3(1.0)) * (coarse - offset);
+  gl_Position = projectionMatrix * mvPosition;
+  #endif
 #endif`;
 
 const shift = new Matrix4();

@@ -18,3 +18,10 @@ vec4 lifted(vec4 clip, float depth, float lift, float height) {
   clip.z = near.z / near.w * clip.w;
   return clip;
 }`;
+
+/** GLSL, after `gl_Position` was lifted: a depth by logarithms is made of another number, which is lifted as far. */
+export const LOG_LIFT = /* glsl */ `
+#include <logdepthbuf_vertex>
+#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+vFragDepth -= 2.0 * lift * gl_Position.w / (projectionMatrix[1][1] * resolution.y);
+#endif`;

@@ -5,7 +5,7 @@ import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { checkOptions, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
-import { LIFT, liftOf } from './lift.js';
+import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
 import { HALO, PATH } from './colours.js';
 import { originOf } from './origin.js';
@@ -43,7 +43,8 @@ class Pass extends Line2 {
       shader.uniforms.lift = lift;
       shader.vertexShader = shader.vertexShader
         .replace('void main()', `uniform float lift;\n${LIFT}\nvoid main()`)
-        .replace('gl_Position = clip;', 'gl_Position = lifted(clip, (position.y < 0.5 ? start : end).z, lift, resolution.y);');
+        .replace('gl_Position = clip;', 'gl_Position = lifted(clip, (position.y < 0.5 ? start : end).z, lift, resolution.y);')
+        .replace('#include <logdepthbuf_vertex>', LOG_LIFT);
     };
     super(buffers, material);
   }

@@ -1,7 +1,7 @@
 /** A point on a surface as it is drawn: a small ball in a ring, of constant size on the screen; where the surface hides it, dimmer and without the ring. */
 
 import { Color, GreaterDepth, Group, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
-import { LIFT, liftOf } from './lift.js';
+import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { HALO, PATH } from './colours.js';
 
 const VERTEX = /* glsl */ `
@@ -9,6 +9,8 @@ uniform vec2 resolution;
 uniform float reach;
 uniform float lift;
 varying vec2 place;
+#include <common>
+#include <logdepthbuf_pars_vertex>
 ${LIFT}
 void main() {
   vec4 eye = modelViewMatrix * vec4(0.0, 0.0, 0.0, 1.0);
@@ -16,6 +18,7 @@ void main() {
   vec4 clip = lifted(projectionMatrix * eye, eye.z, lift, resolution.y);
   clip.xy += 2.0 * place / resolution * clip.w;
   gl_Position = clip;
+  ${LOG_LIFT}
 }`;
 
 const FRAGMENT = /* glsl */ `
@@ -25,6 +28,7 @@ uniform float radius;
 uniform float ringWidth;
 uniform float opacity;
 varying vec2 place;
+#include <logdepthbuf_pars_fragment>
 void main() {
   float away = length(place);
   float soft = fwidth(away);
@@ -33,6 +37,7 @@ void main() {
   float height = sqrt(max(1.0 - away * away / (radius * radius), 0.0));
   float light = 0.82 + 0.3 * clamp(dot(vec3(place / radius, height), vec3(-0.41, 0.58, 0.7)), 0.0, 1.0);
   gl_FragColor = vec4(mix(ring, min(fill * light, vec3(1.0)), ball), opacity * disc);
+  #include <logdepthbuf_fragment>
   #include <colorspace_fragment>
 }`;
 

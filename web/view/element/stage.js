@@ -7,6 +7,8 @@ import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
 import { addLights } from '../light.js';
 import { sideOf } from '../side.js';
+import { turnByKeys } from '../turn-keys.js';
+import { shareWheel } from '../wheel.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */
@@ -25,6 +27,7 @@ export class Stage {
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 100);
   /** @type {OrbitControls | null} */ #controls = null;
+  #keys = new AbortController();
   #mesh = new Mesh();
   /** Materials that hold the shaders until the next ones, drawn with them, hold them too. @type {import('three').Material[]} */ #outgoing =
     [];
@@ -47,30 +50,10 @@ export class Stage {
   constructor(canvas) {
     acquireRenderer(this.#redraw);
     this.#canvas = canvas;
-    this.#listen();
+    shareWheel(canvas, () => this.#controls, { signal: this.#listening.signal });
     this.#camera.up.set(0, 0, 1);
     addLights(this.#scene, this.#camera, new HemisphereLight('#ffffff', '#b9b2a6'));
     this.#scene.add(this.#camera, this.#line);
-  }
-
-  /** The wheel scrolls the page, unless the view was pressed since the pointer came, or with Ctrl: so nobody is held on the way past it. */
-  #listen() {
-    const { signal } = this.#listening;
-    let isPressed = false;
-    const press = () => {
-      isPressed = true;
-      // Two fingers pinch.
-      if (this.#controls) this.#controls.enableZoom = true;
-    };
-    const leave = () => {
-      isPressed = false;
-    };
-    const weigh = (/** @type {WheelEvent} */ event) => {
-      if (this.#controls) this.#controls.enableZoom = isPressed || event.ctrlKey || event.metaKey;
-    };
-    this.#canvas.addEventListener('pointerdown', press, { signal, capture: true });
-    this.#canvas.addEventListener('pointerleave', leave, { signal });
-    this.#canvas.addEventListener('wheel', weigh, { signal, capture: true });
   }
 
   /** Whether there is a surface to look at. */
@@ -165,15 +148,28 @@ export class Stage {
   /** @param {boolean} on */
   #switchControls(on) {
     if (on === (this.#controls !== null)) return;
-    this.#controls?.dispose();
-    this.#controls = on ? new OrbitControls(this.#camera, this.#canvas) : null;
+    this.#dropControls();
+    if (on) this.#makeControls();
+    this.#isFitted = false;
+  }
+
+  #makeControls() {
+    const controls = new OrbitControls(this.#camera, this.#canvas);
     // The page scrolls on under a finger that moves up or down.
-    if (on) this.#canvas.style.touchAction = 'pan-y';
-    this.#controls?.addEventListener('change', () => this.invalidate());
-    this.#controls?.addEventListener('start', () => {
+    this.#canvas.style.touchAction = 'pan-y';
+    controls.addEventListener('change', () => this.invalidate());
+    controls.addEventListener('start', () => {
       this.#isTurned = true;
     });
-    this.#isFitted = false;
+    this.#keys = new AbortController();
+    turnByKeys(this.#canvas, controls, this.#keys.signal);
+    this.#controls = controls;
+  }
+
+  #dropControls() {
+    this.#keys.abort();
+    this.#controls?.dispose();
+    this.#controls = null;
   }
 
   /** @param {Theme} theme */
@@ -246,7 +242,7 @@ export class Stage {
     this.#listening.abort();
     this.#player.dispose();
     this.#dropEnds();
-    this.#controls?.dispose();
+    this.#dropControls();
     this.#line.dispose();
     this.#mesh.geometry.dispose();
     for (const material of [this.#mesh.material, ...this.#outgoing]) /** @type {import('three').Material} */ (material).dispose();

@@ -20,27 +20,42 @@ const CSS = /* css */ `
   background: var(--paper);
   color: var(--ink);
   font: 14px/1.4 system-ui, sans-serif;
-  /* That one has ended tells that a page has changed a colour. */
-  transition: --surface 1ms, --line 1ms, --start 1ms, --halo 1ms;
-  transition-behavior: allow-discrete;
 }
 :host([hidden]) { display: none; }
-canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
+canvas {
+  position: absolute;
+  inset: 0;
+  width: 100%;
+  height: 100%;
+  /* A border that is not there: of it the browser says what colours those are, whatever a page calls them. */
+  border: 0 solid;
+  border-color: var(--surface) var(--line) var(--start) var(--halo);
+  forced-color-adjust: none;
+  /* That it has ended tells that a page has changed a colour. */
+  transition: border-color 1ms;
+}
+canvas:focus-visible { outline: 2px solid var(--line); outline-offset: -2px; border-radius: inherit; }
 p {
   box-sizing: border-box;
   position: absolute;
   left: 12px;
   bottom: 10px;
   max-width: calc(100% - 24px);
+  max-height: calc(100% - 20px);
+  overflow: auto;
   margin: 0;
   padding: 1px 8px;
   border-radius: 6px;
   background: color-mix(in srgb, var(--halo) 78%, transparent);
   font-variant-numeric: tabular-nums;
+  overflow-wrap: anywhere;
   pointer-events: none;
 }
+/* A long one is scrolled in a small element. */
+p[data-problem] { pointer-events: auto; }
 p:empty { display: none; }
-@media (prefers-color-scheme: dark) {
+/* Paper is white. */
+@media screen and (prefers-color-scheme: dark) {
   :host {
     --surface: var(--surfpath-surface, #99a4ae);
     --line: var(--surfpath-line, #ff7a45);
@@ -63,11 +78,21 @@ export function adoptStyle(root) {
   root.adoptedStyleSheets = [sheet];
 }
 
-/** @typedef {Record<'surface' | 'line' | 'start' | 'halo', string>} Theme colours */
+/** @typedef {Record<'surface' | 'line' | 'start' | 'halo', string>} Theme colours, as three.js reads them */
 
-/** @param {Element} element @returns {Theme} */
-export function readTheme(element) {
-  const style = getComputedStyle(element);
-  const colour = (/** @type {string} */ name) => style.getPropertyValue(`--${name}`).trim();
-  return { surface: colour('surface'), line: colour('line'), start: colour('start'), halo: colour('halo') };
+/** @param {HTMLCanvasElement} canvas in a root that has adopted the style @returns {Theme} */
+export function readTheme(canvas) {
+  const { borderTopColor, borderRightColor, borderBottomColor, borderLeftColor } = getComputedStyle(canvas);
+  const [surface, line, start, halo] = [borderTopColor, borderRightColor, borderBottomColor, borderLeftColor].map(toBytes);
+  return { surface, line, start, halo };
+}
+
+/** Browsers answer in bytes what was asked for in bytes; three.js knows nothing else. @param {string} colour as computed: rgb(…), or oklch(…), color(…) and their like */
+function toBytes(colour) {
+  const context = colour.startsWith('rgb') ? null : new OffscreenCanvas(1, 1).getContext('2d');
+  if (!context) return colour;
+  context.fillStyle = colour;
+  context.fillRect(0, 0, 1, 1);
+  const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+  return `rgb(${red}, ${green}, ${blue})`;
 }

@@ -1,5 +1,7 @@
 /** What happens to an element from outside: it comes on screen, it is resized or printed, the reader's colours or the page's change. */
 
+import { watchPixels } from '../pixels.js';
+
 /**
  * Calls back until the signal is aborted, the first time soon.
  * @param {HTMLElement} element @param {AbortSignal} signal
@@ -11,7 +13,9 @@ export function watch(element, signal, { see, resize, repaint, print }) {
     observer.observe(element);
     signal.addEventListener('abort', () => observer.disconnect());
   }
+  watchPixels(resize, signal);
   addEventListener('beforeprint', print, { signal });
-  element.addEventListener('transitionend', repaint, { signal });
+  // It does not leave the shadow tree.
+  element.shadowRoot?.addEventListener('transitionend', repaint, { signal });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal });
 }
