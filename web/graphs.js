@@ -25,12 +25,14 @@ export class Graphs {
     null;
   /** The branch points of a parametric surface, once they are known. @type {import('./branches.js').Branch[] | null} */ branches = null;
   #kind;
+  #isCreased;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
 
-  /** @param {number} kind 0: parametric, 1: implicit */
-  constructor(kind) {
+  /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
+  constructor(kind, isCreased) {
     this.#kind = kind;
+    this.#isCreased = isCreased;
   }
 
   /**
@@ -42,7 +44,7 @@ export class Graphs {
     const resolutions = RESOLUTION[this.#kind];
     const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
     if (!box || !resolution) return null;
-    const loose = !resolutions[level + 1];
+    const loose = this.#isCreased || !resolutions[level + 1];
     const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     return usable(graph);
@@ -63,7 +65,7 @@ export class Graphs {
       box: from.flatMap((x, j) => [x, to[j]]),
       cell,
       resolution: 0,
-      loose: level > 1,
+      loose: this.#isCreased || level > 1,
       reach: length && length * LONGER + BESIDE * cell,
     });
     return usable(this.#flood);

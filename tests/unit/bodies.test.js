@@ -1,0 +1,87 @@
+// Bodies of formulas joined by max, min and abs: edges sharper than right angles, ways over edges where others lead around. What is exact is known by unfolding.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+/** @typedef {[number, number]} Range */
+
+const surfpath = await load();
+/** A cube around the origin. @param {number} half @returns {[Range, Range, Range]} */
+const cube = (half) => [
+  [-half, half],
+  [-half, half],
+  [-half, half],
+];
+/** Two tolerances of 1e-9, relative. */
+const RIGHT = 2e-9;
+
+/** The least of a function, by thousands of values and then parabolas: right to rounding, as it is flat there. @param {(t: number) => number} of @param {number} from @param {number} to */
+function least(of, from, to) {
+  let [at, step] = [from, (to - from) / 4000];
+  for (let t = from; t <= to; t += step) if (of(t) < of(at)) at = t;
+  for (let round = 0; round < 60; round++, step *= 0.7) {
+    const [before, here, after] = [of(at - step), of(at), of(at + step)];
+    const bend = before - 2 * here + after;
+    if (bend > 0) at += Math.max(-1, Math.min(1, (0.5 * (before - after)) / bend)) * step;
+  }
+  return of(at);
+}
+
+for (const slope of [0.3, 1, 2.5])
+  test(`a cylinder cut by a plane of slope ${slope}, edges of ${Math.round((Math.atan(1 / slope) * 180) / Math.PI)} degrees and more: over the edge as unfolded, seed 11`, () => {
+    const f = `max(hypot(x, y) - 1, z - ${slope}x, -z - 5)`;
+    const cut = surfpath.implicit({
+      f,
+      bounds: [
+        [-1.2, 1.2],
+        [-1.2, 1.2],
+        [-5.2, slope + 0.2],
+      ],
+    });
+    const random = createRandom(11);
+    for (let i = 0; i < 4; i++) {
+      const [radius, turn, angle, down] = [
+        random.between(0.3, 0.95),
+        random.between(-1, 1),
+        random.between(-1, 1),
+        random.between(0.2, 0.8),
+      ];
+      const [x, y] = [radius * Math.cos(turn), radius * Math.sin(turn)];
+      const top = [x, y, slope * x];
+      const side = [Math.cos(angle), Math.sin(angle), slope * Math.cos(angle) - down];
+      const over = (/** @type {number} */ t) =>
+        Math.hypot(Math.cos(t) - x, Math.sin(t) - y, slope * (Math.cos(t) - x)) + Math.hypot(t - angle, slope * Math.cos(t) - side[2]);
+      const exact = least(over, -Math.PI, Math.PI);
+      const path = cut.shortestPath(top, side);
+      assert.equal(path.status, 'converged', `${top} to ${side}`);
+      assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${top} to ${side}: ${path.length}, exact ${exact}`);
+    }
+    cut.dispose();
+  });
+
+test('on a nut paths lead over its right edges and round its hole, not around its blunt ones', () => {
+  const [high, hole] = [0.4, 0.5];
+  const f = `max(abs(x) - 1, abs(x)/2 + abs(y)*sqrt(3)/2 - 1, abs(z) - ${high}, ${hole} - hypot(x, y))`;
+  const nut = surfpath.implicit({ f, bounds: cube(1.3) });
+  /* From side to side over the top, all in one plane: tangents to the hole, and along it. */
+  for (const [from, to] of [
+    [
+      [1, 0.05, 0],
+      [-1, 0.1, 0.02],
+    ],
+    [
+      [1, 0.3, -0.02],
+      [-1, 0.1, 0.1],
+    ],
+  ]) {
+    const flat = [from, to].map(([x, y, z]) => [Math.sign(x) * (1 + high - z), y]);
+    const round = flat.map((end) => Math.acos(hole / Math.hypot(...end)));
+    const turn = Math.abs(Math.atan2(flat[0][1], flat[0][0]) - Math.atan2(flat[1][1], flat[1][0]));
+    const exact = flat.reduce((sum, end) => sum + Math.sqrt(end[0] ** 2 + end[1] ** 2 - hole ** 2), hole * (turn - round[0] - round[1]));
+    const path = nut.shortestPath(from, to);
+    assert.equal(path.status, 'converged');
+    assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+  }
+  nut.dispose();
+});
