@@ -1,4 +1,4 @@
-// Bodies of formulas joined by max, min and abs: edges sharper than right angles, ways over edges where others lead around. What is exact is known by unfolding.
+// Bodies of formulas joined by max, min and abs: edges sharper than right angles, ways over edges where others lead around, many facets. What is exact is known by unfolding.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../web/index.js';
@@ -84,4 +84,39 @@ test('on a nut paths lead over its right edges and round its hole, not around it
     assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
   }
   nut.dispose();
+});
+
+/** Each facet of an icosahedron of the insphere's radius 1, and the one opposite. */
+const ICOSAHEDRON = ['abs(x + y + z)', 'abs(x - y + z)', 'abs(x + y - z)', 'abs(y + z - x)'].concat(
+  ['y z', 'z x', 'x y'].flatMap((pair) => {
+    const [a, b] = pair.split(' ');
+    return [`abs(${a}/g + g*${b})`, `abs(${a}/g - g*${b})`];
+  }),
+);
+
+test('twenty facets: paths converge, and do not depend on what was asked before', () => {
+  const definition = {
+    f: `max(${ICOSAHEDRON.join(', ')}) - sqrt(3)`,
+    bounds: cube(1.4),
+    parameters: { g: (1 + Math.sqrt(5)) / 2 },
+  };
+  const ends = [
+    [
+      [0.9, 0.3, 0.5],
+      [-0.7, 0.4, -0.9],
+    ],
+    [
+      [0.3, -0.9, 0.4],
+      [-0.2, 0.9, 0.5],
+    ],
+  ];
+  const body = surfpath.implicit(definition);
+  const paths = ends.map(([from, to]) => body.shortestPath(from, to));
+  for (const [i, [from, to]] of ends.entries()) {
+    const fresh = surfpath.implicit(definition);
+    assert.equal(paths[i].status, 'converged');
+    assert.deepEqual(fresh.shortestPath(from, to).points, paths[i].points);
+    fresh.dispose();
+  }
+  body.dispose();
 });
