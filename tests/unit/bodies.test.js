@@ -120,3 +120,14 @@ test('twenty facets: paths converge, and do not depend on what was asked before'
   }
   body.dispose();
 });
+
+test('a path does not jump from one side of a wall to the other where it crosses a rim', () => {
+  const f = 'max(hypot(x, y, z) - 3, abs(sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)) - 0.3)';
+  const shell = surfpath.implicit({ f, bounds: cube(3.2) });
+  const { status, length, points } = shell.shortestPath([-0.16, 1.232, 2.561], [-1.4, 1.47, -0.97], { points: 400 });
+  let chords = 0;
+  for (let i = 3; i < points.length; i += 3) chords += Math.hypot(...[0, 1, 2].map((j) => points[i + j] - points[i + j - 3]));
+  assert.equal(status, 'converged');
+  assert.ok(chords <= length && chords > 0.9999 * length, `${chords} in chords, ${length}`);
+  shell.dispose();
+});
