@@ -1,12 +1,13 @@
 /* The graph of an implicit surface: centres of cells in which f changes sign, moved onto f = 0; what lies within two cells on the same
  * sheet is joined. */
 #include "chart.h"
+#include "chord.h"
 #include "graph_cells.h"
 #include "scalar.h"
 #include <string.h>
 
 /* Vertices are joined whose cells are so many apart, at most, in each direction. */
-enum { REACH = 2 };
+enum { REACH = 2, ANYHOW = 1 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
@@ -15,6 +16,9 @@ static const double WITHIN = 1 + 1e-9;
 
 /* Cells that share a face, but not a sheet, are joined: as far apart as they are over a crease, but at most so many times their chord. */
 static const double LOOSE = 2;
+
+/* On a surface with creases no chord's middle is farther from it than this part of the chord. */
+static const double FARTHEST_MIDDLE = 0.2;
 
 /* Around a rim so many chords are halved at most; it is no longer than so many times the first. */
 enum { HALVINGS = 16 };
@@ -146,6 +150,16 @@ static double stretch_over_crease(const double from[3], const double normal[3], 
     return longer < LOOSE * LOOSE - 1 ? root(1 + longer) : LOOSE;
 }
 
+/* Whether the middle of a chord is far from f = 0 beside its length: where bodies are joined, what is between may be one of them. */
+static int leaves_surface(const struct sp_surface *surface, const double from[3], const double to[3]) {
+    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        middle[j] = sp_splat(0.5 * (from[j] + to[j]));
+    surface->value(1, middle, seen);
+    double gradient[3] = {seen[1][0], seen[2][0], seen[3][0]};
+    return !(absolute(seen[0][0]) <= FARTHEST_MIDDLE * distance_between(from, to) * norm(gradient));
+}
+
 /* How far it is from one vertex to a later one near it; infinite where they are not to be joined. Folds: whether that leads over a crease.
  */
 static double length_between(const struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3], int *folds) {
@@ -156,10 +170,12 @@ static double length_between(const struct sp_cells *cells, int32_t vertex, int32
     double other[3];
     read_vertex(graph, to, other);
     double length = sp_graph_sheet_length(surface, here, normal, there, other);
+    if (is_finite(length) && options->loose > ANYHOW && leaves_surface(surface, here, there)) length = __builtin_inf();
     if (is_finite(length) || !passes(cells->list + vertex, cells->list + to)) return length;
     /* Within bounds that gained nothing: MATH.md, "Disconnected". */
     if (options->cell > 0) length = length_around(graph, surface, vertex, to);
-    *folds = options->loose && !is_finite(length);
+    *folds = !is_finite(length) && options->loose &&
+             (options->loose == ANYHOW || sp_chord_spans_crease(surface, here, normal, there, other, graph->spacing));
     return *folds ? stretch_over_crease(here, normal, there, other) * sp_graph_chord(surface, here, there, NULL) : length;
 }
 

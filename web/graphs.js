@@ -19,20 +19,22 @@ const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
+/** Which cells that share a face are joined though their sheets part: none, all, or those with a crease between them. As in wasm/graph.h. */
+const [STRICT, ANYHOW, OVER_CREASES] = [0, 1, 2];
 
 export class Graphs {
   /** What nodes there are, and what hangs together without them, once that is known. @type {ReturnType<typeof import('./nodes.js').findNet> | null} */ net =
     null;
   /** The branch points of a parametric surface, once they are known. @type {import('./branches.js').Branch[] | null} */ branches = null;
   #kind;
-  #isCreased;
+  /** How cells on both sides of a crease are joined. */ #creases;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
 
   /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
   constructor(kind, isCreased) {
     this.#kind = kind;
-    this.#isCreased = isCreased;
+    this.#creases = isCreased ? OVER_CREASES : STRICT;
   }
 
   /**
@@ -44,7 +46,7 @@ export class Graphs {
     const resolutions = RESOLUTION[this.#kind];
     const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
     if (!box || !resolution) return null;
-    const loose = this.#isCreased || !resolutions[level + 1];
+    const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
     const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     return usable(graph);
@@ -65,7 +67,7 @@ export class Graphs {
       box: from.flatMap((x, j) => [x, to[j]]),
       cell,
       resolution: 0,
-      loose: this.#isCreased || level > 1,
+      loose: level > 1 ? ANYHOW : this.#creases,
       reach: length && length * LONGER + BESIDE * cell,
     });
     return usable(this.#flood);

@@ -131,3 +131,23 @@ test('a path does not jump from one side of a wall to the other where it crosses
   assert.ok(chords <= length && chords > 0.9999 * length, `${chords} in chords, ${length}`);
   shell.dispose();
 });
+
+test('a mug: paths from inside to outside lead over its rim, not through the wall where its handle meets it', () => {
+  const cup = 'max(hypot(x, y) - 0.8, abs(z) - 1, -max(hypot(x, y) - 0.7, -z - 0.8))';
+  const f = `min(${cup}, hypot(hypot(x - 0.9, z) - 0.4, y) - 0.1)`;
+  const mug = surfpath.implicit({
+    f,
+    bounds: [
+      [-1, 1.6],
+      [-1, 1],
+      [-1.2, 1.2],
+    ],
+  });
+  // Up the inner wall, over the rim, 0.1 wide, and down the outer one: no longer than that along one meridian, and around in the end.
+  const [inside, outside] = [1, -2.5].map((turn, k) => [Math.cos(turn), Math.sin(turn)].map((x) => x * (k ? 0.8 : 0.7)));
+  const path = mug.shortestPath([...inside, 0.2], [...outside, -0.3]);
+  const around = 0.8 * (2 * Math.PI - 3.5);
+  assert.equal(path.status, 'converged');
+  assert.ok(path.length > 0.8 + 0.1 + 1.3 && path.length < 0.8 + 0.1 + Math.hypot(1.3, around), `${path.length}`);
+  mug.dispose();
+});
