@@ -13,7 +13,10 @@ static const double LARGEST_SAGITTA = 0.35, LARGEST_STRETCH = 2;
 static const double BRANCH_SAGITTA = 0.5, STILL = 1e-3;
 /* Beyond a crease, and on it, where the derivatives of max and its like are means of both sides. */
 static const double NEAR_CREASE = 1e-6, SMOOTH_COSINE = 0.9;
-enum { BISECTIONS = 60, PARTS = 8 };
+/* Where a crease is looked for: not farther than so many halves of the chord. */
+static const double MOST_OF_THE_WAY = 0.75, FARTHEST_CREASE = 20;
+/* A chord may span two of them, over a thin rim. */
+enum { BISECTIONS = 60, PARTS = 8, MOST_CREASES = 2 };
 
 /* Two neighbouring nodes, scalar: their places, positions and normals. */
 struct chord {
@@ -37,19 +40,44 @@ static double cosine_of(const struct chord *chord) {
     return dot(a, b) / root(dot(a, a) * dot(b, b));
 }
 
-/* Whether the normals differ however near the two ends come to each other on the surface: a crease between them. On two sheets they stay
- * apart. */
-static int spans_crease(const struct sp_polyline *line, struct chord chord, double scale) {
-    double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale;
-    for (int i = 0; i < BISECTIONS; i++) {
+/* From the middle of two ends most of the way to the line in which their tangent planes meet: halves of chords alone come near to a crease
+ * the more slowly the sharper it is. Where that line is far away, the middle. */
+static void towards_crease(const struct chord *chord, double place[3]) {
+    const double *a = chord->normal[0], *b = chord->normal[1];
+    double apart[3], offset[3], aa = dot(a, a), bb = dot(b, b), ab = dot(a, b);
+    for (int j = 0; j < 3; j++)
+        apart[j] = 0.5 * (chord->at[1][j] - chord->at[0][j]);
+    double p = dot(a, apart), q = dot(b, apart), part = MOST_OF_THE_WAY / (aa * bb - ab * ab);
+    for (int j = 0; j < 3; j++)
+        offset[j] = part * ((q * aa + p * ab) * b[j] - (p * bb + q * ab) * a[j]);
+    int is_far = !(norm(offset) <= FARTHEST_CREASE * norm(apart));
+    for (int j = 0; j < 3; j++)
+        place[j] = chord->at[0][j] + apart[j] + (is_far ? 0 : offset[j]);
+}
+
+static int spans_creases(const struct sp_surface *surface, struct chord chord, double scale, int most) {
+    double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale, place[3];
+    for (int i = 0; i < BISECTIONS && !(distance_between(chord.at[0], chord.at[1]) <= near); i++) {
         struct chord halves[2] = {chord, chord};
-        if (!sp_implicit_halve(line->surface, chord.at[0], chord.at[1], scale, halves[0].at[1], halves[0].normal[1])) return 0;
+        towards_crease(&chord, place);
+        if (!sp_implicit_halve(surface, place, place, scale, halves[0].at[1], halves[0].normal[1])) return 0;
         for (int j = 0; j < 3; j++)
             halves[1].at[0][j] = halves[0].at[1][j], halves[1].normal[0][j] = halves[0].normal[1][j];
-        chord = halves[cosine_of(halves + 1) < cosine_of(halves)];
+        int second = cosine_of(halves + 1) < cosine_of(halves);
+        int is_one = cosine_of(halves + !second) >= SP_CHORD_COSINE;
+        if (!is_one && (most == 1 || !spans_creases(surface, halves[!second], scale, most - 1))) return 0;
+        chord = halves[second];
         if (!(cosine_of(&chord) < SMOOTH_COSINE)) return 0;
     }
     return distance_between(chord.at[0], chord.at[1]) <= near;
+}
+
+int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3], const double normal[3], const double to[3],
+                          const double other[3], double scale) {
+    struct chord chord;
+    memcpy(chord.at[0], from, sizeof chord.at[0]), memcpy(chord.at[1], to, sizeof chord.at[1]);
+    memcpy(chord.normal[0], normal, sizeof chord.normal[0]), memcpy(chord.normal[1], other, sizeof chord.normal[1]);
+    return spans_creases(surface, chord, scale, MOST_CREASES);
 }
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
@@ -64,7 +92,8 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, length, chord);
-    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_crease(line, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
+    if (!(cosine_of(chord) >= SP_CHORD_COSINE))
+        return spans_creases(line->surface, *chord, scale, MOST_CREASES) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;
     return distance_between(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }

@@ -19,8 +19,7 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     double edge = sizeof(struct sp_graph_edge);
     if (kind == SP_PARAMETRIC) {
         double vertices = 1.2 * (resolution + 2) * (resolution + 2);
-        /* Finer graphs have wide edges less often than not. */
-        int32_t edges = options->level == 0 ? SP_WIDE_EDGES : SP_USUAL_EDGES, samples = options->level == 0 ? 16 : 4;
+        int32_t edges = options->level < SP_LAST_LEVEL ? SP_WIDE_EDGES : SP_USUAL_EDGES, samples = options->level == 0 ? 16 : 4;
         return vertices * (vertex + edges * edge + samples * (4.0 * sizeof(double)) + 1) + 4096;
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
@@ -70,7 +69,8 @@ void sp_builder_begin(struct sp_builder *builder) {
     memset(builder->waits, 0, (size_t)builder->graph->vertex_count * sizeof(int32_t));
 }
 
-int sp_builder_has_room(const struct sp_builder *builder, int32_t edges) {
+/* Room for so many edges, and one that waits. */
+static int is_room(const struct sp_builder *builder, int32_t edges) {
     const char *free = (const char *)(builder->graph->edges + builder->graph->edge_count);
     return (const char *)(builder->end - builder->waiting - 1) - free >= (ptrdiff_t)sizeof(struct sp_graph_edge) * edges;
 }
@@ -81,7 +81,7 @@ int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
     graph->first[vertex] = graph->edge_count;
     for (int32_t i = builder->waits[vertex]; i; i = builder->end[-i].next)
         count++;
-    if (!sp_builder_has_room(builder, count)) return 0;
+    if (!is_room(builder, count)) return 0;
     graph->edge_count += count;
     graph->first[vertex + 1] = graph->edge_count;
     struct sp_graph_edge *edge = graph->edges + graph->edge_count;
@@ -96,7 +96,7 @@ int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
 int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
     if (!is_finite(length)) return 1;
-    if (!sp_builder_has_room(builder, 1)) return 0;
+    if (!is_room(builder, 1)) return 0;
     builder->bent += 2 * !(absolute(length - chord) <= BENT * chord);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
     graph->first[vertex + 1] = graph->edge_count;

@@ -18,10 +18,11 @@ struct sp_graph_options {
     double box[6]; /* parametric: umin umax vmin vmax, one period of a direction without walls; implicit: xmin xmax ymin ymax zmin zmax */
     double cell;   /* implicit: > 0: no box; cells of this width are flooded from the point (box[0], box[2], box[4]). Else 0 */
     int32_t resolution; /* parametric: about this many cells a direction; implicit: cells along the longest side. 8 … 256 */
-    int32_t level; /* how often coarser graphs were refined. Parametric: at 2 edges are never wide; implicit: from 2 on cells that share a
-                      face are joined across creases, too, and across whatever else keeps their sheets apart */
+    int32_t loose; /* implicit: 1: join cells that share a face across creases, too, and whatever else keeps their sheets apart; 2: across
+                      creases alone */
     double reach;  /* of a flood, > 0: no farther than where the distances in space from the point and from (box[1], box[3], box[5])
                       add up to this; 0: however far */
+    int32_t level; /* parametric: how often coarser graphs were refined, 0 … 2; the last one has no wide edges */
 };
 
 struct sp_graph_edge {

@@ -32,9 +32,6 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder);
 /* Takes the arrays of graph->vertex_count vertices, and all that is left of the arena for edges. Nothing may be taken afterwards. */
 int sp_builder_take(struct sp_builder *builder);
 
-/* Whether there is room for so many more edges, and one that waits. */
-int sp_builder_has_room(const struct sp_builder *builder, int32_t edges);
-
 /* Before the first vertex: forgets all edges. */
 void sp_builder_begin(struct sp_builder *builder);
 

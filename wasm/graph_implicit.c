@@ -1,22 +1,24 @@
 /* The graph of an implicit surface: centres of cells in which f changes sign, moved onto f = 0; what lies within two cells on the same
  * sheet is joined. */
 #include "chart.h"
+#include "chord.h"
 #include "graph_cells.h"
 #include "scalar.h"
 #include <string.h>
 
 /* Vertices are joined whose cells are so many apart, at most, in each direction. */
-enum { REACH = 2 };
+enum { REACH = 2, ANYHOW = 1 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
 /* A centre is moved to a face of its cell, or beyond by rounding: surfaces may lie in planes of cells. */
 static const double WITHIN = 1 + 1e-9;
 
-/* Cells that share a face, but not a sheet, are joined at this many times their chord: across a crease, but not while there is another way.
- */
+/* Cells that share a face, but not a sheet, are joined: as far apart as they are over a crease, but at most so many times their chord. */
 static const double LOOSE = 2;
-enum { LOOSE_LEVEL = 2 };
+
+/* On a surface with creases no chord's middle is farther from it than this part of the chord. */
+static const double FARTHEST_MIDDLE = 0.2;
 
 /* Around a rim so many chords are halved at most; it is no longer than so many times the first. */
 enum { HALVINGS = 16 };
@@ -138,8 +140,29 @@ static double length_around(const struct sp_graph *graph, const struct sp_surfac
     return length <= most ? length : __builtin_inf();
 }
 
-/* How far it is from one vertex to a later one near it; infinite where they are not to be joined. */
-static double length_between(const struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3]) {
+/* How many times their chord two places are apart over the line in which their tangent planes meet, when these are unfolded. */
+static double stretch_over_crease(const double from[3], const double normal[3], const double to[3], const double other[3]) {
+    double chord[3];
+    for (int j = 0; j < 3; j++)
+        chord[j] = to[j] - from[j];
+    double aside = dot(chord, normal) * dot(chord, other), cosine = dot(normal, other);
+    double longer = 2 * absolute(aside) / ((aside < 0 ? 1 + cosine : 1 - cosine) * dot(chord, chord));
+    return longer < LOOSE * LOOSE - 1 ? root(1 + longer) : LOOSE;
+}
+
+/* Whether the middle of a chord is far from f = 0 beside its length: where bodies are joined, what is between may be one of them. */
+static int leaves_surface(const struct sp_surface *surface, const double from[3], const double to[3]) {
+    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        middle[j] = sp_splat(0.5 * (from[j] + to[j]));
+    surface->value(1, middle, seen);
+    double gradient[3] = {seen[1][0], seen[2][0], seen[3][0]};
+    return !(absolute(seen[0][0]) <= FARTHEST_MIDDLE * distance_between(from, to) * norm(gradient));
+}
+
+/* How far it is from one vertex to a later one near it; infinite where they are not to be joined. Folds: whether that leads over a crease.
+ */
+static double length_between(const struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3], int *folds) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
     const struct sp_graph_options *options = cells->builder->options;
@@ -147,10 +170,13 @@ static double length_between(const struct sp_cells *cells, int32_t vertex, int32
     double other[3];
     read_vertex(graph, to, other);
     double length = sp_graph_sheet_length(surface, here, normal, there, other);
+    if (is_finite(length) && options->loose > ANYHOW && leaves_surface(surface, here, there)) length = __builtin_inf();
     if (is_finite(length) || !passes(cells->list + vertex, cells->list + to)) return length;
     /* Within bounds that gained nothing: MATH.md, "Disconnected". */
     if (options->cell > 0) length = length_around(graph, surface, vertex, to);
-    return options->level >= LOOSE_LEVEL && !is_finite(length) ? LOOSE * sp_graph_chord(surface, here, there, NULL) : length;
+    *folds = !is_finite(length) && options->loose &&
+             (options->loose == ANYHOW || sp_chord_spans_crease(surface, here, normal, there, other, graph->spacing));
+    return *folds ? stretch_over_crease(here, normal, there, other) * sp_graph_chord(surface, here, there, NULL) : length;
 }
 
 /* A vertex with those later ones whose cells are near: in a box, which is swept by layers, none of a lower layer. */
@@ -165,9 +191,10 @@ static int join_around(const struct sp_cells *cells, int32_t vertex) {
             for (int32_t i = -REACH; i <= REACH; i++) {
                 int32_t to = sp_cells_at(cells, (int32_t[3]){center[0] + i, center[1] + j, center[2] + k});
                 if (to <= vertex) continue;
-                double length = length_between(cells, vertex, to, normal);
-                /* Between the ends a metric was not looked at. */
-                double chord = is_plain ? distance_between(sample_at(graph, vertex), sample_at(graph, to)) : 0;
+                int folds = 0;
+                double length = length_between(cells, vertex, to, normal, &folds);
+                /* A crease is no detail that is too small for the graph. Between the ends a metric was not looked at. */
+                double chord = !is_plain ? 0 : folds ? length : distance_between(sample_at(graph, vertex), sample_at(graph, to));
                 if (!sp_builder_join(cells->builder, vertex, to, length, chord)) return 0;
             }
     return 1;

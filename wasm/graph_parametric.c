@@ -238,7 +238,6 @@ static int join_all(const struct grid *grid, int32_t reach) {
     struct step steps[SP_WIDE_EDGES];
     int32_t count = list_steps(reach, steps);
     sp_builder_begin(builder);
-    if (!sp_builder_has_room(builder, count * graph->vertex_count)) return 0;
     for (int32_t vertex = 0; vertex < graph->vertex_count; vertex++) {
         int32_t i = vertex / graph->count[1], j = vertex % graph->count[1];
         if (!sp_builder_turn(builder, vertex)) return 0;

@@ -18,6 +18,9 @@ const SAME = 1e-9;
 /** The first step along a crease, in parts of how far away the other joint is. */
 const STRIDE = 1 / 16;
 
+/** On a side that there is no room for. */
+const NOWHERE = new Array(4).fill(Number.NaN);
+
 /** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {On} on @param {number[]} place */
 export function settle(sides, on, place) {
   return approach(place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
@@ -65,7 +68,7 @@ export const slopeOf = (sides, measured, crease, width) =>
 /** f and ∇f of a side; of a parametric surface nothing. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]][]} */
 function implicit(sides, { signs }, at) {
   if (at.length === 2) return [];
-  const [[f, x, y, z]] = /** @type {import('./sides.js').Side} */ (sides.on(signs)).jets(at);
+  const [[f, x, y, z]] = sides.on(signs)?.jets(at) ?? [NOWHERE];
   return [[f, [x, y, z]]];
 }
 

@@ -48,6 +48,7 @@ export function findCreased(field, ends, options, start) {
     return null;
   const sides = field.sides();
   if (!sides) return null;
+  sides.begin();
   /* As everywhere: exchanged ends give the same path. */
   const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
   const asked = isTurned ? [ends[1], ends[0]] : ends;

@@ -35,9 +35,17 @@ export class Survey {
     return Array.from({ length: this.width }, (_, j) => this.measured[i][this.sides.count * (1 + j) + k]);
   }
 
+  /** How steeply a crease's function rises. @param {number} i @param {number} k */
+  steepness(i, k) {
+    let squared = 0;
+    for (let j = 1; j <= this.width; j++) squared += this.measured[i][this.sides.count * j + k] ** 2;
+    return Math.sqrt(squared);
+  }
+
   /** On which side of a crease a place is; 0: on it. @param {number} i @param {number} k */
   signAt(i, k) {
-    const slope = Math.max(...this.slopes(i, k).map(Math.abs));
+    let slope = 0;
+    for (let j = 1; j <= this.width; j++) slope = Math.max(slope, Math.abs(this.measured[i][this.sides.count * j + k]));
     return Math.abs(this.measured[i][k]) > ROUNDING * this.size * slope ? Math.sign(this.measured[i][k]) : 0;
   }
 
@@ -61,21 +69,20 @@ export class Survey {
   /** @param {number} at in parts */
   placeAt(at) {
     const i = Math.min(Math.floor(at), this.last - 1);
-    return Array.from({ length: this.width }, (_, j) => {
-      const [a, b] = [this.places[this.width * i + j], this.places[this.width * (i + 1) + j]];
-      return a + (at - i) * (b - a);
-    });
+    const place = [];
+    for (let k = this.width * i; k < this.width * (i + 1); k++)
+      place.push(this.places[k] + (at - i) * (this.places[k + this.width] - this.places[k]));
+    return place;
   }
 }
 
 /** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
 function divide(line, width, parts) {
   const places = new Float64Array((line.length - width) * parts + width);
-  for (let k = 0; k < places.length; k++) {
-    const at = Math.floor(k / width) / parts;
-    const i = width * Math.floor(at) + (k % width);
-    places[k] = line[i] + (at % 1) * ((line[i + width] ?? 0) - line[i]);
-  }
+  for (let i = 0; i + width < line.length; i += width)
+    for (let part = 0; part < parts; part++)
+      for (let j = i; j < i + width; j++) places[i * parts + part * width + j - i] = line[j] + (part / parts) * (line[j + width] - line[j]);
+  for (let j = 1; j <= width; j++) places[places.length - j] = line[line.length - j];
   return places;
 }
 
@@ -167,11 +174,7 @@ function runsOf(survey, near) {
   for (const crease of survey.creases)
     for (let i = 0; i <= last; i++) {
       const from = i;
-      while (
-        i <= last &&
-        Math.abs(measured[i][crease]) <= near * total * Math.sqrt(survey.slopes(i, crease).reduce((sum, x) => sum + x * x, 0))
-      )
-        i++;
+      while (i <= last && Math.abs(measured[i][crease]) <= near * total * survey.steepness(i, crease)) i++;
       if (i - from < 2) continue;
       const part = places.subarray(width * from, width * i);
       const length = span(part, width);

@@ -26,7 +26,7 @@ export function follow(question, line, near, most) {
   const first = cut(question.sides, line, width, { near });
   const pieces = first && landed(question, first);
   let route = pieces && join(question, pieces);
-  if (!route || route.joints.some((joint, j) => isTorn(question, joint, /** @type {Route} */ (route).legs[j + 1]))) return null;
+  if (!route || isTornAnywhere(question, route)) return null;
   let isAtRest = false;
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const again = recut(question, route, line, isAtRest);
@@ -60,15 +60,29 @@ function settleJoints(question, route) {
   return { ...balanced, isAtRest: balanced.isAtRest && hasShores(balanced.route) };
 }
 
-/** @param {Question} question @param {Route} route at rest @returns {Route | null} */
-const finish = (question, route) => (!hasShores(route) ? route : isShortest(question, route) ? surveyAll(question, route) : null);
+/** @param {Question} question @param {Route} route */
+const isTornAnywhere = (question, { legs, joints }) => joints.some((joint, j) => isTorn(question, joint, legs.slice(j, j + 2)));
 
-/** Whether the sides of a crease are in different places in space: what leads over a step is no path. @param {Question} question @param {Joint} joint @param {Leg} next */
-function isTorn({ field, sides }, { crease, signs, place }, next) {
+/** @param {Question} question @param {Route} route at rest @returns {Route | null} */
+function finish(question, route) {
+  /* A leg between two sheets may have gone. */
+  if (isTornAnywhere(question, route)) return null;
+  if (!hasShores(route)) return route;
+  return isShortest(question, route) ? surveyAll(question, route) : null;
+}
+
+/** Whether the sides of a crease are in different places in space: what leads over a step, or from sheet to sheet, is no path. @param {Question} question @param {Joint} joint @param {Leg[]} beside it, before and after */
+function isTorn({ field, sides }, { crease, signs, place }, [before, next]) {
   /* E, F and G, and a density, may jump. */
-  if (!field.positions) return false;
+  if (field.domain && !field.positions) return false;
+  const jetOn = (/** @type {number[]} */ of) => sides.on(of)?.jets(place)[0] ?? [];
+  if (!field.domain) return [before, next].some((leg) => isBeside(jetOn(leg.signs), place));
   const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
-  const [[one], [other]] = [sides.on(signs)?.jets(place) ?? [[]], sides.on(beyond)?.jets(place) ?? [[]]];
+  const [one, other] = [jetOn(signs), jetOn(beyond)];
   const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));
   return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
 }
+
+/** Whether a place is beside an implicit surface. @param {number[]} jet f, then its gradient @param {number[]} place */
+const isBeside = ([f, ...derivatives], place) =>
+  !(Math.abs(f) <= TORN * Math.max(...place.map(Math.abs)) * Math.max(...derivatives.slice(0, 3).map(Math.abs)));

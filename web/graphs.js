@@ -11,7 +11,7 @@ import { gap } from './vector.js';
  * is loose on implicit surfaces: it joins what its cells join, creases or not.
  */
 const RESOLUTION = [
-  [64, 96, 256],
+  [64, 128, 256],
   [40, 56, 96],
 ];
 /** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
@@ -19,18 +19,22 @@ const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
 const IMPLICIT = 1;
+/** Which cells that share a face are joined though their sheets part: none, all, or those with a crease between them. As in wasm/graph.h. */
+const [STRICT, ANYHOW, OVER_CREASES] = [0, 1, 2];
 
 export class Graphs {
   /** What nodes there are, and what hangs together without them, once that is known. @type {ReturnType<typeof import('./nodes.js').findNet> | null} */ net =
     null;
   /** The branch points of a parametric surface, once they are known. @type {import('./branches.js').Branch[] | null} */ branches = null;
   #kind;
+  /** How cells on both sides of a crease are joined. */ #creases;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
 
-  /** @param {number} kind 0: parametric, 1: implicit */
-  constructor(kind) {
+  /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
+  constructor(kind, isCreased) {
     this.#kind = kind;
+    this.#creases = isCreased ? OVER_CREASES : STRICT;
   }
 
   /**
@@ -44,7 +48,8 @@ export class Graphs {
     const resolutions = RESOLUTION[this.#kind];
     const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
     if (!box || !resolution) return null;
-    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, level });
+    const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
+    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose, level });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     /** @type {Graph | null} */
     const finer = graph.coarse ? this.find(heap, record, box, 1, turns) : null;
@@ -66,7 +71,7 @@ export class Graphs {
       box: from.flatMap((x, j) => [x, to[j]]),
       cell,
       resolution: 0,
-      level,
+      loose: level > 1 ? ANYHOW : this.#creases,
       reach: length && length * LONGER + BESIDE * cell,
     });
     return usable(this.#flood);

@@ -164,7 +164,7 @@ export class Manifold {
   #fieldOf(domain, place, isOwn) {
     const isAbstract = this.kind === 'metric';
     const graphs = this.#graphs[Number(isOwn)];
-    graphs[place] ??= new Graphs(KIND[this.kind]);
+    graphs[place] ??= new Graphs(KIND[this.kind], this.#compiled.isCreased);
     return {
       kind: KIND[this.kind],
       domain,

@@ -4,6 +4,7 @@ import { directions, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
 import { isInside, isOnEdge, LEG, placesOf, solveAll, span } from './legs.js';
 import { isBulging, land } from './shores.js';
+import { listOf } from './vector.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -27,7 +28,7 @@ const SHORTLY = [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9];
 
 /** A leg, or a part of it, as it is. @param {Pick<Piece, 'signs' | 'shore'> & { line: ArrayLike<number> }} leg @param {import('./legs.js').Joint | undefined} joint at which it begins @returns {Piece} */
 const whole = ({ signs, line, shore }, joint) => ({
-  ...{ signs, line: Array.from(line), shore },
+  ...{ signs, line: listOf(line), shore },
   on: joint ?? { crease: shore?.crease ?? 0, signs },
   isCorner: joint?.isCorner,
 });

@@ -7,6 +7,7 @@ import { compile } from './expression/compile.js';
 import { Creases } from './expression/creases.js';
 import { SHAPE } from './kind.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
+import { listOf } from './vector.js';
 
 /** @typedef {ReturnType<import('./runtime/solver.js').Solver['install']>} Installed */
 /**
@@ -26,14 +27,16 @@ import { compileMetric, METRIC, nodesOf } from './metric.js';
  * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
  */
 
-/** So many sides are kept: who needs more has a surface of facets. */
-const MOST_SIDES = 64;
+/** So many sides one question may ask for, whatever was asked before: an icosahedron's by max and abs, where signs tell 20 facets apart, takes up to 400. As many are kept. */
+const MOST_SIDES = 512;
 
 export class Sides {
   #given;
   /** Which crease each of those that formulas name is. @type {number[]} */ #which = [];
   /** What vanishes on the creases, with its derivatives. @type {Installed} */ #vanishing;
   /** @type {Map<string, { side: Side, installed: Installed[] }>} */ #known = new Map();
+  /** What was installed, by what it is: formulas on many sides are the same. @type {Map<string, Installed[]>} */ #installed = new Map();
+  /** Which sides the present question has asked for. @type {Set<string>} */ #asked = new Set();
   count = 0;
 
   /** @param {Given} given */
@@ -67,6 +70,12 @@ export class Sides {
     });
   }
 
+  /** A question begins: what it gets does not depend on those before it. */
+  begin() {
+    this.#asked.clear();
+    if (this.#known.size > MOST_SIDES) this.#forget();
+  }
+
   /** Of each place, of each crease what vanishes there, then its derivatives by the first variable, and so on. @param {ArrayLike<number>} places */
   measure(places) {
     return this.#measureBy(this.#vanishing, places);
@@ -95,7 +104,9 @@ export class Sides {
 
   /** @param {string} key @param {() => Creases} creases how its formulas are written */
   #find(key, creases) {
-    if (!this.#known.has(key) && this.#known.size < MOST_SIDES) {
+    if (!this.#asked.has(key) && this.#asked.size >= MOST_SIDES) return null;
+    this.#asked.add(key);
+    if (!this.#known.has(key)) {
       try {
         this.#known.set(key, this.#make(creases));
       } catch {
@@ -122,24 +133,16 @@ export class Sides {
     });
     const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, creases());
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
-    /** @type {Installed[]} */
-    const installed = [];
-    try {
-      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
-    } catch (error) {
-      for (const slots of installed) solver.remove(slots);
-      throw error;
-    }
+    const installed = this.#install(modules);
     const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
     /** @type {Installed | null} */
     let vanishing = null;
     const vanish = () => {
       const sided = creases();
-      const { module, data, dataBytes } = this.#compileVanishing(sided, () =>
+      const compiled = this.#compileVanishing(sided, () =>
         Array.from({ length: this.count }, (_, crease) => sided.nodes[this.#which.indexOf(crease)]),
       );
-      installed.push(solver.install(module, data, dataBytes));
-      return installed[installed.length - 1];
+      return this.#install([compiled])[0];
     };
     /** @type {Side} */
     const side = {
@@ -160,15 +163,39 @@ export class Sides {
     return { side, installed };
   }
 
+  /** Modules that belong together, all or, with an error, none. @param {import('./installation.js').Module[]} modules @returns {Installed[]} */
+  #install(modules) {
+    const { solver } = this.#given;
+    const key = modules.map(({ module, data }) => `${module} ${data}`).join();
+    const known = this.#installed.get(key);
+    if (known) return known;
+    /** @type {Installed[]} */
+    const installed = [];
+    try {
+      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
+    } catch (error) {
+      for (const slots of installed) solver.remove(slots);
+      throw error;
+    }
+    this.#installed.set(key, installed);
+    return installed;
+  }
+
+  #forget() {
+    for (const installed of [...this.#installed.values()].flat()) this.#given.solver.remove(installed);
+    this.#installed.clear();
+    this.#known.clear();
+  }
+
   /** Gives back what the solver holds of it. */
   drop() {
-    for (const installed of [this.#vanishing, ...[...this.#known.values()].flatMap((known) => known.installed)])
-      this.#given.solver.remove(installed);
+    this.#forget();
+    this.#given.solver.remove(this.#vanishing);
   }
 }
 
 /** @param {Float64Array} numbers @param {number} count lists */
 function split(numbers, count) {
   const width = numbers.length / count;
-  return Array.from({ length: count }, (_, i) => Array.from(numbers.subarray(width * i, width * (i + 1))));
+  return Array.from({ length: count }, (_, i) => listOf(numbers, width * i, width * (i + 1)));
 }

@@ -11,3 +11,13 @@ export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 +
 
 /** Whether a place lies in ranges, one a coordinate. @param {ArrayLike<number>} place @param {number[][]} ranges none: it does */
 export const isWithin = (place, ranges) => ranges.every(([low, high], k) => place[k] >= low && place[k] <= high);
+
+/**
+ * Numbers as a plain array: several times as fast as Array.from, which asks typed arrays for an iterator.
+ * @param {ArrayLike<number>} numbers @param {number} [from] @param {number} [to]
+ */
+export function listOf(numbers, from = 0, to = numbers.length) {
+  const list = [];
+  for (let i = from; i < to; i++) list.push(numbers[i]);
+  return list;
+}

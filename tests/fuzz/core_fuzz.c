@@ -257,8 +257,8 @@ static void fuzz_mesh(struct input *input) {
 }
 
 static struct sp_graph_options read_graph_options(struct input *input, int32_t kind) {
-    struct sp_graph_options options = {{-1, 1, -1, 1, 0, 0}, 0, 8, 0, 0};
-    if (kind == SP_IMPLICIT) options = (struct sp_graph_options){{-6, 6, -6, 6, -2, 2}, 0, 8, 0, 0};
+    struct sp_graph_options options = {{-1, 1, -1, 1, 0, 0}, 0, 8, 0, 0, 0};
+    if (kind == SP_IMPLICIT) options = (struct sp_graph_options){{-6, 6, -6, 6, -2, 2}, 0, 8, 0, 0, 0};
     uint8_t given = read_byte(input);
     if (given & 1) read_numbers(input, options.box, 6);
     if (given & 2 && kind == SP_IMPLICIT) options.cell = read_number(input);

@@ -31,8 +31,8 @@ static void heavy_sphere_jet(int32_t count, const sp_pair *in, sp_pair *out) {
 
 static const struct sp_surface half_plane = {half_plane_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-2, 0.2}, {2, 4}, 0};
 static const struct sp_surface heavy_sphere = {heavy_sphere_jet, sphere_value, SP_IMPLICIT, SP_DENSITY, {0, 0}, {0, 0}, 4};
-static const struct sp_graph_options half_plane_box = {{-2, 2, 0.2, 4}, 0, 64, 0, 0};
-static const struct sp_graph_options sphere_box = {{-1.2, 1.2, -1.2, 1.2, -1.2, 1.2}, 0, 40, 0, 0};
+static const struct sp_graph_options half_plane_box = {{-2, 2, 0.2, 4}, 0, 64, 0, 0, 0};
+static const struct sp_graph_options sphere_box = {{-1.2, 1.2, -1.2, 1.2, -1.2, 1.2}, 0, 40, 0, 0, 0};
 
 static struct sp_arena allocate_arena(double bytes) {
     size_t size = ((size_t)bytes + 15) & ~(size_t)15;

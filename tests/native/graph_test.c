@@ -49,13 +49,13 @@ static const struct sp_surface two_spheres = {NULL, two_spheres_value, SP_IMPLIC
 
 static const struct sp_surface striped = {striped_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-1, -1}, {1, 1}, 0};
 
-static const struct sp_graph_options round_box = {{0, 6.28318530717958647692, -1, 1}, 0, 64, 0, 0};
-static const struct sp_graph_options square_box = {{-1, 1, -1, 1}, 0, 64, 0, 0};
-static const struct sp_graph_options saddle_box = {{-1, 1, -1.1, 1.1}, 0, 64, 0, 0};
+static const struct sp_graph_options round_box = {{0, 6.28318530717958647692, -1, 1}, 0, 64, 0, 0, 0};
+static const struct sp_graph_options square_box = {{-1, 1, -1, 1}, 0, 64, 0, 0, 0};
+static const struct sp_graph_options saddle_box = {{-1, 1, -1.1, 1.1}, 0, 64, 0, 0, 0};
 static const struct sp_graph_options globe_box = {
-    {0, 6.28318530717958647692, -1.57079632679489661923, 1.57079632679489661923}, 0, 64, 0, 0};
-static const struct sp_graph_options torus_box = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 40, 0, 0};
-static const struct sp_graph_options spheres_box = {{-3, 3, -3, 3, -3, 3}, 0, 40, 0, 0};
+    {0, 6.28318530717958647692, -1.57079632679489661923, 1.57079632679489661923}, 0, 64, 0, 0, 0};
+static const struct sp_graph_options torus_box = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 40, 0, 0, 0};
+static const struct sp_graph_options spheres_box = {{-3, 3, -3, 3, -3, 3}, 0, 40, 0, 0, 0};
 
 /* A graph that is kept, and an arena for searches. */
 struct fixture {
@@ -191,7 +191,7 @@ static void test_cusp(void) {
         CHECK(fabs(fixture.answer.places[2 * i]) < 0.1, "straight across: u = %g", fixture.answer.places[2 * i]);
     CHECK(search(&fixture, (double[3]){-0.9, 0.5}, (double[3]){0.9, 0.4}) == SP_CONVERGED, "on one side of it");
     drop(&fixture);
-    fixture = make(&bumpy_surface, &(struct sp_graph_options){{-3.2, 3.2, -3.2, 3.2}, 0, 64, 0, 0});
+    fixture = make(&bumpy_surface, &(struct sp_graph_options){{-3.2, 3.2, -3.2, 3.2}, 0, 64, 0, 0, 0});
     CHECK(fixture.graph.singular == 0, "steep is not singular");
     drop(&fixture);
 }
@@ -211,29 +211,29 @@ static void test_implicit(void) {
 }
 
 static void test_flood(void) {
-    struct sp_graph_options options = {{0.5, 0.5, 0, 0, 0, 0}, 0.1, 0, 0, 0};
+    struct sp_graph_options options = {{0.5, 0.5, 0, 0, 0, 0}, 0.1, 0, 0, 0, 0};
     struct fixture fixture = make(&two_spheres, &options);
     check_distance(&fixture, (double[3]){0.5, 0, 0}, (double[3]){1.5, 1, 0}, PI / 2, 0.06, "flooded sphere");
     CHECK(search(&fixture, (double[3]){0.5, 0, 0}, (double[3]){-0.5, 0, 0}) == SP_OFF_SURFACE, "the flood stays on its sphere");
     int32_t all = fixture.graph.vertex_count;
     drop(&fixture);
     /* As far as a way may lead that is half as long again as the shortest. */
-    options = (struct sp_graph_options){{0.5, 1.5, 0, 1, 0, 0}, 0.1, 0, 0, 0.75 * PI};
+    options = (struct sp_graph_options){{0.5, 1.5, 0, 1, 0, 0}, 0.1, 0, 0, 0.75 * PI, 0};
     fixture = make(&two_spheres, &options);
     check_distance(&fixture, (double[3]){0.5, 0, 0}, (double[3]){1.5, 1, 0}, PI / 2, 0.06, "a part of a sphere");
     CHECK(2 * fixture.graph.vertex_count < all, "%d cells, of the whole sphere %d", fixture.graph.vertex_count, all);
     drop(&fixture);
-    options = (struct sp_graph_options){{0.5, 0.5, 0, 0, 0, 0}, 0.005, 0, 0, 0};
+    options = (struct sp_graph_options){{0.5, 0.5, 0, 0, 0, 0}, 0.005, 0, 0, 0, 0};
     fixture = make(&two_spheres, &options);
     CHECK(fixture.graph.vertex_count == SP_GRAPH_FLOOD_CELLS, "%d cells", fixture.graph.vertex_count);
     drop(&fixture);
 }
 
 static void test_memory(void) {
-    struct fixture grid = make(&round_cylinder, &(struct sp_graph_options){{0, 2 * PI, -1, 1}, 0, 128, 0, 0});
+    struct fixture grid = make(&round_cylinder, &(struct sp_graph_options){{0, 2 * PI, -1, 1}, 0, 128, 0, 0, 2});
     CHECK(sp_graph_bytes(&grid.graph) <= 16e6, "128^2: %g bytes", sp_graph_bytes(&grid.graph));
     drop(&grid);
-    struct fixture cells = make(&torus_surface, &(struct sp_graph_options){{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 80, 0, 0});
+    struct fixture cells = make(&torus_surface, &(struct sp_graph_options){{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 80, 0, 0, 0});
     CHECK(sp_graph_bytes(&cells.graph) <= 48e6, "80^3: %g bytes", sp_graph_bytes(&cells.graph));
     drop(&cells);
 }

@@ -118,7 +118,7 @@ static void far_away(int32_t count, const sp_pair *in, sp_pair *out) {
 /* Of a graph without vertices the extent, minus infinity, became a number of slabs. */
 static void check_empty_graph(void) {
     const struct sp_surface surface = {NULL, far_away, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 7};
-    const struct sp_graph_options options = {{-1, 1, -1, 1, -1, 1}, 0, 8, 0, 0};
+    const struct sp_graph_options options = {{-1, 1, -1, 1, -1, 1}, 0, 8, 0, 0, 0};
     struct sp_graph graph;
     struct sp_arena arena = arena_of(sp_graph_build_bytes(SP_IMPLICIT, &options));
     int32_t status = sp_graph_build(&surface, &options, &arena, &graph);

@@ -141,8 +141,9 @@ static void check_graph(const struct sp_surface *surface, struct sp_graph_option
 }
 
 static void check_graphs(void) {
-    const struct sp_graph_options round = {{0, 2 * HALF_TURN, -HALF_TURN / 2, HALF_TURN / 2}, 0, 8, 0, 0};
-    const struct sp_graph_options box = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 16, 0, 0}, flood = {{5.5, 5.5, 0, 0, 0, 0}, 1, 0, 0, 0};
+    const struct sp_graph_options round = {{0, 2 * HALF_TURN, -HALF_TURN / 2, HALF_TURN / 2}, 0, 8, 0, 0, 0};
+    const struct sp_graph_options box = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 16, 0, 0, 0},
+                                  flood = {{5.5, 5.5, 0, 0, 0, 0}, 1, 0, 0, 0, 0};
     check_graph(&whole_globe_surface, round, (double[6]){0.3, 1.3, 0, 0.3 + HALF_TURN, 1.2, 0});
     check_graph(&torus_surface, box, (double[6]){5.5, 0, 0, -5.5, 0, 0});
     check_graph(&torus_surface, flood, (double[6]){5.5, 0, 0, 4, 0, 1.5});
@@ -159,7 +160,7 @@ static void planes_value(int32_t count, const sp_pair *in, sp_pair *out) {
 /* A graph that fills its box to the last cell is built, and an end of time. */
 static void check_full_box(void) {
     const struct sp_surface planes = {planes_value, planes_value, SP_IMPLICIT, SP_INDUCED, {0}, {0}, 3.5};
-    const struct sp_graph_options box = {{-1, 1, -1, 1, -1, 1}, 0, 16, 0, 0};
+    const struct sp_graph_options box = {{-1, 1, -1, 1, -1, 1}, 0, 16, 0, 0, 0};
     struct sp_arena arena = allocate(1 << 28);
     struct sp_graph graph;
     int32_t status = sp_graph_build(&planes, &box, &arena, &graph);
@@ -224,16 +225,16 @@ static void check_graph_options(void) {
     struct sp_graph_answer answer;
     const double bad[][2] = {{0, 0}, {1, -1}, {NAN, 1}, {-INFINITY, 1}, {0, INFINITY}, {-1e308, 1e308}};
     for (int i = 0; i < 6; i++) {
-        struct sp_graph_options flat = {{bad[i][0], bad[i][1], -1, 1, -1, 1}, 0, 16, 0, 0};
+        struct sp_graph_options flat = {{bad[i][0], bad[i][1], -1, 1, -1, 1}, 0, 16, 0, 0, 0};
         CHECK(sp_graph_build(&saddle_surface, &flat, &arena, &graph) == SP_NOT_FINITE, "box %d", i);
         CHECK(sp_graph_build(&torus_surface, &flat, &arena, &graph) == SP_NOT_FINITE, "box %d, implicit", i);
     }
     for (int32_t resolution = -1; resolution < 2000; resolution += 2000) {
-        struct sp_graph_options options = {{-1, 1, -1.1, 1.1}, 0, resolution, 0, 0};
+        struct sp_graph_options options = {{-1, 1, -1.1, 1.1}, 0, resolution, 0, 0, 0};
         CHECK(sp_graph_build(&saddle_surface, &options, &arena, &graph) == SP_CONVERGED, "resolution %d", resolution);
         CHECK(graph.vertex_count >= 49 && graph.vertex_count <= 300 * 300, "resolution %d: %d vertices", resolution, graph.vertex_count);
     }
-    struct sp_graph_options options = {{-1, 1, -1.1, 1.1}, 0, 8, 0, 0};
+    struct sp_graph_options options = {{-1, 1, -1.1, 1.1}, 0, 8, 0, 0, 0};
     sp_graph_build(&saddle_surface, &options, &arena, &graph);
     struct sp_arena rest = allocate(1 << 24);
     const double ends[6] = {-0.9, -1, 0, 0.9, 1, 0}, nowhere[6] = {-0.9, -1, 0, NAN, 1, 0};

@@ -76,9 +76,9 @@ static void check_others(const struct sp_surface *surface, const double from[3],
     double place[3] = {from[0], from[1], from[2]};
     int32_t status = sp_project_point(surface, to, place);
     CHECK(are_finite(place, 3), "project: status %d, %g %g %g", status, place[0], place[1], place[2]);
-    struct sp_graph_options options = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 12, 0, 0};
+    struct sp_graph_options options = {{-5.7, 5.7, -5.7, 5.7, -5.7, 5.7}, 0, 12, 0, 0, 0};
     struct sp_graph graph;
-    if (surface->kind == SP_PARAMETRIC) options = (struct sp_graph_options){{-1, 1, -1.1, 1.1}, 0, 12, 0, 0};
+    if (surface->kind == SP_PARAMETRIC) options = (struct sp_graph_options){{-1, 1, -1.1, 1.1}, 0, 12, 0, 0, 0};
     status = sp_graph_build(surface, &options, &arena, &graph);
     CHECK(status == SP_CONVERGED || status == SP_NOT_FINITE || status == SP_OUT_OF_MEMORY, "graph: status %d", status);
     if (status != SP_CONVERGED) return;

@@ -178,14 +178,15 @@ export class Heap extends Memory {
 
   /**
    * Runs sp_graph_build and keeps the graph.
-   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, level: number, reach?: number }} options
+   * @param {number} surface address of its record @param {number} kind @param {{ box: number[], cell: number, resolution: number, loose: number, level?: number, reach?: number }} options
    * @returns {Graph} of status CONVERGED; any other: nothing is kept
    */
-  buildGraph(surface, kind, { box, cell, resolution, level, reach = 0 }) {
+  buildGraph(surface, kind, { box, cell, resolution, loose, level = 0, reach = 0 }) {
     const at = this.allocate(layout.sp_graph_bytes);
     this.writeDoubles(this.#options + layout.sp_graph_options_box, [...[...box, 0, 0].slice(0, 6), cell]);
     this.writeDoubles(this.#options + layout.sp_graph_options_reach, [reach]);
-    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, level]);
+    this.words(this.#options + layout.sp_graph_options_resolution, 2).set([resolution, loose]);
+    this.words(this.#options + layout.sp_graph_options_level, 1)[0] = level;
     let status = OUT_OF_MEMORY;
     for (let bytes = this.exports.sp_graph_build_bytes(kind, this.#options); status === OUT_OF_MEMORY; bytes *= 2) {
       if (!at || bytes > MOST_GRAPH_BYTES || !this.reserve(bytes)) break;

@@ -87,12 +87,13 @@ export const sp_mesh_indices = 8;
 export const sp_mesh_vertex_count = 12;
 export const sp_mesh_triangle_count = 16;
 
-export const sp_graph_options_bytes = 72;
+export const sp_graph_options_bytes = 80;
 export const sp_graph_options_box = 0;
 export const sp_graph_options_cell = 48;
 export const sp_graph_options_resolution = 56;
-export const sp_graph_options_level = 60;
+export const sp_graph_options_loose = 60;
 export const sp_graph_options_reach = 64;
+export const sp_graph_options_level = 72;
 
 export const sp_graph_bytes = 96;
 export const sp_graph_spacing = 0;

@@ -1,0 +1,153 @@
+// Bodies of formulas joined by max, min and abs: edges sharper than right angles, ways over edges where others lead around, many facets. What is exact is known by unfolding.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../web/index.js';
+import { createRandom } from '../helpers/random.js';
+
+/** @typedef {[number, number]} Range */
+
+const surfpath = await load();
+/** A cube around the origin. @param {number} half @returns {[Range, Range, Range]} */
+const cube = (half) => [
+  [-half, half],
+  [-half, half],
+  [-half, half],
+];
+/** Two tolerances of 1e-9, relative. */
+const RIGHT = 2e-9;
+
+/** The least of a function, by thousands of values and then parabolas: right to rounding, as it is flat there. @param {(t: number) => number} of @param {number} from @param {number} to */
+function least(of, from, to) {
+  let [at, step] = [from, (to - from) / 4000];
+  for (let t = from; t <= to; t += step) if (of(t) < of(at)) at = t;
+  for (let round = 0; round < 60; round++, step *= 0.7) {
+    const [before, here, after] = [of(at - step), of(at), of(at + step)];
+    const bend = before - 2 * here + after;
+    if (bend > 0) at += Math.max(-1, Math.min(1, (0.5 * (before - after)) / bend)) * step;
+  }
+  return of(at);
+}
+
+for (const slope of [0.3, 1, 2.5])
+  test(`a cylinder cut by a plane of slope ${slope}, edges of ${Math.round((Math.atan(1 / slope) * 180) / Math.PI)} degrees and more: over the edge as unfolded, seed 11`, () => {
+    const f = `max(hypot(x, y) - 1, z - ${slope}x, -z - 5)`;
+    const cut = surfpath.implicit({
+      f,
+      bounds: [
+        [-1.2, 1.2],
+        [-1.2, 1.2],
+        [-5.2, slope + 0.2],
+      ],
+    });
+    const random = createRandom(11);
+    for (let i = 0; i < 4; i++) {
+      const [radius, turn, angle, down] = [
+        random.between(0.3, 0.95),
+        random.between(-1, 1),
+        random.between(-1, 1),
+        random.between(0.2, 0.8),
+      ];
+      const [x, y] = [radius * Math.cos(turn), radius * Math.sin(turn)];
+      const top = [x, y, slope * x];
+      const side = [Math.cos(angle), Math.sin(angle), slope * Math.cos(angle) - down];
+      const over = (/** @type {number} */ t) =>
+        Math.hypot(Math.cos(t) - x, Math.sin(t) - y, slope * (Math.cos(t) - x)) + Math.hypot(t - angle, slope * Math.cos(t) - side[2]);
+      const exact = least(over, -Math.PI, Math.PI);
+      const path = cut.shortestPath(top, side);
+      assert.equal(path.status, 'converged', `${top} to ${side}`);
+      assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${top} to ${side}: ${path.length}, exact ${exact}`);
+    }
+    cut.dispose();
+  });
+
+test('on a nut paths lead over its right edges and round its hole, not around its blunt ones', () => {
+  const [high, hole] = [0.4, 0.5];
+  const f = `max(abs(x) - 1, abs(x)/2 + abs(y)*sqrt(3)/2 - 1, abs(z) - ${high}, ${hole} - hypot(x, y))`;
+  const nut = surfpath.implicit({ f, bounds: cube(1.3) });
+  /* From side to side over the top, all in one plane: tangents to the hole, and along it. */
+  for (const [from, to] of [
+    [
+      [1, 0.05, 0],
+      [-1, 0.1, 0.02],
+    ],
+    [
+      [1, 0.3, -0.02],
+      [-1, 0.1, 0.1],
+    ],
+  ]) {
+    const flat = [from, to].map(([x, y, z]) => [Math.sign(x) * (1 + high - z), y]);
+    const round = flat.map((end) => Math.acos(hole / Math.hypot(...end)));
+    const turn = Math.abs(Math.atan2(flat[0][1], flat[0][0]) - Math.atan2(flat[1][1], flat[1][0]));
+    const exact = flat.reduce((sum, end) => sum + Math.sqrt(end[0] ** 2 + end[1] ** 2 - hole ** 2), hole * (turn - round[0] - round[1]));
+    const path = nut.shortestPath(from, to);
+    assert.equal(path.status, 'converged');
+    assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+  }
+  nut.dispose();
+});
+
+/** Each facet of an icosahedron of the insphere's radius 1, and the one opposite. */
+const ICOSAHEDRON = ['abs(x + y + z)', 'abs(x - y + z)', 'abs(x + y - z)', 'abs(y + z - x)'].concat(
+  ['y z', 'z x', 'x y'].flatMap((pair) => {
+    const [a, b] = pair.split(' ');
+    return [`abs(${a}/g + g*${b})`, `abs(${a}/g - g*${b})`];
+  }),
+);
+
+test('twenty facets: paths converge, and do not depend on what was asked before', () => {
+  const definition = {
+    f: `max(${ICOSAHEDRON.join(', ')}) - sqrt(3)`,
+    bounds: cube(1.4),
+    parameters: { g: (1 + Math.sqrt(5)) / 2 },
+  };
+  const ends = [
+    [
+      [0.9, 0.3, 0.5],
+      [-0.7, 0.4, -0.9],
+    ],
+    [
+      [0.3, -0.9, 0.4],
+      [-0.2, 0.9, 0.5],
+    ],
+  ];
+  const body = surfpath.implicit(definition);
+  const paths = ends.map(([from, to]) => body.shortestPath(from, to));
+  for (const [i, [from, to]] of ends.entries()) {
+    const fresh = surfpath.implicit(definition);
+    assert.equal(paths[i].status, 'converged');
+    assert.deepEqual(fresh.shortestPath(from, to).points, paths[i].points);
+    fresh.dispose();
+  }
+  body.dispose();
+});
+
+test('a path does not jump from one side of a wall to the other where it crosses a rim', () => {
+  const f = 'max(hypot(x, y, z) - 3, abs(sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)) - 0.3)';
+  const shell = surfpath.implicit({ f, bounds: cube(3.2) });
+  const { status, length, points } = shell.shortestPath([-0.16, 1.232, 2.561], [-1.4, 1.47, -0.97], { points: 400 });
+  let chords = 0;
+  for (let i = 3; i < points.length; i += 3) chords += Math.hypot(...[0, 1, 2].map((j) => points[i + j] - points[i + j - 3]));
+  assert.equal(status, 'converged');
+  assert.ok(chords <= length && chords > 0.9999 * length, `${chords} in chords, ${length}`);
+  shell.dispose();
+});
+
+test('a mug: paths from inside to outside lead over its rim, not through the wall where its handle meets it', () => {
+  const cup = 'max(hypot(x, y) - 0.8, abs(z) - 1, -max(hypot(x, y) - 0.7, -z - 0.8))';
+  const f = `min(${cup}, hypot(hypot(x - 0.9, z) - 0.4, y) - 0.1)`;
+  const mug = surfpath.implicit({
+    f,
+    bounds: [
+      [-1, 1.6],
+      [-1, 1],
+      [-1.2, 1.2],
+    ],
+  });
+  // Up the inner wall, over the rim, 0.1 wide, and down the outer one: no longer than that along one meridian, and around in the end.
+  const [inside, outside] = [1, -2.5].map((turn, k) => [Math.cos(turn), Math.sin(turn)].map((x) => x * (k ? 0.8 : 0.7)));
+  const path = mug.shortestPath([...inside, 0.2], [...outside, -0.3]);
+  const around = 0.8 * (2 * Math.PI - 3.5);
+  assert.equal(path.status, 'converged');
+  assert.ok(path.length > 0.8 + 0.1 + 1.3 && path.length < 0.8 + 0.1 + Math.hypot(1.3, around), `${path.length}`);
+  mug.dispose();
+});
