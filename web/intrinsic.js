@@ -7,6 +7,7 @@ import { compared, ELEMENTS } from './candidates.js';
 import { findCreased } from './creased.js';
 import { mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces.js';
+import { settle } from './routes.js';
 import { vector } from './rectangle.js';
 import { dot, gap } from './vector.js';
 
@@ -20,6 +21,8 @@ const STEPS = 100;
 const ASTRAY = ['stalled', 'singular-metric', 'iteration-limit', 'tolerance-not-met'];
 /** Statuses of those that lead over the surface, but are not solved to the tolerance. */
 const ON_SURFACE = ['iteration-limit', 'tolerance-not-met'];
+/** Statuses of paths on an implicit surface that may be none because a rim is sharper than chords are long. */
+const APART = ['sheet-jump', 'disconnected', 'off-surface', 'stalled', 'iteration-limit', 'tolerance-not-met'];
 /** Lines are measured from node to node in so many parts, each by Gauss's rule: at these places. */
 const PARTS = 32;
 const PLACES = [-1, 0, 1].map((side) => 0.5 + side * Math.sqrt(0.15));
@@ -107,6 +110,7 @@ export function findPath(field, ends, options, start) {
 
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
 function findSmooth(field, ends, options, start) {
+  if (!field.domain) return findImplicit(field, ends, options, start);
   const path = findByPieces(field, ends, options, start);
   const again = instead(field, path, options);
   if (!again) return path;
@@ -125,6 +129,37 @@ function findSmooth(field, ends, options, start) {
     (isCompared(options) ? path : findByPieces(field, ends, compared(options), start)).parameters;
   if (line && length > measure(field, line).length) return path;
   return isCompared(options) ? own : findByPieces(again.field, ends, again.options, start);
+}
+
+/** As {@link findSmooth}, on an implicit surface. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
+function findImplicit(field, ends, options, start) {
+  const isSure = options.algorithm === ELEMENTS && options.maxIterations >= STEPS;
+  const bodies = isSure ? field.bodies?.() : null;
+  if (!bodies) return findByPieces(field, ends, options, start);
+  const { box } = field;
+  const stretched = () => findStretched(field, box ? bodies.stretchedIn(box) : bodies.stretchedAround(ends), ends, options, start);
+  const path = findByPieces(field, ends, options, start);
+  const other = APART.includes(path.status) ? stretched() : null;
+  if (!other) return path;
+  if (other.converged) return other.length <= mostOf(path) * (1 + NO_LONGER) ? other : path;
+  return mostOf(other) < mostOf(path) ? other : path;
+}
+
+/**
+ * The path between two ends of a flat body, found where this is stretched.
+ * @param {Field} field @param {import('./stretched.js').Stretched | null} stretched
+ * @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null}
+ */
+function findStretched(field, stretched, ends, options, start) {
+  if (!stretched) return null;
+  const settled = ends.map((end) => settle(field, end));
+  const places = settled.map((end) => stretched.into(end));
+  const line = start && start !== 'global' ? Float64Array.from(stretched.into(start)) : start;
+  const found = findByPieces(stretched.field, places, options, line);
+  const history = found.history.map((entry) => (entry.points ? { ...entry, points: stretched.back(entry.points) } : entry));
+  const points = stretched.back(found.points);
+  if (points.length > 0) for (const [i, end] of settled.entries()) points.set(end, i * (points.length - 3));
+  return { ...found, points, history };
 }
 
 /**

@@ -3,6 +3,7 @@
  * solver, and installed again where that has begun anew. Answers no questions of its own.
  */
 
+import { Bodies } from './bodies.js';
 import { checkBounds, checkParameters, checkPeriodic, readNumbers } from './definition.js';
 import { enterDomain, findDomain } from './domain.js';
 import { compile } from './expression/compile.js';
@@ -39,6 +40,7 @@ export class Manifold {
   #installation;
   /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
+  /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('./mesh.js').Mesh | null} */ coarse = null;
 
   /** @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition */
@@ -135,7 +137,25 @@ export class Manifold {
       ...this.#fieldOf(this.domain, 0, false),
       own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
+      bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
     };
+  }
+
+  /** What boxes hold of an implicit surface. @returns {Bodies} */
+  get bodies() {
+    this.#wake();
+    this.#bodies ??= new Bodies({
+      measure: this.#measure,
+      shape: this.#shape,
+      parameters: this.parameters,
+      solver: this.#solver,
+      values: (places) => this.evaluate('value', places),
+      write: (shape, measured, extent) => {
+        writeRecords(this.#solver, { kind: this.kind, extent }, null, shape, [{ ...measured, code: METRIC.tensor }]);
+        return measured;
+      },
+    });
+    return this.#bodies;
   }
 
   /** The sides of its creases; null: there is no room for what tells them. */
@@ -179,6 +199,7 @@ export class Manifold {
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,
       sides: null,
+      bodies: null,
     };
   }
 
@@ -235,6 +256,8 @@ export class Manifold {
     if (this.#installation.isPresent) return;
     for (const graphs of this.#graphs.flat()) graphs.drop(null);
     this.#sides = null;
+    this.#bodies?.drop(null);
+    this.#bodies = null;
     try {
       this.#install();
       this.#writeRecord();
@@ -299,6 +322,8 @@ export class Manifold {
     this.#sides?.drop();
     this.#sides = null;
     const heap = this.#installation.isPresent ? this.#solver.heap : null;
+    this.#bodies?.drop(heap);
+    this.#bodies = null;
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }
 }

@@ -2,6 +2,7 @@
 
 import { evaluateNormals } from './normals.js';
 import { wholeNumber } from './arguments.js';
+import { boxOf, touches } from './extent.js';
 import { STATUS } from './runtime/status.js';
 
 /** @typedef {import('./manifold.js').Manifold} Manifold */
@@ -15,8 +16,10 @@ import { STATUS } from './runtime/status.js';
  */
 
 const RESOLUTION = { parametric: 96, implicit: 64 };
-/** In place of 64 where that bridges sheets: enough for every surface of the gallery. */
-const FINER = 96;
+/** In place of 64 where that bridges sheets, one after the other; the first is enough for every surface of the gallery. */
+const FINER = [96, 128];
+/** Normals on two sides of what is thin differ by more than this cosine says. A part of the bounds that is no smaller than this has not much finer cells. */
+const [OPPOSITE, SMALLER] = [-0.5, 0.5];
 /** Cells at most. */
 const FINEST = 256;
 /** How far, in parts of the rectangle, a vertex without a normal (a pole) looks inwards for one. */
@@ -56,8 +59,40 @@ export function meshSurface(manifold, caller, wanted) {
   if (domain) return meshRectangle(manifold, domain.written, resolution);
   if (!box) throw new RangeError(`${caller}: an implicit surface is meshed inside its bounds; give them in its definition`);
   const mesh = meshImplicit(manifold, caller, box, resolution);
-  return wanted === undefined && bridgesSheets(mesh) ? meshImplicit(manifold, caller, box, FINER) : mesh;
+  return wanted === undefined && isPoor(mesh) ? meshFiner(manifold, caller, box) : mesh;
 }
+
+/** Whether the lattice may have been too coarse. @param {Mesh} mesh */
+const isPoor = (mesh) => mesh.indices.length === 0 || bridgesSheets(mesh);
+
+/**
+ * A mesh of what the usual lattice does not resolve: of a flat body as it is where this is stretched, or in the part of the bounds that holds the surface; and of more cells.
+ * @param {Manifold} manifold @param {string} caller @param {number[]} box @returns {Mesh}
+ */
+function meshFiner(manifold, caller, box) {
+  const { bodies } = manifold;
+  const round = bodies.stretchedIn(box)?.mesh(RESOLUTION.implicit, isPoor);
+  if (round && isInside(round.positions, box)) return round;
+  const usual = meshImplicit(manifold, caller, box, FINER[0]);
+  let mesh = usual;
+  const extent = bodies.extentIn(box);
+  const part = extent ? boxOf(extent, box) : box;
+  const isSmaller = volumeOf(part) < SMALLER * volumeOf(box);
+  const isOpen = () => mesh.indices.length === 0 || bridgesSheets(mesh, OPPOSITE);
+  for (const resolution of isSmaller ? FINER : FINER.slice(1)) {
+    if (!isOpen()) break;
+    mesh = meshImplicit(manifold, caller, part, resolution);
+    if (touches(mesh.positions, part, box)) mesh = meshImplicit(manifold, caller, box, resolution);
+  }
+  /* What has holes all the same is no better for being larger, unless its cells are much smaller. */
+  return isOpen() && !isSmaller ? usual : mesh;
+}
+
+/** @param {number[]} box */
+const volumeOf = (box) => (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]);
+
+/** Whether the bounds cut nothing off. @param {Float64Array} positions @param {number[]} box */
+const isInside = (positions, box) => positions.every((x, k) => x >= box[2 * (k % 3)] && x <= box[2 * (k % 3) + 1]);
 
 /** @param {Manifold} manifold @param {string} caller @param {number[]} box @param {number} resolution @returns {Mesh} */
 function meshImplicit(manifold, caller, box, resolution) {
@@ -84,9 +119,9 @@ function meshRectangle(manifold, { lower, upper }, resolution) {
 /**
  * Whether some triangle faces away from the normals of its own corners. Then the lattice was too coarse: two sheets of the surface lie within a cell of
  * it, some triangles join one to the other, and the mesh has holes where the surface has none.
- * @param {Mesh} mesh
+ * @param {Mesh} mesh @param {number} [cosine] only where normals of two of its corners differ by more than this says: at the tip of a cone finer lattices do not help
  */
-function bridgesSheets({ positions, normals, indices }) {
+function bridgesSheets({ positions, normals, indices }, cosine = 1) {
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
     let facing = 0;
@@ -97,7 +132,11 @@ function bridgesSheets({ positions, normals, indices }) {
         (positions[b + last] - positions[a + last]) * (positions[c + next] - positions[a + next]);
       facing += area * (normals[a + axis] + normals[b + axis] + normals[c + axis]);
     }
-    if (facing < 0) return true;
+    const least = () => Math.min(between(normals, a, b), between(normals, b, c), between(normals, c, a));
+    if (facing < 0 && (cosine === 1 || least() < cosine)) return true;
   }
   return false;
 }
+
+/** @param {Float64Array} normals @param {number} a @param {number} b where two of them begin */
+const between = (normals, a, b) => normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];

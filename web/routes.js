@@ -31,6 +31,7 @@ import { gap } from './vector.js';
  * @property {import('./domain.js').Domain | null} domain
  * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
  * @property {(() => import('./sides.js').Sides | null) | null} sides of its creases; null: it has none, or is a part of another, or there is no room for them
+ * @property {(() => import('./bodies.js').Bodies) | null} bodies what boxes hold of an implicit surface; null: it has a metric, or is no such surface
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points
@@ -220,6 +221,12 @@ function ontoSurface(heap, record, request) {
   const { from } = request;
   const { points } = heap.solve(record, request, AT_ONCE);
   return gap(points, from) > BESIDE * gap(from, [0, 0, 0]) ? Array.from(points.subarray(0, 3)) : from;
+}
+
+/** Where an end of an implicit surface lies on it; itself, where nothing tells. @param {Field} field @param {number[]} end */
+export function settle({ kind, run }, end) {
+  const { points } = run((heap, record) => heap.solve(record, { kind, from: end, to: end, start: null }, AT_ONCE));
+  return points.length > 0 ? Array.from(points.subarray(0, 3)) : end;
 }
 
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */

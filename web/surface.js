@@ -205,8 +205,8 @@ export class Surface {
 
   /**
    * Triangles, to draw.
-   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64, or 96 if two sheets
-   *   of the surface are too near to each other for 64); 1 … 256
+   * @param {{ resolution?: number }} [options] cells a direction of the rectangle (default 96), or along the longest side of the bounds (default 64, or up to 128 if two sheets
+   *   of the surface are too near to each other for 64; of a flat body along each of its axes); 1 … 256
    * @returns {Mesh}
    */
   mesh(options) {
