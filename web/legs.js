@@ -20,6 +20,9 @@ import { poseNear } from './routes.js';
 /** Legs while joints move: so exact, over so many points. */
 export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
 
+/** Steps of a leg that does not hold count so many times: they are those of the most elements. */
+const FAILING = 4;
+
 /** All legs, over these joints, but those that follow a crease; null: one does not hold. @param {Question} question @param {Route} route @param {SolveOptions} [options] @returns {Leg[] | null} */
 export function solveAll(question, { legs, joints }, options = LEG) {
   const places = placesOf(question, joints);
@@ -41,8 +44,9 @@ export function solveLeg({ field, sides, budget }, leg, from, to, options) {
   const side = sides.on(leg.signs);
   if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
   const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(options);
-  budget.steps -= 1 + path.iterations;
-  return holds({ path }) ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
+  const isHeld = holds({ path });
+  budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
+  return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
 }
 
 /** How long all legs are. @param {Leg[]} legs */

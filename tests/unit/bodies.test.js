@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../web/index.js';
+import { Heap } from '../../web/runtime/heap.js';
 import { createRandom } from '../helpers/random.js';
 
 /** @typedef {[number, number]} Range */
@@ -150,4 +151,24 @@ test('a mug: paths from inside to outside lead over its rim, not through the wal
   assert.equal(path.status, 'converged');
   assert.ok(path.length > 0.8 + 0.1 + 1.3 && path.length < 0.8 + 0.1 + Math.hypot(1.3, around), `${path.length}`);
   mug.dispose();
+});
+
+test('a cube under a density: where legs do not come to rest, that is given up in time', () => {
+  const { solve } = Heap.prototype;
+  let steps = 0;
+  Heap.prototype.solve = function (...question) {
+    const path = solve.apply(this, question);
+    steps += path.iterations;
+    return path;
+  };
+  const body = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1', bounds: cube(1.3), density: '1 + 0.5z' });
+  try {
+    const { status, length, lengthError } = body.shortestPath([0.5525, 0.9425, 1], [0.88725, -1, 0.34775]);
+    assert.equal(status, 'stalled');
+    assert.ok(Math.abs(length - 3.2) < 0.05 && lengthError < 0.05, `${length}, ${lengthError}`);
+  } finally {
+    Heap.prototype.solve = solve;
+  }
+  assert.ok(steps < 16_000, `${steps} steps`);
+  body.dispose();
 });
