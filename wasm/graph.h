@@ -64,11 +64,11 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
 /* Builds the graph of a surface in `arena`, which is reset first.
  *
  * Parametric: a grid whose lines are as far apart on the surface as it goes, every vertex joined to the 32 around it that a coprime step of
- * at most 3 reaches or, where these do not resolve the surface, but nearly, and at level 1 also where it is steep, the 80 that one of at
- * most 5 does; an edge is two chords through its middle on the surface, or Simpson's rule for the metric in use. Edges do not cross a curve
- * on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes sign, centres moved onto f = 0; neighbours at most
- * two cells away are joined where their normals and the chord say that they lie on the same sheet. Returns SP_CONVERGED, SP_NOT_FINITE (the
- * box is empty or not finite) or SP_OUT_OF_MEMORY. */
+ * at most 3 reaches or, where these do not resolve the surface and it is not `coarse`, and at level 1 also where it is steep, the 80 that
+ * one of at most 5 does; an edge is two chords through its middle on the surface, or Simpson's rule for the metric in use. Edges do not
+ * cross a curve on which S_u x S_v vanishes. Implicit: the cells of a cubic grid in which f changes sign, centres moved onto f = 0;
+ * neighbours at most two cells away are joined where their normals and the chord say that they lie on the same sheet. Returns SP_CONVERGED,
+ * SP_NOT_FINITE (the box is empty or not finite) or SP_OUT_OF_MEMORY. */
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,
                        struct sp_graph *graph);
 

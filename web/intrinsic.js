@@ -7,7 +7,7 @@ import { compared, ELEMENTS } from './candidates.js';
 import { findCreased } from './creased.js';
 import { mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces.js';
-import { settle } from './routes.js';
+import { settleEnd } from './routes.js';
 import { vector } from './rectangle.js';
 import { dot, gap } from './vector.js';
 
@@ -152,7 +152,7 @@ function findImplicit(field, ends, options, start) {
  */
 function findStretched(field, stretched, ends, options, start) {
   if (!stretched) return null;
-  const settled = ends.map((end) => settle(field, end));
+  const settled = ends.map((end) => settleEnd(field, end));
   const places = settled.map((end) => stretched.into(end));
   const line = start && start !== 'global' ? Float64Array.from(stretched.into(start)) : start;
   const found = findByPieces(stretched.field, places, options, line);

@@ -185,7 +185,7 @@ function pose(field, [from, to], find) {
     return answer;
   };
   const found = run((heap, record) => {
-    const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoSurface(heap, record, { kind, from: end, to: end, start: null }));
+    const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoBeside(heap, record, kind, end));
     return find({
       from: first,
       to: last,
@@ -215,19 +215,21 @@ function pose(field, [from, to], find) {
 
 /**
  * Where a path begins whose end is given beside an implicit surface: there a graph is looked into, too. What is near enough stays as it is, to the bit.
- * @param {Heap} heap @param {number} record @param {Parameters<Heap['solve']>[1]} request from an end to itself
+ * @param {Heap} heap @param {number} record @param {number} kind @param {number[]} end
  */
-function ontoSurface(heap, record, request) {
-  const { from } = request;
-  const { points } = heap.solve(record, request, AT_ONCE);
-  return gap(points, from) > BESIDE * gap(from, [0, 0, 0]) ? Array.from(points.subarray(0, 3)) : from;
+function ontoBeside(heap, record, kind, end) {
+  const there = ontoSurface(heap, record, kind, end);
+  return gap(there, end) > BESIDE * gap(end, [0, 0, 0]) ? there : end;
 }
 
-/** Where an end of an implicit surface lies on it; itself, where nothing tells. @param {Field} field @param {number[]} end */
-export function settle({ kind, run }, end) {
-  const { points } = run((heap, record) => heap.solve(record, { kind, from: end, to: end, start: null }, AT_ONCE));
+/** Where an end of a path on an implicit surface lies on it; the end itself, where nothing tells. @param {Heap} heap @param {number} record @param {number} kind @param {number[]} end */
+function ontoSurface(heap, record, kind, end) {
+  const { points } = heap.solve(record, { kind, from: end, to: end, start: null }, AT_ONCE);
   return points.length > 0 ? Array.from(points.subarray(0, 3)) : end;
 }
+
+/** @param {Field} field an implicit surface @param {number[]} end of a path on it @returns {number[]} where it lies on the surface */
+export const settleEnd = ({ kind, run }, end) => run((heap, record) => ontoSurface(heap, record, kind, end));
 
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */
 function branchesOf({ domain, graphs, isPlain, jets }) {

@@ -71,7 +71,9 @@ export function* findStarts(problem, isAll, straight) {
 
 /** What graphs say of the ends, from a level on. @param {Problem} problem @param {(level: number) => Graph | null} find @param {number} level @param {boolean} isAll @returns {Generator<Looked, void>} */
 function* look({ domain, search }, find, level, isAll) {
-  for (let graph = find(level); graph; graph = find(++level)) {
+  for (let graph = find(level), before = null; graph; before = graph, graph = find(++level)) {
+    /* A finer one was searched already in place of a coarse one. */
+    if (graph === before) continue;
     /* Where its cells are too coarse for an implicit surface, or may be, length not being that of space, the search begins with finer ones, if there is room for these. */
     if (level === 0 && !domain && !graph.resolved) {
       const finer = find(1);

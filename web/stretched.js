@@ -13,9 +13,6 @@ import { dot, gap } from './vector.js';
 /** @typedef {import('./sides.js').Installed} Installed */
 /** @typedef {Pick<import('./sides.js').Given, 'measure' | 'shape' | 'parameters' | 'solver'> & { write: (shape: Installed, measured: Installed, extent: number) => Installed }} Given a surface, for the present values of its parameters */
 
-/** What is across the surface counts so much beside what is along it, where that is longest: on tangents nothing, but chords through the body are no short cuts. */
-const ACROSS = 1;
-
 export class Stretched {
   #given;
   #extent;
@@ -128,7 +125,8 @@ export class Stretched {
         const gradient = shape.variables.map((name) => slope(shaped, name));
         const size = gradient.map((node) => graph.multiply(node, node)).reduce((sum, node) => graph.add(sum, node));
         const entry = (/** @type {number} */ i, /** @type {number} */ j) => {
-          const across = graph.divide(graph.multiply(graph.constant(ACROSS), graph.multiply(gradient[i], gradient[j])), size);
+          /* Nothing along the surface; but chords through the body are no short cuts. */
+          const across = graph.divide(graph.multiply(gradient[i], gradient[j]), size);
           return graph.multiply(i === j ? graph.add(graph.constant(this.#scale[i] ** 2), across) : across, square);
         };
         return [shaped, entry(0, 0), entry(0, 1), entry(1, 1), entry(0, 2), entry(1, 2), entry(2, 2)];

@@ -265,6 +265,7 @@ static struct sp_graph_options read_graph_options(struct input *input, int32_t k
     if (given & 4) options.resolution = read_integer(input, -1, 20);
     if (given & 8) options.reach = read_number(input);
     if (given & 16) options.level = read_integer(input, 0, 2);
+    if (given & 32) options.loose = read_integer(input, 0, 2);
     return options;
 }
 
