@@ -1,7 +1,7 @@
 /** Many pairs of points in one flat array, checked: what is wrong with one pair is that pair's status, what is wrong with the array is an exception. */
 
 import { readList } from './definition.js';
-import { enterDomain } from './domain.js';
+import { enterDomain } from './manifold/domain.js';
 import { readOptions } from './path.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 
@@ -23,7 +23,7 @@ export function readPairNumbers(caller, pairs, variables) {
   return readList(`${caller}: pairs`, pairs, [...variables, ...variables], 'pair');
 }
 
-/** @param {number[]} point @param {import('./domain.js').Domain | null} domain @returns {number[] | null} null: outside the rectangle */
+/** @param {number[]} point @param {import('./manifold/domain.js').Domain | null} domain @returns {number[] | null} null: outside the rectangle */
 function enter(point, domain) {
   if (!domain) return point;
   try {
@@ -36,7 +36,7 @@ function enter(point, domain) {
 
 /**
  * The ends of each pair, or why it has none.
- * @param {string} caller @param {unknown} pairs @param {string[]} variables of a point @param {import('./domain.js').Domain | null} domain
+ * @param {string} caller @param {unknown} pairs @param {string[]} variables of a point @param {import('./manifold/domain.js').Domain | null} domain
  * @returns {(number[][] | typeof NOT_FINITE | typeof OFF_SURFACE)[]}
  */
 export function readPairs(caller, pairs, variables, domain) {

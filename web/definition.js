@@ -1,7 +1,7 @@
 /** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
 
-import { editDistance } from './expression/advice.js';
 import { checkObject, describe, readFinite, refuse, refuseNumber } from './arguments.js';
+import { editDistance } from './expression/advice.js';
 
 /** @typedef {string | number} Expression a formula, or a number */
 

@@ -1,18 +1,18 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
-import { DISPOSE } from './dispose.js';
 import { checkObject, checkOptions, refuse } from './arguments.js';
+import { DISPOSE } from './dispose.js';
+import { PARAMETRIC_KINDS } from './manifold/shapes.js';
 import { compileSolver, Solver } from './runtime/solver.js';
-import { PARAMETRIC_KINDS } from './shapes.js';
 import { Surface } from './surface.js';
 
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
 /** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
-/** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
-/** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
-/** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
-/** @typedef {import('./shapes.js').SweepDefinition} SweepDefinition */
+/** @typedef {import('./manifold/shapes.js').GraphDefinition} GraphDefinition */
+/** @typedef {import('./manifold/shapes.js').RevolutionDefinition} RevolutionDefinition */
+/** @typedef {import('./manifold/shapes.js').TubeDefinition} TubeDefinition */
+/** @typedef {import('./manifold/shapes.js').SweepDefinition} SweepDefinition */
 /** @typedef {import('./runtime/solver.js').WasmSource} WasmSource */
 
 /**

@@ -3,16 +3,16 @@
  * space: where sheets cross or lie close to each other they jump over, and nothing leads back. Over u and v alone there is no other sheet. MATH.md, "Intrinsic paths".
  */
 
-import { compared, ELEMENTS } from './candidates.js';
-import { findCreased } from './creased.js';
+import { findCreased } from './creases/creased.js';
+import { vector } from './manifold/rectangle.js';
 import { mostOf } from './path.js';
-import { findAllByPieces, findByPieces } from './pieces.js';
-import { settleEnd } from './routes.js';
-import { vector } from './rectangle.js';
+import { findAllByPieces, findByPieces } from './pieces/pieces.js';
+import { compared, ELEMENTS } from './search/candidates.js';
+import { settleEnd } from './search/routes.js';
 import { dot, gap } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
-/** @typedef {import('./routes.js').Field} Field */
+/** @typedef {import('./search/routes.js').Field} Field */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /** Steps of Newton after which no more is tried; who allows fewer altogether wants to know where they end. */
@@ -93,7 +93,7 @@ const shorter = (path, creased) => (creased && !(path.converged && path.length <
 
 /**
  * The path between two ends.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start
  * @returns {Path}
  */
 export function findPath(field, ends, options, start) {
@@ -108,7 +108,7 @@ export function findPath(field, ends, options, start) {
   return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };
 }
 
-/** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
+/** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
 function findSmooth(field, ends, options, start) {
   if (!field.domain) return findImplicit(field, ends, options, start);
   const path = findByPieces(field, ends, options, start);
@@ -131,7 +131,7 @@ function findSmooth(field, ends, options, start) {
   return isCompared(options) ? own : findByPieces(again.field, ends, again.options, start);
 }
 
-/** As {@link findSmooth}, on an implicit surface. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path} */
+/** As {@link findSmooth}, on an implicit surface. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
 function findImplicit(field, ends, options, start) {
   const isSure = options.algorithm === ELEMENTS && options.maxIterations >= STEPS;
   const bodies = isSure ? field.bodies?.() : null;
@@ -147,8 +147,8 @@ function findImplicit(field, ends, options, start) {
 
 /**
  * The path between two ends of a flat body, found where this is stretched.
- * @param {Field} field @param {import('./stretched.js').Stretched | null} stretched
- * @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces.js').Start} start @returns {Path | null}
+ * @param {Field} field @param {import('./manifold/stretched.js').Stretched | null} stretched
+ * @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path | null}
  */
 function findStretched(field, stretched, ends, options, start) {
   if (!stretched) return null;

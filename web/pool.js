@@ -12,7 +12,7 @@ import { Pool } from './runtime/pool.js';
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./path.js').PairOptions} PairOptions */
 /** @typedef {import('./path.js').GeodesicsOptions} GeodesicsOptions */
-/** @typedef {import('./field.js').DistanceField} DistanceField */
+/** @typedef {import('./mesh/field.js').DistanceField} DistanceField */
 
 /**
  * Makes a pool of workers. They start when they are first needed, and stay until `dispose`; idle ones do not keep Node.js from exiting.

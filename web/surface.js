@@ -1,32 +1,32 @@
 /** A surface as its users see it: every question that can be asked about it, its arguments checked, and handed on. No mathematics. */
 
-import { readPairs, readPairOptions } from './batch.js';
-import { readList, checkParameters, readNumbers } from './definition.js';
-import { COMPARED_POINTS, ELEMENTS } from './candidates.js';
-import { DISPOSE } from './dispose.js';
-import { measureField, readFieldOptions } from './field.js';
-import { findGeodesics, findPath } from './intrinsic.js';
-import { SHAPE } from './kind.js';
-import { Manifold } from './manifold.js';
-import { meshSurface } from './mesh.js';
-import { evaluateNormals } from './normals.js';
 import { checkOptions, wholeNumber } from './arguments.js';
-import { makePath, MOST_POINTS, readOptions, readStart } from './path.js';
-import { projectOnto } from './projection.js';
+import { readPairOptions, readPairs } from './batch.js';
+import { checkParameters, readList, readNumbers } from './definition.js';
+import { DISPOSE } from './dispose.js';
+import { findGeodesics, findPath } from './intrinsic.js';
+import { SHAPE } from './manifold/kind.js';
+import { Manifold } from './manifold/manifold.js';
+import { measureField, readFieldOptions } from './mesh/field.js';
+import { meshSurface } from './mesh/mesh.js';
+import { evaluateNormals } from './mesh/normals.js';
+import { projectOnto } from './mesh/projection.js';
+import { MOST_POINTS, makePath, readOptions, readStart } from './path.js';
 import { emptyPath } from './runtime/result.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
+import { COMPARED_POINTS, ELEMENTS } from './search/candidates.js';
 import { readTrace, readTraceOptions, traceFrom } from './trace.js';
-import { passThrough } from './via.js';
 import { gap } from './vector.js';
+import { passThrough } from './via.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./path.js').PairOptions} PairOptions */
 /** @typedef {import('./path.js').GeodesicsOptions} GeodesicsOptions */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
-/** @typedef {import('./mesh.js').Mesh} Mesh */
-/** @typedef {import('./field.js').FieldOptions} FieldOptions */
-/** @typedef {import('./field.js').DistanceField} DistanceField */
+/** @typedef {import('./mesh/mesh.js').Mesh} Mesh */
+/** @typedef {import('./mesh/field.js').FieldOptions} FieldOptions */
+/** @typedef {import('./mesh/field.js').DistanceField} DistanceField */
 
 /** So far from an implicit surface, in parts of the diagonal of its bounds, a point is on it: as in wasm/start.c. */
 const FAR = 0.1;

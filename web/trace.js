@@ -1,10 +1,10 @@
 /** A geodesic from a point in a direction: what a caller may ask of it, checked, and its trace. */
 
-import { readNumbers } from './definition.js';
-import { KIND } from './kind.js';
 import { checkOptions, readTolerance, refuseNumber, wholeNumber } from './arguments.js';
-import { makePath, MOST_POINTS } from './path.js';
-import { placed, placeIn } from './pieces.js';
+import { readNumbers } from './definition.js';
+import { KIND } from './manifold/kind.js';
+import { MOST_POINTS, makePath } from './path.js';
+import { placed, placeIn } from './pieces/pieces.js';
 import { CONVERGED, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
 
 /** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
@@ -36,7 +36,7 @@ export function readTraceOptions(caller, given) {
 }
 
 /**
- * @param {import('./manifold.js').Manifold} manifold @param {string} caller @param {number[]} start @param {ReturnType<typeof readTrace>} asked
+ * @param {import('./manifold/manifold.js').Manifold} manifold @param {string} caller @param {number[]} start @param {ReturnType<typeof readTrace>} asked
  * @param {ReturnType<typeof readTraceOptions>} wanted
  * @returns {import('./path.js').Path}
  */

@@ -8,10 +8,10 @@
 /** @typedef {import('./definition.js').ParametricDefinition} ParametricDefinition */
 /** @typedef {import('./definition.js').ImplicitDefinition} ImplicitDefinition */
 /** @typedef {import('./definition.js').MetricDefinition} MetricDefinition */
-/** @typedef {import('./shapes.js').GraphDefinition} GraphDefinition */
-/** @typedef {import('./shapes.js').RevolutionDefinition} RevolutionDefinition */
-/** @typedef {import('./shapes.js').TubeDefinition} TubeDefinition */
-/** @typedef {import('./shapes.js').SweepDefinition} SweepDefinition */
+/** @typedef {import('./manifold/shapes.js').GraphDefinition} GraphDefinition */
+/** @typedef {import('./manifold/shapes.js').RevolutionDefinition} RevolutionDefinition */
+/** @typedef {import('./manifold/shapes.js').TubeDefinition} TubeDefinition */
+/** @typedef {import('./manifold/shapes.js').SweepDefinition} SweepDefinition */
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./path.js').PathOptions} PathOptions */
 /** @typedef {import('./path.js').PairOptions} PairOptions */
@@ -19,8 +19,8 @@
 /** @typedef {import('./path.js').Status} Status */
 /** @typedef {import('./runtime/result.js').Iterate} Iterate */
 /** @typedef {import('./trace.js').TraceOptions} TraceOptions */
-/** @typedef {import('./mesh.js').Mesh} Mesh */
-/** @typedef {import('./field.js').FieldOptions} FieldOptions */
-/** @typedef {import('./field.js').DistanceField} DistanceField */
+/** @typedef {import('./mesh/mesh.js').Mesh} Mesh */
+/** @typedef {import('./mesh/field.js').FieldOptions} FieldOptions */
+/** @typedef {import('./mesh/field.js').DistanceField} DistanceField */
 
 export {};

@@ -1,14 +1,14 @@
 /** Paths through given points: the shortest path from each to the next. */
 
 import { findPath } from './intrinsic.js';
-import { joinPieces, reverse } from './join.js';
-import { placed } from './pieces.js';
-import { isAfter } from './routes.js';
+import { placed } from './pieces/pieces.js';
+import { joinPieces, reverse } from './search/join.js';
+import { isAfter } from './search/routes.js';
 
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
 /**
- * @param {import('./routes.js').Field} field @param {string} caller @param {number[][]} places @param {SolveOptions} options @param {unknown} start
+ * @param {import('./search/routes.js').Field} field @param {string} caller @param {number[][]} places @param {SolveOptions} options @param {unknown} start
  * @returns {import('./path.js').Path}
  */
 export function passThrough(field, caller, places, options, start) {

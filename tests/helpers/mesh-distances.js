@@ -6,7 +6,7 @@ const AROUND = 2.5;
 /**
  * Distances of the vertices from one of them, over edges and across them to the next vertices, and through nodes.
  *
- * @param {import('../../web/mesh.js').Mesh} mesh
+ * @param {import('../../web/mesh/mesh.js').Mesh} mesh
  * @param {number} from a vertex
  * @param {number[][]} nodes x y z of points where sheets meet, of which the mesh knows nothing
  * @param {number} cell of the mesh

@@ -2,8 +2,8 @@
 // bounds that are not theirs, a surface of revolution, and areas by quadrature.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { boxOf, findExtent, flatnessOf } from '../../web/extent.js';
 import { load } from '../../web/index.js';
+import { boxOf, findExtent, flatnessOf } from '../../web/manifold/extent.js';
 import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
@@ -15,7 +15,7 @@ const EVERYWHERE = 1.2;
 const ROUGHLY = 1e-4;
 const NEARLY = ['tolerance-not-met', 'ill-conditioned', 'iteration-limit'];
 
-/** @typedef {import('../../web/mesh.js').Mesh} Mesh */
+/** @typedef {import('../../web/mesh/mesh.js').Mesh} Mesh */
 /** @typedef {import('../../web/definition.js').ImplicitDefinition['bounds']} Bounds */
 
 /** @param {number[]} half @returns {Bounds} */

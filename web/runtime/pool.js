@@ -1,12 +1,12 @@
 /** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
 
+import { checkOptions, describe, refuse, wholeNumber } from '../arguments.js';
 import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
-import { checkOptions, describe, refuse, wholeNumber } from '../arguments.js';
 import { makePath } from '../path.js';
 import { Crew } from './crew.js';
-import { emptyPath } from './result.js';
 import { Job } from './job.js';
+import { emptyPath } from './result.js';
 import { NOT_FINITE } from './status.js';
 import { countProcessors, startThread } from './thread.js';
 import { unpackError, writeDefinition } from './wire.js';
@@ -15,8 +15,8 @@ import { unpackError, writeDefinition } from './wire.js';
 /** @typedef {import('../path.js').PathOptions} PathOptions */
 /** @typedef {import('../path.js').PairOptions} PairOptions */
 /** @typedef {import('../path.js').GeodesicsOptions} GeodesicsOptions */
-/** @typedef {import('../field.js').FieldOptions} FieldOptions */
-/** @typedef {import('../field.js').DistanceField} DistanceField */
+/** @typedef {import('../mesh/field.js').FieldOptions} FieldOptions */
+/** @typedef {import('../mesh/field.js').DistanceField} DistanceField */
 /** @typedef {import('../instance.js').AnyDefinition} AnyDefinition */
 /** @typedef {import('./worker.js').Question['method']} Method */
 

@@ -4,7 +4,7 @@ import { cutMesh, LARGEST } from './cuts.js';
 import { refineRims } from './rims.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
-/** @typedef {import('../mesh.js').Mesh} Mesh */
+/** @typedef {import('../mesh/mesh.js').Mesh} Mesh */
 /**
  * @typedef {object} DrawnMesh
  * @property {number[]} [twins] after the mesh's own vertices there are others, each beside the one of these

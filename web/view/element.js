@@ -7,8 +7,8 @@ import {
   LOOK_ATTRIBUTES,
   PATH_ATTRIBUTES,
   readDefinition,
-  readLook,
   readEnds,
+  readLook,
   readOptions,
   SURFACE_ATTRIBUTES,
 } from './element/attributes.js';

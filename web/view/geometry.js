@@ -10,7 +10,7 @@ import { FarGeometry } from './far.js';
 import { originOf } from './origin.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
-/** @typedef {import('../mesh.js').Mesh} Mesh */
+/** @typedef {import('../mesh/mesh.js').Mesh} Mesh */
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {import('./colouring.js').ColourScale} ColourScale */
 

@@ -5,9 +5,9 @@ import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { checkOptions, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
+import { HALO, PATH } from './colours.js';
 import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
-import { HALO, PATH } from './colours.js';
 import { originOf } from './origin.js';
 
 /** @typedef {import('three').ColorRepresentation} Colour */

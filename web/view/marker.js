@@ -1,8 +1,8 @@
 /** A point on a surface as it is drawn: a small ball in a ring, of constant size on the screen; where the surface hides it, dimmer and without the ring. */
 
 import { Color, GreaterDepth, Group, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
-import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { HALO, PATH } from './colours.js';
+import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 
 const VERTEX = /* glsl */ `
 uniform vec2 resolution;

@@ -12,7 +12,7 @@ const bounds = /** @type {[[number, number], [number, number], [number, number]]
 const bodyOf = (/** @type {string} */ f) => surfpath.implicit({ f, bounds });
 const flat = (/** @type {number} */ by) => bodyOf(`x^2 + y^2 + ${by ** 2}*z^2 - 1`);
 
-/** Area of the triangles that a corner's normal stands across, or on the other side of: they would be dark, seen from where the surface is light. @param {import('../../../web/mesh.js').Mesh} mesh */
+/** Area of the triangles that a corner's normal stands across, or on the other side of: they would be dark, seen from where the surface is light. @param {import('../../../web/mesh/mesh.js').Mesh} mesh */
 function dark({ positions, normals, indices }) {
   const at = (/** @type {Float64Array} */ list, /** @type {number} */ i) => list.subarray(3 * i, 3 * i + 3);
   let area = 0;

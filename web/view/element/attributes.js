@@ -1,7 +1,7 @@
 /** What the attributes of <surface-path> say, as the library takes it. Pure: reads strings, knows no document. */
 
-import { gallery } from '../../gallery.js';
 import { describe, refuse } from '../../arguments.js';
+import { gallery } from '../../gallery.js';
 
 /** @typedef {(name: string) => string | null} Attributes the value of an attribute, null where it is absent */
 /** @typedef {import('../../instance.js').AnyDefinition} AnyDefinition */

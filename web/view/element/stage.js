@@ -2,13 +2,13 @@
 
 import { HemisphereLight, Mesh, PerspectiveCamera, Scene } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
-import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 import { HALO, PATH, START, SURFACE } from '../colours.js';
 import { addLights } from '../light.js';
 import { sideOf } from '../side.js';
+import { DragHandle, fitCamera, GeodesicLine, Marker, PathPlayer, surfaceGeometry, surfaceMaterial } from '../three.js';
 import { turnByKeys } from '../turn-keys.js';
 import { shareWheel } from '../wheel.js';
+import { acquireRenderer, drawInto, releaseRenderer } from './renderer.js';
 
 /** @typedef {import('../../surface.js').Surface} Surface */
 /** @typedef {import('../../path.js').Path} Path */

@@ -1,0 +1,315 @@
+// Implicit surfaces whose sheets meet in points: paths that end there, or lead through, against closed forms and ways along a fine mesh.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { load } from '../../../web/index.js';
+import { distancesAlong } from '../../helpers/mesh-distances.js';
+import { createRandom } from '../../helpers/random.js';
+import { anything, close } from '../../helpers/refuses.js';
+
+/** @typedef {[number, number]} Range */
+
+const surfpath = await load();
+const PAIRS = 24;
+
+/** @param {number} size @returns {[Range, Range, Range]} */
+const within = (size) => [
+  [-size, size],
+  [-size, size],
+  [-size, size],
+];
+const cone = { f: 'x^2 + y^2 - z^2', bounds: within(2) };
+const cayley = { f: '4(x^3 + y^3 + z^3 + 1) - (x + y + z + 1)^3', bounds: within(3) };
+const kummer = {
+  f: '(x^2 + y^2 + z^2 - m)^2 - (3m - 1)/(3 - m) * ((1 - z)^2 - 2x^2) * ((1 + z)^2 - 2y^2)',
+  parameters: { m: 1.5 },
+  bounds: within(1.8),
+};
+const barth = {
+  f: '4(a^2*x^2 - y^2)(a^2*y^2 - z^2)(a^2*z^2 - x^2) - (1 + 2a)(x^2 + y^2 + z^2 - 1)^2',
+  parameters: { a: (1 + Math.sqrt(5)) / 2 },
+  bounds: within(2),
+};
+
+/** A point of the cone. @param {number} height @param {number} angle */
+const onCone = (height, angle) => [Math.abs(height) * Math.cos(angle), Math.abs(height) * Math.sin(angle), height];
+const norm = (/** @type {ArrayLike<number>} */ x) => Math.hypot(x[0], x[1], x[2]);
+
+for (const [f, apex, slope] of /** @type {const} */ ([
+  ['z - hypot(x, y)', 0, 1],
+  ['sqrt(x^2 + y^2) - (1 - z)/2', 1, -2],
+  ['max(hypot(x, y) - z, z - 1)', 0, 1],
+]))
+  test(`${f} = 0, whose gradient is no number at the apex: straight from there`, () => {
+    const surface = surfpath.implicit({ f, bounds: within(1.2) });
+    const random = createRandom(12);
+    for (let i = 0; i < 8; i++) {
+      const [far, angle] = [random.between(0.1, 0.9), random.between(0, 2 * Math.PI)];
+      const path = surface.shortestPath([0, 0, apex], [far * Math.cos(angle), far * Math.sin(angle), apex + slope * far]);
+      assert.equal(path.status, 'converged', `${far} ${angle}`);
+      close(path.length, far * Math.hypot(1, slope));
+    }
+  });
+
+describe('a double cone', () => {
+  const surface = surfpath.implicit(cone);
+
+  test('from the apex, and to it: along a straight line', () => {
+    const random = createRandom(51);
+    for (let i = 0; i < PAIRS; i++) {
+      const end = onCone(random.between(-1, 1), random.between(0, 7));
+      for (const path of [surface.shortestPath([0, 0, 0], end), surface.shortestPath(end, [0, 0, 0])]) {
+        assert.equal(path.status, 'converged');
+        close(path.length, norm(end));
+      }
+    }
+    const { status, length } = surface.shortestPath([0, 0, 0], [0, 0, 0]);
+    assert.deepEqual([status, length], ['converged', 0]);
+  });
+
+  test('from beside the apex, however near, to the other half', () => {
+    for (let beside = 1e-3; beside > 1e-14; beside /= 10) {
+      const { status, length } = surface.shortestPath([beside, 0, beside], [1, 0, -1]);
+      assert.equal(status, 'converged', `${beside}`);
+      assert.ok(Math.abs(length - Math.SQRT2 * (1 + beside)) < 1e-10, `${beside}: ${length}`);
+    }
+  });
+
+  for (const { name, other } of [
+    { name: 'within bounds', other: surface },
+    { name: 'without bounds', other: surfpath.implicit({ f: cone.f }) },
+    { name: 'turned and moved, its apex no round number', other: null },
+  ])
+    test(`from one half to the other, ${name}: through the apex, as long as both slants`, () => {
+      const [c, s] = [Math.cos(0.7), Math.sin(0.7)];
+      const turned = `((x - 0.1)*${c} + (z - 1/3)*${s})^2 + (y - 0.2)^2 - ((z - 1/3)*${c} - (x - 0.1)*${s})^2`;
+      const place = (/** @type {number[]} */ [x, y, z]) => (other ? [x, y, z] : [0.1 + c * x - s * z, 0.2 + y, 1 / 3 + s * x + c * z]);
+      const own = other ?? surfpath.implicit({ f: turned, bounds: within(3) });
+      const random = createRandom(53);
+      for (let i = 0; i < PAIRS / 2; i++) {
+        const ends = [onCone(random.between(0.01, 1), random.between(0, 7)), onCone(random.between(-1, -0.01), random.between(0, 7))];
+        const [from, to] = ends.map(place);
+        const path = own.shortestPath(from, to);
+        assert.equal(path.status, 'converged');
+        close(path.length, norm(ends[0]) + norm(ends[1]));
+        const back = own.shortestPath(to, from);
+        assert.equal(back.length, path.length);
+        for (let k = 0; k < path.points.length; k += 3)
+          assert.deepEqual(back.points.slice(k, k + 3), path.points.slice(-3 - k, path.points.length - k));
+      }
+    });
+
+  test('from a line where planes cross, where ∇f = 0, too, within one of them', () => {
+    const { status, length } = surfpath.implicit({ f: 'x*y' }).shortestPath([0, 0, 0], [1, 0, 1]);
+    assert.equal(status, 'converged');
+    close(length, Math.SQRT2);
+  });
+
+  test('within a half: never through the apex', () => {
+    const flat = surfpath.implicit({ f: 'x^2 + y^2 - 9z^2', bounds: within(2) });
+    const angle = 1.5;
+    const path = flat.shortestPath([1.5, 0, 0.5], [1.5 * Math.cos(angle), 1.5 * Math.sin(angle), 0.5]);
+    const slant = Math.hypot(1.5, 0.5);
+    close(path.length, 2 * slant * Math.sin(((angle / 2) * 1.5) / slant));
+  });
+
+  test('as the other methods say it, and as the parameters move it', () => {
+    const [from, to] = [onCone(1, 0), onCone(-0.5, 2)];
+    const path = surface.shortestPath(from, to);
+    assert.equal(surface.lengths([...from, ...to])[0], path.length);
+    assert.deepEqual(surface.geodesics(from, to), [path]);
+    assert.equal(surface.shortestPath(from, to, { points: 1 }).points.length, 9);
+    const moved = surfpath.implicit({ ...cone, f: 'x^2 + y^2 - (z - c)^2', parameters: { c: 0 } });
+    close(moved.shortestPath(from, to).length, path.length);
+    moved.set({ c: 0.5 });
+    close(moved.shortestPath([1, 0, 1.5], [0, 0.5, 0]).length, Math.SQRT2 * 1.5);
+    const stretched = surfpath.implicit(anything({ ...cone, metric: { xx: 4, xy: 0, xz: 0, yy: 1, yz: 0, zz: 1 } }));
+    close(stretched.shortestPath(onCone(1, 0), onCone(-1, Math.PI / 2)).length, Math.sqrt(5) + Math.SQRT2);
+  });
+
+  test('distances from a point of one half reach the other', () => {
+    const from = onCone(1, 0);
+    for (const exact of [false, true]) {
+      const { mesh, distances } = surface.distanceField(from, { resolution: 12, exact });
+      for (const [i, distance] of distances.entries()) {
+        const at = mesh.positions.subarray(3 * i, 3 * i + 3);
+        const truth = norm(from) + norm(at);
+        if (at[2] < -0.3) assert.ok(Math.abs(distance / truth - 1) < (exact ? 1e-9 : 0.05), `${distance} for ${truth}`);
+      }
+    }
+  });
+
+  test('halves that miss each other, or are joined by a neck, are what they are', () => {
+    const between = (/** @type {string} */ f) => surfpath.implicit({ ...cone, f }).shortestPath([0, 1, 1], [0.6, 0.8, -1]);
+    assert.equal(between('x^2 + y^2 - z^2 + 1e-6').status, 'disconnected');
+    const neck = between('x^2 + y^2 - z^2 - 1e-6');
+    assert.equal(neck.status, 'converged');
+    assert.ok(neck.length < 2 * Math.SQRT2 && neck.length > 2 * Math.SQRT2 - 0.01);
+  });
+});
+
+describe('where f is a square, or a higher power, there is no normal', () => {
+  for (const f of ['(x^2+y^2+z^2-1)^2', '(x^2+y^2+z^2-1)^3', '1e9*(x^2+y^2+z^2-1)^4'])
+    for (const bounds of [undefined, within(1.5)])
+      test(`${f}, ${bounds ? 'within' : 'without'} bounds`, () => {
+        const surface = surfpath.implicit({ f, bounds });
+        const start = /** @type {const} */ ('straight');
+        for (const options of [undefined, { start }, { algorithm: /** @type {const} */ ('polyline') }])
+          for (const from of [
+            [1, 0, 0],
+            [0.6, 0.48, 0.64],
+            [1.01, 0, 0],
+          ])
+            assert.equal(surface.shortestPath(from, [0, -0.6, 0.8], options).status, 'singular-metric', `${from}`);
+        assert.equal(surface.trace([1, 0, 0], [0, 1, 0], 1).status, 'singular-metric');
+      });
+
+  test('but not on the middle of a heart, in an edge or a pinch point: there paths end', () => {
+    const heart = '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3';
+    for (const [f, from, to] of /** @type {[string, number[], number[]][]} */ ([
+      [heart, [1, 0, 0], [-1, 0, 0]],
+      [heart, [0, -2 / 3, 0], [-1, 0, 0]],
+      ['z^2 - x^3', [0, 0.5, 0], [1, 0, 1]],
+      ['x^2 - y^2*z', [0, 0, 0], [1, 1, 1]],
+      ['x^2 + y^2 - z^3', [0, 0, 0], [1, 0, 1]],
+      ['x*y*z', [0, 0, 0], [1, 0, 1]],
+    ]))
+      assert.equal(surfpath.implicit({ f, bounds: within(2) }).shortestPath(from, to).status, 'converged', `${f}, from ${from}`);
+  });
+});
+
+/** All points with these coordinates, in all orders and with all signs. @param {number[][]} points */
+const turns = (points) =>
+  points.flatMap(([x, y, z]) =>
+    [
+      [x, y, z],
+      [y, z, x],
+      [z, x, y],
+      [x, z, y],
+      [z, y, x],
+      [y, x, z],
+    ].flatMap((p) => Array.from({ length: 8 }, (_, k) => p.map((c, j) => ((k >> j) & 1 ? -c : c)))),
+  );
+const [golden, root] = [(1 + Math.sqrt(5)) / 2, Math.SQRT2];
+
+for (const { name, definition, nodes, places } of [
+  { name: 'Cayley’s cubic', definition: cayley, nodes: 4, places: [[1, 1, 1]] },
+  {
+    name: 'Kummer’s quartic',
+    definition: kummer,
+    nodes: 16,
+    places: [
+      [0.75 * root, 0.25 * root, 0.5],
+      [0.5 * root, 0, 1],
+      [0.25 * root, 0, 0.25],
+    ],
+  },
+  {
+    name: 'Barth’s sextic',
+    definition: barth,
+    nodes: 50,
+    places: [
+      [1, 0, 0],
+      [1, 1, 1],
+      [golden, 0, golden - 1],
+      [golden / 2, golden / 2 - 0.5, 0.5],
+    ],
+  },
+])
+  test(`${name}, ${nodes} nodes: all paths are found, none longer than along a mesh joined at the nodes`, () => {
+    const surface = surfpath.implicit(definition);
+    const isNode = (/** @type {number[]} */ at) => surface.evaluate(at).every((x) => Math.abs(x) < 1e-12);
+    const found = [
+      ...new Map(
+        turns(places)
+          .filter(isNode)
+          .map((at) => [
+            at
+              .map((x) => x.toFixed(6))
+              .join()
+              .replaceAll('-0.000000', '0.000000'),
+            at,
+          ]),
+      ).values(),
+    ];
+    assert.equal(found.length, nodes);
+    const resolution = 72;
+    const mesh = surface.mesh({ resolution });
+    const cell = (definition.bounds[0][1] - definition.bounds[0][0]) / resolution;
+    const random = createRandom(57);
+    const count = mesh.positions.length / 3;
+    const at = (/** @type {number} */ i) => Array.from(mesh.positions.subarray(3 * i, 3 * i + 3));
+    for (let i = 0; i < 3; i++) {
+      const from = random.integer(count);
+      const along = distancesAlong(mesh, from, found, cell);
+      for (let k = 0; k < PAIRS / 3; k++) {
+        const to = random.integer(count);
+        const path = surface.shortestPath(at(from), at(to));
+        if (along[to] === Infinity) assert.equal(path.status, 'disconnected');
+        else {
+          assert.equal(path.status, 'converged', `${at(from)} to ${at(to)}`);
+          const ratio = path.length / along[to];
+          assert.ok(ratio < 1.005 && ratio > 0.95, `${ratio} times along the mesh, ${at(from)} to ${at(to)}`);
+        }
+      }
+    }
+  });
+
+describe('where little tells which nodes hang together', () => {
+  const [kummer13, cayley2] = [{ ...kummer, parameters: { m: 1.3 } }, { f: 'x^2 + y^2 - x^2*z + y^2*z + z^2 - 1' }];
+  /* Lengths are those that other bounds give, to 1e-9, and polylines on a mesh, to 1e-3. */
+  for (const { name, definition, from, to, length } of [
+    {
+      name: 'legs between nodes that bounds cut off from others',
+      definition: { ...barth, bounds: within(1.6) },
+      ...{
+        from: [-0.23623861499257567, -0.5250437061229143, -0.9308479933050055],
+        to: [0.546011446029579, 0.9237366980048216, 0.17449162987523534],
+      },
+      length: 2.34005262970205,
+    },
+    {
+      name: 'a piece smaller than the cells around its nodes',
+      definition: { ...kummer13, bounds: within(3) },
+      ...{
+        from: [0.6084130848434596, 0.036616842496378726, -0.2212269985613427],
+        to: [-0.7132870380380958, -1.161541801392447, 0.4858338918108149],
+      },
+      length: 2.09109508382114,
+    },
+    {
+      name: 'without bounds, a piece smaller than the cells around its nodes',
+      definition: { ...kummer13, bounds: undefined },
+      ...{
+        from: [-0.9986780045866162, -0.173766704770605, -0.6984359181852247],
+        to: [0.831010898670666, 1.4430683887760005, 0.5981073336926783],
+      },
+      length: 3.0196742549254,
+    },
+    {
+      name: 'without bounds, a way through nodes far from both ends',
+      definition: cayley2,
+      ...{
+        from: [-0.37645305131471796, 0.8247979856823952, 0.2312194258866734],
+        to: [-0.33686029344379814, -1.9118950477002188, -1.1648073734165794],
+      },
+      length: 3.60940100182616,
+    },
+  ])
+    test(name, () => {
+      const path = surfpath.implicit(anything(definition)).shortestPath(from, to);
+      assert.equal(path.status, 'converged');
+      close(path.length, length, 1e-9);
+    });
+
+  test('between two nodes, where f rounds more than its coordinates', () => {
+    const surface = surfpath.implicit(anything({ ...kummer13, bounds: undefined }));
+    const [from, to] = [
+      [-9.821007251739502e-17, 0.21213203435596423, 0.15000000000000005],
+      [-0.2121320343559642, 5.885074138641357e-17, -0.14999999999999988],
+    ];
+    for (const points of [7, 31, 63]) {
+      const path = surface.shortestPath(from, to, { start: 'straight', algorithm: 'polyline', points });
+      assert.equal(path.status, 'converged', `${points}`);
+    }
+  });
+});

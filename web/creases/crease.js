@@ -1,0 +1,171 @@
+/** Places on a crease, and ways along it. Knows sides, nothing of paths. */
+
+import { cross } from '../vector.js';
+import { solveLinear } from './linear.js';
+
+/** @typedef {import('../manifold/sides.js').Sides} Sides */
+/** @typedef {{ crease: number, signs: number[] }} On a crease, of the surface as it is on the side with these signs, and it, too, as it is written there */
+/** @typedef {{ signs: number[], places: number[][] }} Edge a part of a crease between two of its corners, on a side with these signs, and places along it, first and last included */
+
+/** A place is on a crease to this part of how large coordinates are. */
+export const ROUNDING = 1e-13;
+/** So many steps of Newton lead onto a crease. */
+const MOST_ROUNDS = 20;
+/** Steps along a crease are as long as the next place is off its tangent by between these parts of them; so many lead from one joint to the next. */
+const [STRAIGHT, BENT, MOST_STRIDES] = [0.02, 0.1, 1000];
+/** A crease is bent by another where its slopes differ by more than this part. */
+const SAME = 1e-9;
+/** The first step along a crease, in parts of how far away the other joint is. */
+const STRIDE = 1 / 16;
+
+/** On a side that there is no room for. */
+const NOWHERE = new Array(4).fill(Number.NaN);
+
+/** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {On} on @param {number[]} place */
+export function settle(sides, on, place) {
+  return approach(place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
+}
+
+/** Moves a place onto this side of an implicit surface; in the rectangle every place is on it. @param {Sides} sides @param {On} on @param {number[]} place */
+export function ground(sides, on, place) {
+  return place.length === 2 ? place : approach(place, (at) => implicit(sides, on, at));
+}
+
+/** Where a crease meets the edge of the rectangle that a place lies beyond; null: it lies beyond none. @param {Sides} sides @param {On} on @param {import('../manifold/domain.js').Domain} domain @param {number[]} place */
+export function meetEdge(sides, on, { lower, upper, periodic }, place) {
+  const j = place.findIndex((x, i) => !periodic[i] && !(x >= lower[i] && x <= upper[i]));
+  if (j < 0) return null;
+  const edge = place[j] < lower[j] ? lower[j] : upper[j];
+  const gradient = place.map((_, i) => Number(i === j));
+  const met = approach(place, (at) => [vanishing(sides, on, at), [at[j] - edge, gradient]]);
+  return met.map((x, i) => (i === j ? edge : x));
+}
+
+/** @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
+function approach(place, equations) {
+  let at = place;
+  for (let round = 0; round < MOST_ROUNDS; round++) {
+    const by = along(equations(at));
+    at = at.map((x, j) => x - by[j]);
+    if (Math.max(...by.map(Math.abs)) <= ROUNDING * Math.max(...at.map(Math.abs))) break;
+  }
+  return at;
+}
+
+/** What vanishes on a crease, and its gradient. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]]} */
+function vanishing(sides, { crease, signs }, at) {
+  const [measured] = (sides.on(signs) ?? sides).measure(at);
+  return [measured[crease], slopeOf(sides, measured, crease, at.length)];
+}
+
+/** @param {Sides} sides @param {On} on @param {number[]} at */
+export const slopeAt = (sides, on, at) => vanishing(sides, on, at)[1];
+
+/** The gradient of what vanishes on a crease. @param {Sides} sides @param {number[]} measured there @param {number} crease @param {number} width */
+export const slopeOf = (sides, measured, crease, width) =>
+  Array.from({ length: width }, (_, j) => measured[sides.count * (1 + j) + crease]);
+
+/** f and ∇f of a side; of a parametric surface nothing. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]][]} */
+function implicit(sides, { signs }, at) {
+  if (at.length === 2) return [];
+  const [[f, x, y, z]] = sides.on(signs)?.jets(at) ?? [NOWHERE];
+  return [[f, [x, y, z]]];
+}
+
+/** The shortest step that takes away one, two or three values with these gradients. @param {[number, number[]][]} equations */
+function along(equations) {
+  const times = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p.reduce((sum, x, j) => sum + x * q[j], 0);
+  const gradients = equations.map(([, gradient]) => gradient);
+  const weights = solveLinear(
+    gradients.map((p) => gradients.map((q) => times(p, q))),
+    equations.map(([value]) => value),
+  );
+  return gradients[0].map((_, j) => (weights ? gradients.reduce((sum, gradient, k) => sum + weights[k] * gradient[j], 0) : Number.NaN));
+}
+
+/** Along a crease, and across it to where what vanishes there is positive: unit vectors of the coordinates. @param {Sides} sides @param {On} on @param {number[]} place @param {number[]} [slope] of what vanishes there */
+export function directions(sides, on, place, slope = vanishing(sides, on, place)[1]) {
+  const [surface] = implicit(sides, on, place);
+  const t = unit(surface ? cross(surface[1], slope) : [-slope[1], slope[0]]);
+  return { along: t, across: unit(surface ? cross(t, surface[1]) : slope) };
+}
+
+/** @param {number[]} vector */
+function unit(vector) {
+  const size = Math.sqrt(vector.reduce((sum, x) => sum + x * x, 0));
+  return vector.map((x) => x / size);
+}
+
+/**
+ * Places along a crease from one on it to another, that turn little from each to the next, edge by edge.
+ * @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} sense 1: as {@link directions} says; −1: the other way
+ * @returns {Edge[] | null} null: the other place is not reached
+ */
+export function walk(sides, on, from, to, sense) {
+  const minus = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.map((x, j) => x - b[j]);
+  const size = (/** @type {number[]} */ a) => Math.sqrt(a.reduce((sum, x) => sum + x * x, 0));
+  /** @type {Edge[]} */
+  const edges = [{ signs: on.signs, places: [from] }];
+  let stride = STRIDE * size(minus(to, from));
+  for (let count = 0; count < MOST_STRIDES && stride > 0; count++) {
+    const { signs, places } = edges[edges.length - 1];
+    const here = { crease: on.crease, signs };
+    const at = places[places.length - 1];
+    const t = directions(sides, here, at).along.map((x) => sense * x);
+    const rest = minus(to, at);
+    const ahead = rest.reduce((sum, x, j) => sum + x * t[j], 0);
+    const isNear = size(rest) <= 1.5 * stride && ahead > 0;
+    const step = isNear ? rest : t.map((x) => stride * x);
+    const aim = at.map((x, j) => x + step[j]);
+    const next = isNear ? to : settle(sides, here, aim);
+    const passed = corner(sides, here, at, isNear ? settle(sides, here, to) : next);
+    const off = size(
+      isNear
+        ? minus(
+            rest,
+            t.map((x) => ahead * x),
+          )
+        : minus(next, aim),
+    );
+    if (!passed && !(off <= BENT * size(step))) {
+      stride /= 2;
+      continue;
+    }
+    if (passed?.place) {
+      places.push(passed.place);
+      edges.push({ signs: passed.signs, places: [passed.place] });
+      continue;
+    }
+    if (passed) edges[edges.length - 1].signs = passed.signs;
+    places.push(next);
+    if (isNear) return edges;
+    if (off < STRAIGHT * stride) stride *= 1.5;
+  }
+  return null;
+}
+
+/**
+ * Whether another crease is crossed between two places on one: where it bends that, there is a corner. null: none is.
+ * @param {Sides} sides @param {On} on @param {number[]} at @param {number[]} next @returns {{ signs: number[], place: number[] | null } | null} signs: beyond it; place: of the corner
+ */
+function corner(sides, on, at, next) {
+  const side = sides.on(on.signs);
+  if (sides.count === 1 || !side) return null;
+  const [[before], [after]] = [side.measure(at), side.measure(next)];
+  const other = on.signs.findIndex(
+    (sign, k) =>
+      k !== on.crease && after[k] * sign < 0 && (before[k] - after[k]) * sign > 0 && Math.abs(after[k]) > ROUNDING * Math.abs(before[k]),
+  );
+  if (other < 0) return null;
+  const signs = on.signs.map((sign, k) => (k === other ? -sign : sign));
+  const beyond = sides.on(signs)?.measure(next)[0];
+  const [one, two] = [after, beyond ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
+  const size = Math.max(...one.map(Math.abs));
+  if (one.every((x, j) => Math.abs(x - two[j]) <= SAME * size)) return { signs, place: null };
+  const place = approach(next, (there) => [
+    vanishing(sides, on, there),
+    vanishing(sides, { ...on, crease: other }, there),
+    ...implicit(sides, on, there),
+  ]);
+  return { signs, place };
+}

@@ -1,0 +1,141 @@
+/**
+ * Paths across creases: geodesics on smooth sides of the surface, joined where they cross, and legs along creases between them. Which way they lead polylines tell;
+ * what moves are the places at which legs meet. MATH.md, "Across creases".
+ */
+
+import { placed } from '../pieces/pieces.js';
+import { ELEMENTS } from '../search/candidates.js';
+import { joinLegs, reverse } from '../search/join.js';
+import { drawLine, findWays, isAfter, measureLine, poseNear } from '../search/routes.js';
+import { gap } from '../vector.js';
+import { follow } from './follow.js';
+import { LEG, lengthOf, placesOf } from './legs.js';
+import { writeShore } from './shores.js';
+import { isBeside, roundingsOf, sketch } from './sketches.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('../search/routes.js').Field} Field */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {import('./legs.js').Joint} Joint */
+/** @typedef {import('./legs.js').Leg} Leg */
+/** @typedef {import('./legs.js').Question} Question */
+/** @typedef {import('./legs.js').Route} Route */
+/** @typedef {import('./sketches.js').Sketch} Sketch */
+
+/** Steps of Newton for one question, and for following one polyline. */
+const [MOST_NEWTON, MOST_FOLLOWING] = [30_000, 10_000];
+/** A path is longer than its polyline by no more than this part: in the rectangle, where a polyline is measured, and elsewhere; and shorter by no more than the third. */
+const [ROUGH, ROUGHER, LOOSE] = [2e-3, 0.02, 0.04];
+/** A path that is longer than its polyline by this part is none of its own. */
+const ASTRAY = 0.1;
+/** A way through the graph, whose edges may pass what is narrow, is shorter than a path by no more than this part. */
+const COARSE = 0.25;
+/** A path that is longer than the graph's way by no more than this needs no finer look. */
+const NEARLY = 1.003;
+/** A path is the straight line in space if it is longer by no more than this part. */
+const STRAIGHT = 1e-9;
+
+/** path: `converged`, or null; most: no path is shorter than that is: beyond it a shorter way was seen; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, most: number, rough: () => Path | null }} Creased */
+
+/**
+ * The shortest path near a start, or of all that are found.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('../pieces/pieces.js').Start} start @returns {Creased | null} null: there are no creases
+ */
+export function findCreased(field, ends, options, start) {
+  const { domain, pieces } = field;
+  const isWhole = pieces.length === 0 && !domain?.turn;
+  if (!field.sides || !isWhole || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations)
+    return null;
+  const sides = field.sides();
+  if (!sides) return null;
+  sides.begin();
+  /* As everywhere: exchanged ends give the same path. */
+  const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
+  const asked = isTurned ? [ends[1], ends[0]] : ends;
+  const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
+  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, start);
+  const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
+  return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
+}
+
+/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Sketch | null, most: number }} */
+function findRoute(question, start) {
+  const { field, sides, ends } = question;
+  const width = ends[0].length;
+  const { ways, distance } = findWays(field, ends, start);
+  const rough = field.domain ? ROUGH : ROUGHER;
+  /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
+  const measured = (field.domain ? ways : [])
+    .map((line) => ({ line, length: measureLine(field, ends, line), isAtRest: false }))
+    .filter(({ length }) => length >= 0);
+  /** @type {Sketch | null} */
+  let least = measured.reduce(shortestOf, null);
+  /** @type {Route | null} */
+  let best = null;
+  /** @type {Float64Array[]} */
+  const understood = [];
+  /** @type {Sketch[]} */
+  let missed = [];
+  for (const rounding of roundingsOf(field)) {
+    for (const drawn of sketch(field, sides, ends, ways, rounding)) {
+      const { line, length } = drawn;
+      if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
+      if (field.domain) least = shortestOf(least, drawn);
+      if (understood.some((other) => isBeside(line, other, width))) continue;
+      const found = followBest(question, line, rounding.shores, length * (1 + rough));
+      if (found) best = shorter(best, found);
+      /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
+      if (found && lengthOf(found.legs) <= length * (1 + rough)) understood.push(line);
+      else if (drawn.isAtRest) missed.push(drawn);
+    }
+    missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
+    if (best && lengthOf(best.legs) <= Math.min(least?.length ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length))) break;
+  }
+  /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
+  const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
+  const seen = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
+  const most = isUnseen
+    ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
+    : Math.min((least?.length ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
+  return { best, least, most };
+}
+
+/** @param {Sketch | null} one @param {Sketch} other */
+const shortestOf = (one, other) => (one && one.length <= other.length ? one : other);
+
+/** A polyline as a path. @param {Field} field @param {number[][]} ends @param {Sketch} sketch @param {number} points @returns {Path} */
+const roughly = (field, ends, { line, length }, points) => ({
+  ...drawLine(field, ends, line, points),
+  ...{ status: 'stalled', converged: false, length, lengthError: LOOSE * length },
+});
+
+/** The path that a polyline leads to, following creases or not, whichever way first is no longer than this; else the shortest. @param {Question} question @param {Float64Array} line @param {number[]} shores @param {number} most @returns {Route | null} */
+function followBest(question, line, shores, most) {
+  /** @type {Route | null} */
+  let best = null;
+  for (const near of shores) {
+    const steps = Math.min(question.budget.steps, MOST_FOLLOWING);
+    const budget = { steps };
+    const found = follow({ ...question, budget }, line, near, most * (1 + ASTRAY));
+    question.budget.steps -= steps - budget.steps;
+    if (found) best = shorter(best, found);
+    if (best && lengthOf(best.legs) <= most) break;
+  }
+  return best;
+}
+
+/** @param {Route | null} one @param {Route} other */
+const shorter = (one, other) => (one && lengthOf(one.legs) <= lengthOf(other.legs) ? one : other);
+
+/** @param {Question} question @param {Route} route @param {SolveOptions} options @returns {Path} */
+function write(question, { legs, joints }, options) {
+  const { field, sides } = question;
+  const places = placesOf(question, joints);
+  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
+    if (legs[k].shore) return writeShore(question, legs[k], places[k], places[k + 1], asked);
+    const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(legs[k].signs));
+    const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
+    return finish(solveLeg(asked));
+  };
+  return joinLegs(/** @type {any} */ (legs), options, solve, field.domain).path;
+}

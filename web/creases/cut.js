@@ -1,0 +1,242 @@
+/** Polylines cut where they cross creases, or follow them: which legs a path has. */
+
+import { directions, ROUNDING } from './crease.js';
+import { span } from './legs.js';
+
+/** @typedef {import('./legs.js').Leg} Leg */
+/** @typedef {import('./legs.js').Route} Route */
+/** @typedef {import('../manifold/sides.js').Sides} Sides */
+/** @typedef {{ crease: number, from: number, to: number, sense: number }} Run of a polyline along a crease */
+
+/** Each chord of a polyline is looked at in so many parts; there may be so many joints. */
+const [PARTS, MOST_JOINTS] = [4, 12];
+/** Events nearer to each other than this, in parts of a chord's, are one. */
+const TOGETHER = 1e-6;
+/** Sides are the same surface where derivatives are, to this part of them. */
+const SAME = 1e-9;
+/** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
+const LONG = 0.08;
+
+/** What a polyline passes, looked at in parts of its chords. */
+export class Survey {
+  /** @param {Sides} sides @param {Float64Array} line @param {number} width @param {number} parts of each chord */
+  constructor(sides, line, width, parts) {
+    this.sides = sides;
+    this.width = width;
+    this.places = divide(line, width, parts);
+    this.last = this.places.length / width - 1;
+    this.measured = sides.measure(this.places);
+    this.size = Math.max(...line.map(Math.abs));
+    this.creases = Array.from({ length: sides.count }, (_, k) => k);
+  }
+
+  /** @param {number} i @param {number} k */
+  slopes(i, k) {
+    return Array.from({ length: this.width }, (_, j) => this.measured[i][this.sides.count * (1 + j) + k]);
+  }
+
+  /** How steeply a crease's function rises. @param {number} i @param {number} k */
+  steepness(i, k) {
+    let squared = 0;
+    for (let j = 1; j <= this.width; j++) squared += this.measured[i][this.sides.count * j + k] ** 2;
+    return Math.sqrt(squared);
+  }
+
+  /** On which side of a crease a place is; 0: on it. @param {number} i @param {number} k */
+  signAt(i, k) {
+    let slope = 0;
+    for (let j = 1; j <= this.width; j++) slope = Math.max(slope, Math.abs(this.measured[i][this.sides.count * j + k]));
+    return Math.abs(this.measured[i][k]) > ROUNDING * this.size * slope ? Math.sign(this.measured[i][k]) : 0;
+  }
+
+  /** The first sign from a place on; 0: none. @param {number} i @param {number} k */
+  signFrom(i, k) {
+    for (i = Math.ceil(i); i <= this.last; i++) if (this.signAt(i, k)) return this.signAt(i, k);
+    return 0;
+  }
+
+  /** Which way the polyline follows a crease. @param {number} crease @param {number[]} signs @param {number} from @param {number} to */
+  senseOf(crease, signs, from, to) {
+    let sum = 0;
+    for (let i = from; i < to; i++) {
+      const [here, next] = [this.placeAt(i), this.placeAt(i + 1)];
+      const { along } = directions(this.sides, { crease, signs }, here, this.slopes(i, crease));
+      sum += along.reduce((total, x, j) => total + x * (next[j] - here[j]), 0);
+    }
+    return Math.sign(sum) || 1;
+  }
+
+  /** @param {number} at in parts */
+  placeAt(at) {
+    const i = Math.min(Math.floor(at), this.last - 1);
+    const place = [];
+    for (let k = this.width * i; k < this.width * (i + 1); k++)
+      place.push(this.places[k] + (at - i) * (this.places[k + this.width] - this.places[k]));
+    return place;
+  }
+}
+
+/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
+function divide(line, width, parts) {
+  const places = new Float64Array((line.length - width) * parts + width);
+  for (let i = 0; i + width < line.length; i += width)
+    for (let part = 0; part < parts; part++)
+      for (let j = i; j < i + width; j++) places[i * parts + part * width + j - i] = line[j] + (part / parts) * (line[j + width] - line[j]);
+  for (let j = 1; j <= width; j++) places[places.length - j] = line[line.length - j];
+  return places;
+}
+
+/**
+ * Cuts a polyline where it crosses creases at which the surface, or what measures length, bends.
+ * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, near?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own
+ * @returns {Route | null}
+ */
+export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
+  const survey = new Survey(sides, line, width, parts);
+  const { last, creases } = survey;
+  const runs = near ? runsOf(survey, near) : [];
+  const signs = creases.map((k) => survey.signFrom(0, k) || 1);
+  const events = [
+    ...crossings(survey, signs).filter(({ at }) => !runs.some(({ from, to }) => at > from - 1 && at < to + 1)),
+    ...runs.flatMap((run) => [
+      { at: run.from, crease: run.crease, run, isEnd: false },
+      { at: run.to, crease: run.crease, run, isEnd: true },
+    ]),
+  ].sort((a, b) => a.at - b.at);
+  /** @type {Route} */
+  const route = { legs: [], joints: [] };
+  const begin = (/** @type {number} */ at, /** @type {number[]} */ place, /** @type {import('./shores.js').Shore | null} */ shore) => ({
+    signs: [...signs],
+    line: [...place],
+    at,
+    shore,
+  });
+  let leg = begin(0, survey.placeAt(0), null);
+  const finish = (/** @type {number} */ at, /** @type {number[]} */ place) => {
+    for (let i = Math.floor(leg.at) + 1; i < at; i++) leg.line.push(...survey.placeAt(i));
+    leg.line.push(...place);
+    route.legs.push({ signs: leg.signs, line: Float64Array.from(leg.line), length: 0, shore: leg.shore });
+  };
+  for (let e = 0; e < events.length; e++) {
+    const { at, crease, run, isEnd } = events[e];
+    const before = [...signs];
+    const place = survey.placeAt(at);
+    if (run) {
+      if (isEnd) for (const k of creases) signs[k] = survey.signFrom(run.to + 1, k) || signs[k];
+      if (at === 0) leg.shore = { crease, sense: run.sense, isFold: false };
+      if (at === 0 || at === last) continue;
+      finish(at, place);
+      route.joints.push({ crease, signs: isEnd ? [...signs] : before, place });
+      leg = begin(at, place, isEnd ? null : { crease, sense: run.sense, isFold: false });
+      continue;
+    }
+    signs[crease] *= -1;
+    while (e + 1 < events.length && !events[e + 1].run && events[e + 1].at - at < TOGETHER) signs[events[++e].crease] *= -1;
+    if (at < TOGETHER) leg.signs = [...signs];
+    if (at < TOGETHER || at > last - TOGETHER) continue;
+    /* Higher derivatives alone may jump: then the sides part beyond it. */
+    const beyond = survey.placeAt(0.5 * (at + (events[e + 1]?.at ?? last)));
+    const bends = [place, beyond].map((there) => isBent(sides, before, signs, there));
+    if (bends.includes(null)) return null;
+    if (!bends.includes(true)) continue;
+    finish(at, place);
+    route.joints.push({ crease, signs: before, place });
+    leg = begin(at, place, null);
+  }
+  finish(last, survey.placeAt(last));
+  return route.joints.length > MOST_JOINTS ? null : route;
+}
+
+/** Where a polyline comes to the other side of a crease. @param {Survey} survey @param {number[]} signs at its beginning @returns {{ at: number, crease: number, run?: Run, isEnd?: boolean }[]} */
+function crossings(survey, signs) {
+  const { measured, last } = survey;
+  const now = [...signs];
+  const events = [];
+  for (let i = 0; i <= last; i++)
+    for (const crease of survey.creases) {
+      const sign = survey.signAt(i, crease);
+      if (sign && sign === now[crease] && i > 0 && i < last)
+        for (const at of dips(measured[i - 1][crease], measured[i][crease], measured[i + 1][crease])) events.push({ at: i + at, crease });
+      if (!sign || sign === now[crease]) continue;
+      now[crease] = sign;
+      const [before, after] = [measured[i - 1][crease], measured[i][crease]];
+      events.push({ at: i - 1 + Math.min(Math.max(before / (before - after), 0), 1), crease });
+    }
+  return events;
+}
+
+/** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @returns {Run[]} */
+function runsOf(survey, near) {
+  const { sides, places, width, last, measured } = survey;
+  const total = span(places, width);
+  /** @type {(Run & { length: number })[]} */
+  const runs = [];
+  for (const crease of survey.creases)
+    for (let i = 0; i <= last; i++) {
+      const from = i;
+      while (i <= last && Math.abs(measured[i][crease]) <= near * total * survey.steepness(i, crease)) i++;
+      if (i - from < 2) continue;
+      const part = places.subarray(width * from, width * i);
+      const length = span(part, width);
+      const changes = Array.from({ length: i - 1 - from }, (_, j) => measured[from + j][crease] * measured[from + j + 1][crease] < 0);
+      if (length < LONG * total && changes.filter(Boolean).length < 2) continue;
+      /* What begins beside a crease, not on it, comes to it: where it is crossed, or later. */
+      const lead = (i - 1 - from) / 8;
+      const [first, final] = [changes.indexOf(true), changes.lastIndexOf(true)];
+      const [start, end] = [
+        from === 0 && survey.signAt(0, crease) ? (first < 0 ? lead : Math.min(lead, first + 0.5)) : from,
+        i > last && survey.signAt(last, crease) ? (final < 0 ? last - lead : Math.max(last - lead, from + final + 0.5)) : i - 1,
+      ];
+      const signs = survey.creases.map((k) => survey.signFrom(from, k) || 1);
+      const middle = Math.floor((from + i) / 2);
+      const isOther = isBent(
+        sides,
+        signs,
+        signs.map((sign, k) => (k === crease ? -sign : sign)),
+        survey.placeAt(middle),
+      );
+      if (isOther) runs.push({ crease, from: start, to: end, length, sense: survey.senseOf(crease, signs, from, i - 1) });
+    }
+  runs.sort((a, b) => b.length - a.length);
+  const kept = runs.filter((run, i) => !runs.slice(0, i).some((longer) => run.from <= longer.to && run.to >= longer.from));
+  return kept.sort((a, b) => a.from - b.from);
+}
+
+/** Where the parabola through three numbers of one sign, side by side, has the other: from and to, from the middle one, or nothing. @param {number} before @param {number} here @param {number} after */
+function dips(before, here, after) {
+  const [bend, slope] = [0.5 * (before - 2 * here + after), 0.5 * (after - before)];
+  const squared = slope * slope - 4 * bend * here;
+  if (!(before * here > 0 && here * after > 0 && bend * here > 0 && squared > 0 && Math.abs(slope) < 2 * Math.abs(bend))) return [];
+  const reach = Math.sqrt(squared);
+  const roots = [(-slope - reach) / (2 * bend), (-slope + reach) / (2 * bend)].sort((a, b) => a - b);
+  /* Between two places it is seen from the nearer one alone. */
+  const middle = -slope / (2 * bend);
+  return middle >= -0.5 && middle < 0.5 ? roots : [];
+}
+
+/** Whether two sides are the same surface at a place. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
+export const isSame = (sides, before, after, place) =>
+  before.every((sign, k) => sign === after[k]) || isBent(sides, before, after, place) === false;
+
+/** Whether two sides are different surfaces at a place; null: there are too many. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
+function isBent(sides, before, after, place) {
+  const [a, b] = [sides.on(before), sides.on(after)];
+  if (!a || !b) return null;
+  const [[one], [other]] = [a.jets(place), b.jets(place)];
+  const size = Math.max(...one.map(Math.abs), ...other.map(Math.abs));
+  return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
+}
+
+/**
+ * A leg in the parts that lie on one side of all creases each; null: it lies on one side, its own.
+ * @param {Sides} sides @param {Leg} leg @param {number} width @returns {Route | null}
+ */
+export function leavings(sides, leg, width) {
+  const route = cut(sides, leg.line, width, { parts: 1 });
+  const isOwn = (/** @type {Leg} */ { signs, line }) => {
+    const middle = width * Math.floor(line.length / width / 2);
+    return isBent(sides, leg.signs, signs, Array.from(line.subarray(middle, middle + width))) === false;
+  };
+  if (route?.legs.length === 1 && isOwn(route.legs[0])) return null;
+  return route && { ...route, legs: route.legs.map((part) => (isOwn(part) ? { ...part, signs: leg.signs } : part)) };
+}

@@ -1,0 +1,72 @@
+/** Legs of a path across creases: each on one side of them all, between two places. */
+
+import { ELEMENTS, holds } from '../search/candidates.js';
+import { poseNear } from '../search/routes.js';
+
+/** @typedef {import('../search/routes.js').Field} Field */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+/** @typedef {import('../manifold/sides.js').Sides} Sides */
+/**
+ * @typedef {object} Leg
+ * @property {number[]} signs on which side of each crease
+ * @property {Float64Array} line its polyline as it was solved last
+ * @property {number} length
+ * @property {import('./shores.js').Shore | null} shore the crease that it follows, if it does
+ */
+/** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
+/** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
+/** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: { steps: number } }} Question budget: of Newton, for all that is tried */
+
+/** Legs while joints move: so exact, over so many points. */
+export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
+
+/** Steps of a leg that does not hold count so many times: they are those of the most elements. */
+const FAILING = 4;
+
+/** All legs, over these joints, but those that follow a crease; null: one does not hold. @param {Question} question @param {Route} route @param {SolveOptions} [options] @returns {Leg[] | null} */
+export function solveAll(question, { legs, joints }, options = LEG) {
+  const places = placesOf(question, joints);
+  /** @type {Leg[]} */
+  const solved = [];
+  for (const [i, leg] of legs.entries()) {
+    const one = leg.shore ? leg : solveLeg(question, leg, places[i], places[i + 1], options);
+    if (!one) return null;
+    solved.push(one);
+  }
+  return solved;
+}
+
+/** Where legs begin and end. @param {Question} question @param {Joint[]} joints */
+export const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }) => place), ends[1]];
+
+/** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
+export function solveLeg({ field, sides, budget }, leg, from, to, options) {
+  const side = sides.on(leg.signs);
+  if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
+  const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(options);
+  const isHeld = holds({ path });
+  budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
+  return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
+}
+
+/** How long all legs are. @param {Leg[]} legs */
+export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);
+
+/** How long a polyline is in its coordinates. @param {ArrayLike<number>} line @param {number} width */
+export function span(line, width) {
+  let sum = 0;
+  for (let i = width; i < line.length; i += width) {
+    let squared = 0;
+    for (let j = 0; j < width; j++) squared += (line[i + j] - line[i + j - width]) ** 2;
+    sum += Math.sqrt(squared);
+  }
+  return sum;
+}
+
+/** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
+export const isInside = ({ field: { domain } }, place) =>
+  !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+
+/** Whether a place is on an edge of the rectangle. @param {Question} question @param {number[]} place */
+export const isOnEdge = ({ field: { domain } }, place) =>
+  !!domain && place.some((x, j) => !domain.periodic[j] && (x === domain.lower[j] || x === domain.upper[j]));

@@ -1,0 +1,91 @@
+/** The graphs of one surface: built when they are first needed, finer ones where a coarser one separates two ends, freed together. */
+
+import { CONVERGED, OUT_OF_MEMORY } from '../runtime/status.js';
+import { gap } from '../vector.js';
+
+/** @typedef {import('../runtime/heap.js').Heap} Heap */
+/** @typedef {import('../runtime/heap.js').Graph} Graph */
+
+/**
+ * Cells a direction, by level of refinement; a surface that the first does not resolve begins with the second (a parametric one if it is far from that). The last
+ * is loose on implicit surfaces: it joins what its cells join, creases or not.
+ */
+const RESOLUTION = [
+  [64, 128, 256],
+  [40, 56, 96],
+];
+/** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
+const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
+/** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
+const [LONGER, BESIDE] = [1.02, 6];
+const IMPLICIT = 1;
+/** Which cells that share a face are joined though their sheets part: none, all, or those with a crease between them. As in wasm/graph.h. */
+const [STRICT, ANYHOW, OVER_CREASES] = [0, 1, 2];
+
+export class Graphs {
+  /** What nodes there are, and what hangs together without them, once that is known. @type {ReturnType<typeof import('../pieces/nodes.js').findNet> | null} */ net =
+    null;
+  /** The branch points of a parametric surface, once they are known. @type {import('../search/branches.js').Branch[] | null} */ branches =
+    null;
+  #kind;
+  /** How cells on both sides of a crease are joined. */ #creases;
+  /** @type {Graph[]} by level */ #graphs = [];
+  /** @type {Graph | null} around the last point that was asked for */ #flood = null;
+
+  /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
+  constructor(kind, isCreased) {
+    this.#kind = kind;
+    this.#creases = isCreased ? OVER_CREASES : STRICT;
+  }
+
+  /**
+   * The graph of all of the surface, the next finer one if it is coarse; null: there is none so fine. One of status out-of-memory holds nothing, and is tried
+   * again by the next call.
+   * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
+   * @param {number} level how often it is refined @param {number} [turns] how often the surface lies in the box: so many times as many cells
+   * @returns {Graph | null}
+   */
+  find(heap, record, box, level, turns = 1) {
+    const resolutions = RESOLUTION[this.#kind];
+    const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
+    if (!box || !resolution) return null;
+    const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
+    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose, level });
+    if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
+    /** @type {Graph | null} */
+    const finer = graph.coarse ? this.find(heap, record, box, 1, turns) : null;
+    return finer?.status === CONVERGED ? finer : usable(graph);
+  }
+
+  /**
+   * The graph of an implicit surface around a point, whatever its bounds, with cells a part of the distance to another wide. Valid until the next one.
+   * @param {Heap} heap @param {number} record @param {number[]} from @param {number[]} to @param {number} level
+   * @param {number} length in space: no cell is needed that no shorter path can reach; 0: all are
+   * @param {number} wide so many times as wide are cells
+   */
+  flood(heap, record, from, to, level, length, wide) {
+    const cell = (wide * gap(from, to)) / FLOOD_RESOLUTION[level];
+    if (this.#kind !== IMPLICIT || !(cell > 0)) return null;
+    if (this.#flood) heap.releaseGraph(this.#flood);
+    this.#flood = null;
+    this.#flood = heap.buildGraph(record, this.#kind, {
+      box: from.flatMap((x, j) => [x, to[j]]),
+      cell,
+      resolution: 0,
+      loose: level > 1 ? ANYHOW : this.#creases,
+      reach: length && length * LONGER + BESIDE * cell,
+    });
+    return usable(this.#flood);
+  }
+
+  /** Frees all. @param {Heap | null} heap null: the memory is gone already */
+  drop(heap) {
+    if (heap) for (const graph of [...this.#graphs, this.#flood]) if (graph) heap.releaseGraph(graph);
+    this.#graphs = [];
+    this.#flood = null;
+    this.net = this.branches = null;
+  }
+}
+
+/** @param {Graph} graph */
+const usable = (graph) => ([CONVERGED, OUT_OF_MEMORY].includes(graph.status) ? graph : null);

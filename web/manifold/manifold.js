@@ -1,0 +1,330 @@
+/**
+ * A surface as a manifold: its domain, and what measures length on it, for the present values of its parameters. Compiled and installed in the
+ * solver, and installed again where that has begun anew. Answers no questions of its own.
+ */
+
+import { checkBounds, checkParameters, checkPeriodic, readNumbers } from '../definition.js';
+import { compile } from '../expression/compile.js';
+import { Creases } from '../expression/creases.js';
+import { gap } from '../vector.js';
+import { Bodies } from './bodies.js';
+import { enterDomain, findDomain } from './domain.js';
+import { Graphs } from './graphs.js';
+import { Installation, writeRecords } from './installation.js';
+import { KIND, SHAPE } from './kind.js';
+import { compileMetric, METRIC, readMeasure } from './metric.js';
+import { ReferenceFinder } from './reference.js';
+import { evaluateRanges, readShape } from './shapes.js';
+import { Sides } from './sides.js';
+
+/** @typedef {import('./domain.js').Domain} Domain */
+/** @typedef {import('./installation.js').Installed} Installed */
+
+export class Manifold {
+  /** @type {'parametric' | 'implicit' | 'metric'} */ kind;
+  /** Where an implicit surface is searched. @type {number[] | null} */ box = null;
+  /** @type {Domain | null} */ domain = null;
+  /** @type {Record<string, number>} */ parameters;
+  isDisposed = false;
+  #solver;
+  /** @type {import('./shapes.js').Shape} */ #shape;
+  /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
+  /**
+   * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
+   * @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean }}
+   */
+  #compiled;
+  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
+  /** @type {ReferenceFinder | null} */ #finder = null;
+  /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
+  #installation;
+  /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
+  /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
+  /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
+  /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/mesh.js').Mesh | null} */ coarse =
+    null;
+
+  /** @param {import('../runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition */
+  constructor(solver, kind, definition) {
+    this.#shape = readShape(kind, definition);
+    this.#measure = readMeasure(kind, definition);
+    this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
+    this.#solver = solver;
+    this.#installation = new Installation(solver);
+    this.#periodic = checkPeriodic(kind, definition.periodic);
+    this.parameters = checkParameters(kind, definition.parameters ?? {});
+    if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.parameters);
+    if (kind === 'implicit') this.box = checkBounds(kind, definition.bounds);
+    const range = this.#readRange(kind);
+    this.#compiled = this.#compile();
+    this.#install();
+    try {
+      this.#settle(range);
+    } catch (error) {
+      this.#installation.uninstall();
+      throw error;
+    }
+  }
+
+  /** Changes parameters; with an error, none. @param {string} caller @param {Record<string, number>} changed */
+  set(caller, changed) {
+    const [before, reference, compiled, domain] = [this.parameters, this.#reference, this.#compiled, this.domain];
+    this.#wake();
+    this.parameters = Object.assign(Object.create(null), before, changed);
+    try {
+      const range = this.#readRange(caller);
+      this.#dropGraphs();
+      this.#refresh();
+      this.#settle(range);
+    } catch (error) {
+      [this.parameters, this.#reference, this.#compiled, this.domain] = [before, reference, compiled, domain];
+      this.#dropGraphs();
+      this.#installation.uninstall();
+      throw error;
+    }
+  }
+
+  /** Frees memory and table slots. */
+  dispose() {
+    this.isDisposed = true;
+    this.#dropGraphs();
+    this.#installation.uninstall();
+  }
+
+  /** Diagonal of the bounds; 0 without. */
+  get extent() {
+    const box = this.box;
+    return box ? gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) : 0;
+  }
+
+  /** Coordinates of a point, as the definition calls them. */
+  get variables() {
+    return this.#shape.variables;
+  }
+
+  /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
+  readPoint(caller, name, point) {
+    const numbers = readNumbers(caller, name, point, this.variables);
+    return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`, this.variables) : numbers;
+  }
+
+  /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
+  evaluate(what, points) {
+    const { variables, jet, value } = SHAPE[this.kind];
+    if (points.length === 0) return new Float64Array(0);
+    this.#wake();
+    const { call } = this.#shaped;
+    return this.#solver.evaluate(call[what], points, variables.length, what === 'jet' ? jet : value);
+  }
+
+  /**
+   * Runs something on the solver's memory, after making sure that this surface is installed there.
+   * @template T @param {import('../search/routes.js').Call<T>} call @param {Domain | null} [domain] its own, or that of a piece @param {boolean} [isOwn] as its own E, F and G measure it
+   * @returns {T}
+   */
+  run(call, domain = this.domain, isOwn = false) {
+    this.#wake();
+    const { walls, metric, own } = this.#installation;
+    if (walls !== domain) this.#writeRecord(domain);
+    const shape = this.#shaped;
+    const measured = (isOwn ? own : metric) ?? shape;
+    return this.#solver.run(() => call(this.#solver.heap, measured.record, shape));
+  }
+
+  /** What a question needs of this surface. @returns {import('../search/routes.js').Field} */
+  field() {
+    const own = () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null);
+    return {
+      ...this.#fieldOf(this.domain, 0, false),
+      own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
+      sides: this.#compiled.isCreased ? () => this.#findSides() : null,
+      bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
+    };
+  }
+
+  /** What boxes hold of an implicit surface. @returns {Bodies} */
+  get bodies() {
+    this.#wake();
+    this.#bodies ??= new Bodies({
+      measure: this.#measure,
+      shape: this.#shape,
+      parameters: this.parameters,
+      solver: this.#solver,
+      values: (places) => this.evaluate('value', places),
+      write: (shape, measured, extent) => {
+        writeRecords(this.#solver, { kind: this.kind, extent }, null, shape, [{ ...measured, code: METRIC.tensor }]);
+        return measured;
+      },
+    });
+    return this.#bodies;
+  }
+
+  /** The sides of its creases; null: there is no room for what tells them. */
+  #findSides() {
+    this.#wake();
+    try {
+      this.#sides ??= new Sides({
+        kind: this.kind,
+        measure: this.#measure,
+        shape: this.#shape,
+        reference: this.#reference,
+        parameters: this.parameters,
+        solver: this.#solver,
+        write: (shape, measured, code) => {
+          writeRecords(this.#solver, this, this.domain, shape, [measured && { ...measured, code }]);
+          return measured ?? shape;
+        },
+      });
+    } catch {
+      /* No memory, or more than a module may hold. */
+    }
+    return this.#sides;
+  }
+
+  /** @param {Domain | null} domain its own, or that of a piece @param {number} place of its graphs @param {boolean} isOwn @returns {import('../search/routes.js').Field} */
+  #fieldOf(domain, place, isOwn) {
+    const isAbstract = this.kind === 'metric';
+    const graphs = this.#graphs[Number(isOwn)];
+    graphs[place] ??= new Graphs(KIND[this.kind], this.#compiled.isCreased);
+    return {
+      kind: KIND[this.kind],
+      domain,
+      box: this.box,
+      graphs: graphs[place],
+      isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
+      isSpatial: !isAbstract && !this.#compiled.metric,
+      positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
+      run: (call) => this.run(call, domain, isOwn),
+      jets: (places) => this.evaluate('jet', places),
+      mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
+      pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
+      own: null,
+      sides: null,
+      bodies: null,
+    };
+  }
+
+  #compile() {
+    const { outputs, names, variables } = this.#shape;
+    const reference = this.#reference;
+    const [creases, measured] = [new Creases(), new Creases()];
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, this.#solver.apply, measured);
+    const compiled = compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
+      names,
+      variables,
+      parameters: this.parameters,
+      apply: this.#solver.apply,
+      valueOrder: SHAPE[this.kind].valueOrder,
+      creases,
+    });
+    return { ...compiled, metric, own: null, reference, isCreased: creases.nodes.length + measured.nodes.length > 0 };
+  }
+
+  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
+  #refresh() {
+    if (this.#compiled.reference === this.#reference) return this.#installation.writeParameters(this.parameters);
+    this.#compiled = this.#compile();
+    this.#installation.uninstall();
+    this.#install();
+    this.#writeRecord();
+  }
+
+  #install() {
+    this.#installation.install(this.#compiled, this.#compiled.metric, this.parameters);
+  }
+
+  /** Compiles and installs its own E, F and G, unless that is done. Returns whether there is room for them. */
+  #installOwn() {
+    this.#wake();
+    if (this.#installation.own) return true;
+    const measure = { ...this.#measure, isOwn: true };
+    try {
+      this.#compiled.own ??= compileMetric(this.kind, measure, this.#shape, this.#reference, this.parameters, this.#solver.apply);
+      this.#installation.installOwn(/** @type {NonNullable<ReturnType<typeof compileMetric>>} */ (this.#compiled.own), this.parameters);
+      this.#writeRecord(this.#installation.walls);
+      return true;
+    } catch {
+      /* No memory, or more than a module may hold: it goes without. */
+      return false;
+    }
+  }
+
+  /** Installs the surface again where a trap has made the solver begin anew. */
+  #wake() {
+    /* By a getter, say, of the options of a call that has begun. */
+    if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
+    if (this.#installation.isPresent) return;
+    for (const graphs of this.#graphs.flat()) graphs.drop(null);
+    this.#sides = null;
+    this.#bodies?.drop(null);
+    this.#bodies = null;
+    try {
+      this.#install();
+      this.#writeRecord();
+    } catch (error) {
+      this.#installation.uninstall();
+      throw error;
+    }
+  }
+
+  #writeRecord(domain = this.domain) {
+    this.#installation.write(this, domain);
+  }
+
+  /** Where the surface itself is installed, which it is after {@link #wake}. */
+  get #shaped() {
+    return /** @type {Installed} */ (this.#installation.shape);
+  }
+
+  /** What measures length at the points, and its first derivatives; none where space does. @param {ArrayLike<number>} points @returns {Float64Array[]} one list a point */
+  #evaluateMetric(points) {
+    const { metric } = this.#compiled;
+    if (!metric) return [];
+    const count = metric.compiled.jet.length;
+    this.#wake();
+    const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installation.metric).call.jet, points, 2, count);
+    return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
+  }
+
+  /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */
+  #tensors() {
+    if (this.#compiled.metric?.code === METRIC.tensor) return (points) => this.#evaluateMetric(points);
+    if (this.kind !== 'metric') return null;
+    return (points) => {
+      const jets = this.evaluate('jet', points);
+      return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(18 * i));
+    };
+  }
+
+  /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
+  #readRange(caller) {
+    if (this.kind === 'implicit') return null;
+    const range = evaluateRanges(caller, this.#shape, this.parameters, this.#solver.apply);
+    if (this.#finder) this.#reference = this.#finder.find(this.parameters, [range.lower[1], range.upper[1]]);
+    return range;
+  }
+
+  /** Finds out which directions are periodic, and tells the solver. @param {import('./seams.js').Asked | null} range */
+  #settle(range) {
+    const surface = {
+      jets: (/** @type {number[]} */ points) => this.evaluate('jet', points),
+      metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
+      tensors: this.#tensors(),
+    };
+    const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
+    if (range) this.domain = findDomain(periodic, surface, range);
+    this.#writeRecord();
+  }
+
+  /** Frees the graphs, and the mesh: they are those of other parameters, or no longer needed. */
+  #dropGraphs() {
+    this.coarse = null;
+    this.#sides?.drop();
+    this.#sides = null;
+    const heap = this.#installation.isPresent ? this.#solver.heap : null;
+    this.#bodies?.drop(heap);
+    this.#bodies = null;
+    for (const graphs of this.#graphs.flat()) graphs.drop(heap);
+  }
+}

@@ -1,0 +1,201 @@
+/**
+ * The sides of a surface: its formulas written for one side of each of their creases, smooth, and beyond these, too; and with all creases rounded. Compiled and installed when
+ * somebody asks for them. Knows nothing of paths.
+ */
+
+import { compile } from '../expression/compile.js';
+import { Creases } from '../expression/creases.js';
+import { listOf } from '../vector.js';
+import { SHAPE } from './kind.js';
+import { compileMetric, METRIC, nodesOf } from './metric.js';
+
+/** @typedef {ReturnType<import('../runtime/solver.js').Solver['install']>} Installed */
+/**
+ * @typedef {object} Given a surface, for the present values of its parameters
+ * @property {'parametric' | 'implicit' | 'metric'} kind
+ * @property {import('./metric.js').Measure} measure
+ * @property {import('./shapes.js').Shape} shape
+ * @property {readonly number[] | null} reference of a frame
+ * @property {Record<string, number>} parameters
+ * @property {import('../runtime/solver.js').Solver} solver
+ * @property {(shape: Installed, measured: Installed | null, code: number) => Installed} write tells the solver what was installed; returns which of the two measures length
+ */
+/**
+ * @typedef {object} Side
+ * @property {<T>(call: import('../search/routes.js').Call<T>) => T} run
+ * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
+ * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
+ */
+
+/** So many sides one question may ask for, whatever was asked before: an icosahedron's by max and abs, where signs tell 20 facets apart, takes up to 400. As many are kept. */
+const MOST_SIDES = 512;
+
+export class Sides {
+  #given;
+  /** Which crease each of those that formulas name is. @type {number[]} */ #which = [];
+  /** What vanishes on the creases, with its derivatives. @type {Installed} */ #vanishing;
+  /** @type {Map<string, { side: Side, installed: Installed[] }>} */ #known = new Map();
+  /** What was installed, by what it is: formulas on many sides are the same. @type {Map<string, Installed[]>} */ #installed = new Map();
+  /** Which sides the present question has asked for. @type {Set<string>} */ #asked = new Set();
+  count = 0;
+
+  /** @param {Given} given */
+  constructor(given) {
+    const { solver } = given;
+    this.#given = given;
+    const creases = new Creases();
+    const { module, data, dataBytes } = this.#compileVanishing(creases, () => {
+      const nodes = [...new Set(creases.nodes)];
+      this.#which = creases.nodes.map((node) => nodes.indexOf(node));
+      this.count = nodes.length;
+      return nodes;
+    });
+    this.#vanishing = solver.install(module, data, dataBytes);
+  }
+
+  /** @param {Creases} creases that take down or choose @param {() => number[]} nodes what vanishes, once formulas are read */
+  #compileVanishing(creases, nodes) {
+    const { kind, measure, shape, reference, parameters, solver } = this.#given;
+    return compile({
+      outputs: (formulas) => {
+        nodesOf(kind, measure, shape, reference, formulas);
+        return nodes();
+      },
+      names: [],
+      variables: shape.variables,
+      parameters,
+      valueOrder: 1,
+      apply: solver.apply,
+      creases,
+    });
+  }
+
+  /** A question begins: what it gets does not depend on those before it. */
+  begin() {
+    this.#asked.clear();
+    if (this.#known.size > MOST_SIDES) this.#forget();
+  }
+
+  /** Of each place, of each crease what vanishes there, then its derivatives by the first variable, and so on. @param {ArrayLike<number>} places */
+  measure(places) {
+    return this.#measureBy(this.#vanishing, places);
+  }
+
+  /** @param {Installed} vanishing @param {ArrayLike<number>} places */
+  #measureBy(vanishing, places) {
+    const width = SHAPE[this.#given.kind].variables.length;
+    return split(this.#given.solver.evaluate(vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
+  }
+
+  /** The surface on these sides of its creases; null: there are too many, or there is no room. @param {number[]} signs @returns {Side | null} */
+  on(signs) {
+    const sides = this.#which.map((crease) => signs[crease]);
+    return this.#find(signs.join(), () => new Creases({ sides }))?.side ?? null;
+  }
+
+  /** The surface with its creases rounded: √(g² + w²) in place of |g|. null: there is no room. @param {number[]} widths w of each crease @returns {Side | null} */
+  rounded(widths) {
+    const { solver, parameters } = this.#given;
+    const first = Object.keys(parameters).length;
+    const found = this.#find('rounded', () => new Creases({ widths: this.#which.map((crease) => first + crease) }));
+    for (const { data } of found?.installed ?? []) solver.heap.writeDoubles(data + 8 * first, widths);
+    return found?.side ?? null;
+  }
+
+  /** @param {string} key @param {() => Creases} creases how its formulas are written */
+  #find(key, creases) {
+    if (!this.#asked.has(key) && this.#asked.size >= MOST_SIDES) return null;
+    this.#asked.add(key);
+    if (!this.#known.has(key)) {
+      try {
+        this.#known.set(key, this.#make(creases));
+      } catch {
+        /* No memory: it goes without. */
+        return null;
+      }
+    }
+    return this.#known.get(key) ?? null;
+  }
+
+  /** @param {() => Creases} creases */
+  #make(creases) {
+    const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
+    const { variables, valueOrder } = SHAPE[kind];
+    const { outputs, names } = shape;
+    const compiled = compile({
+      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
+      names,
+      variables: shape.variables,
+      parameters,
+      apply: solver.apply,
+      valueOrder,
+      creases: creases(),
+    });
+    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, creases());
+    const modules = [compiled, ...(metric ? [metric.compiled] : [])];
+    const installed = this.#install(modules);
+    const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
+    /** @type {Installed | null} */
+    let vanishing = null;
+    const vanish = () => {
+      const sided = creases();
+      const compiled = this.#compileVanishing(sided, () =>
+        Array.from({ length: this.count }, (_, crease) => sided.nodes[this.#which.indexOf(crease)]),
+      );
+      return this.#install([compiled])[0];
+    };
+    /** @type {Side} */
+    const side = {
+      run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
+      jets: (places) => {
+        const count = places.length / variables.length;
+        const jets = modules.map(({ jet }, i) =>
+          split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count),
+        );
+        return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
+      },
+      measure: (places) => {
+        if (this.count === 1) return this.measure(places);
+        vanishing ??= vanish();
+        return this.#measureBy(vanishing, places);
+      },
+    };
+    return { side, installed };
+  }
+
+  /** Modules that belong together, all or, with an error, none. @param {import('./installation.js').Module[]} modules @returns {Installed[]} */
+  #install(modules) {
+    const { solver } = this.#given;
+    const key = modules.map(({ module, data }) => `${module} ${data}`).join();
+    const known = this.#installed.get(key);
+    if (known) return known;
+    /** @type {Installed[]} */
+    const installed = [];
+    try {
+      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
+    } catch (error) {
+      for (const slots of installed) solver.remove(slots);
+      throw error;
+    }
+    this.#installed.set(key, installed);
+    return installed;
+  }
+
+  #forget() {
+    for (const installed of [...this.#installed.values()].flat()) this.#given.solver.remove(installed);
+    this.#installed.clear();
+    this.#known.clear();
+  }
+
+  /** Gives back what the solver holds of it. */
+  drop() {
+    this.#forget();
+    this.#given.solver.remove(this.#vanishing);
+  }
+}
+
+/** @param {Float64Array} numbers @param {number} count lists */
+function split(numbers, count) {
+  const width = numbers.length / count;
+  return Array.from({ length: count }, (_, i) => listOf(numbers, width * i, width * (i + 1)));
+}

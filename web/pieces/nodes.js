@@ -1,0 +1,173 @@
+/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
+
+import { dot, gap } from '../vector.js';
+
+/**
+ * @typedef {object} Node
+ * @property {number[]} at x y z
+ * @property {number[][]} second the second derivatives of f
+ * @property {number} determinant of these
+ */
+
+/** Newton steps to a node; of more nodes none is taken, as ways over them would be too many. */
+const [STEPS, MOST] = [12, 256];
+/** A node is the same as another, f is zero there, and the second derivatives are not singular, up to these parts of what they could be. */
+const [SAME, ZERO, SINGULAR] = [1e-6, 1e-13, 1e-6];
+/** Cones flatter than this are not told from planes. */
+const FLAT = 1e-3;
+/** Cells a direction of the mesh that tells what hangs together; nothing so many of them around a node does. */
+const [CELLS, AROUND] = [48, 2.5];
+/** A point belongs to what lies so many cells farther from it than the nearest. */
+const BESIDE = 1.5;
+/** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
+const SMALL = 3.5;
+
+/** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
+const times = (matrix, v) => matrix.map((row) => dot(row, v));
+
+/** A step to where ∇f would vanish if it were linear. @typedef {{ size: number, next: number[], determinant: number }} Step determinant: of f″ where it begins */
+
+/** @param {Float64Array} jets f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of each place @param {number} i where those of one begin @param {number[]} at the place @returns {Step} */
+function stepFrom(jets, i, at) {
+  const [x, y, z, xx, xy] = [jets[i + 1], jets[i + 2], jets[i + 3], jets[i + 4], jets[i + 5]];
+  const [xz, yy, yz, zz] = [jets[i + 6], jets[i + 7], jets[i + 8], jets[i + 9]];
+  const [a, b, c] = [yy * zz - yz * yz, yz * xz - xy * zz, xy * yz - yy * xz];
+  const [d, e, f] = [zz * xx - xz * xz, xz * xy - yz * xx, xx * yy - xy * xy];
+  const determinant = xx * a + xy * b + xz * c;
+  const step = [(a * x + b * y + c * z) / determinant, (b * x + d * y + e * z) / determinant, (c * x + e * y + f * z) / determinant];
+  return { size: Math.sqrt(dot(step, step)), next: [at[0] - step[0], at[1] - step[1], at[2] - step[2]], determinant };
+}
+
+/** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
+function nodeAt(jet, { next, determinant }, size) {
+  const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
+  const largest = Math.max(...jet.subarray(4).map(Math.abs));
+  if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2 && Math.abs(determinant) > SINGULAR * largest ** 3)) return null;
+  const second = [
+    [xx, xy, xz],
+    [xy, yy, yz],
+    [xz, yz, zz],
+  ];
+  return { at: next, second, determinant };
+}
+
+/** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
+function mayLead(jets, i, cell) {
+  let largest = 0;
+  for (let j = i + 4; j < i + 10; j++) largest = Math.max(largest, Math.abs(jets[j]));
+  const most = 3 * largest * cell;
+  return Math.abs(jets[i]) <= 2 * most * cell && jets[i + 1] ** 2 + jets[i + 2] ** 2 + jets[i + 3] ** 2 <= most ** 2;
+}
+
+/** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
+
+/**
+ * The nodes to which Newton's steps lead from some places. All take a step together: one by one, calls took most of the time.
+ * @param {Jets} jets @param {Float64Array} places @param {number} cell farther than two no node is looked for @param {number} size of the box
+ */
+function nodesFrom(jets, places, cell, size) {
+  const sampled = jets(places);
+  /** @type {{ from: number[], step: Step, node: Node | null }[]} */
+  const walks = [];
+  for (let i = 0; 3 * i < places.length; i++) {
+    if (!mayLead(sampled, 10 * i, cell)) continue;
+    const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
+    walks.push({ from, step: stepFrom(sampled, 10 * i, from), node: null });
+  }
+  let walking = walks;
+  for (let k = 0; k < STEPS && walking.length > 0; k++) {
+    walking = walking.filter(({ from, step }) => step.size < cell && gap(step.next, from) < 2 * cell);
+    const own = jets(walking.flatMap(({ step }) => step.next));
+    walking = walking.filter((walk, i) => {
+      walk.step = stepFrom(own, 10 * i, walk.step.next);
+      const ends = walk.step.size <= SAME * SAME * size;
+      if (ends) walk.node = nodeAt(own.subarray(10 * i, 10 * i + 10), walk.step, size);
+      return !ends;
+    });
+  }
+  return walks.flatMap(({ node }) => node ?? []);
+}
+
+/**
+ * @param {Jets} jets @param {number[]} box @param {number} grid points a direction from which they are looked for
+ * @returns {Node[]} those in the box that are found, none where the surface is degenerate, or they are too many
+ */
+function findNodes(jets, box, grid) {
+  const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
+  const size = gap(low, high);
+  /** @type {Node[]} */
+  const nodes = [];
+  const line = (/** @type {number} */ j) => Float64Array.from({ length: grid }, (_, i) => low[j] + ((i + 0.5) / grid) * (high[j] - low[j]));
+  const [xs, ys, zs] = [line(0), line(1), line(2)];
+  const places = new Float64Array(3 * grid ** 2);
+  for (const x of xs) {
+    if (nodes.length > MOST) return [];
+    let k = 0;
+    for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
+    for (const node of nodesFrom(jets, places, size / grid, size))
+      if (!nodes.some(({ at }) => gap(at, node.at) <= SAME * size)) nodes.push(node);
+  }
+  return nodes;
+}
+
+/**
+ * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
+ * det H · aᵀHb ≥ 0; on two, ≤ 0.
+ * @param {Node} node @param {number[]} a direction from the node @param {number[]} b
+ */
+export function crosses({ second, determinant }, a, b) {
+  const product = Math.sign(determinant) * dot(a, times(second, b));
+  const largest = Math.max(...second.flat().map(Math.abs));
+  return product < -FLAT * largest * dot(a, b);
+}
+
+/**
+ * Numbers of what hangs together without the nodes, by place.
+ * @param {import('../mesh/mesh.js').Mesh} mesh @param {number} cell @param {Node[]} nodes @returns {(place: number[]) => number[]} those around it
+ */
+function findParts({ positions, indices }, cell, nodes) {
+  const count = positions.length / 3;
+  /** Distances of the vertices. @param {number[]} at */
+  const awayFrom = ([x, y, z]) => {
+    const away = new Float64Array(count);
+    for (let i = 0, k = 0; i < count; i++)
+      away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
+    return away;
+  };
+  const part = Int32Array.from({ length: count }, (_, i) => i);
+  for (const { at } of nodes)
+    awayFrom(at).forEach((x, i) => {
+      if (x <= AROUND * cell) part[i] = -1;
+    });
+  const find = (/** @type {number} */ i) => {
+    while (part[i] !== i) i = part[i] = part[part[i]];
+    return i;
+  };
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [indices[i], indices[i + 1], indices[i + 2]];
+    if (part[a] < 0 || part[b] < 0 || part[c] < 0) continue;
+    part[find(a)] = find(b);
+    part[find(b)] = find(c);
+  }
+  return (at) => {
+    const away = awayFrom(at);
+    const near = away.reduce((least, x, i) => (part[i] >= 0 && x < least ? x : least), Infinity) + BESIDE * cell;
+    /** @type {Set<number>} */
+    const found = new Set();
+    away.forEach((x, i) => {
+      if (part[i] >= 0 && x <= near) found.add(find(i));
+    });
+    return [...found];
+  };
+}
+
+/**
+ * The nodes in a box, and which places can be joined without passing one.
+ * @param {import('../search/routes.js').Field} field an implicit surface @param {number[]} box @param {number} grid cells a direction
+ */
+export function findNet({ jets, mesh }, box, grid) {
+  const nodes = findNodes(jets, box, grid);
+  const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
+  const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => [];
+  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt, near: SMALL * cell };
+}

@@ -1,0 +1,68 @@
+/** Whether a path can be the shortest, where ways of the graph, or the straight line, were not followed: these are measured on the surface itself, or solved. */
+
+import { STALLED } from '../runtime/status.js';
+import { gap } from '../vector.js';
+import { holds, leaps, MARGIN, within } from './candidates.js';
+import { estimate } from './distinct.js';
+
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
+/** @typedef {import('./candidates.js').Tried} Tried */
+/** @typedef {import('./candidates.js').Problem} Problem */
+
+/** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
+const [MOST_MEASURED, MOST_PARTS] = [8, 512];
+/** What the straight line leads to it leads to in as many steps, mostly: more are for where there is nothing else. */
+const STEPS = 100;
+
+/**
+ * The path, or one that is shorter, of a way that could not be followed roughly. Where such a way is shorter than all that were found there is a shorter path,
+ * and what is known of it is only that: `stalled`.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ * @returns {RawPath}
+ */
+export function challenge(problem, options, best, tried) {
+  const { isSpatial, positions, solve } = problem;
+  let path = besideStraight(problem, options, best, tried);
+  if (!holds({ path })) return path;
+  let least = Infinity;
+  const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
+  const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
+  for (const { to, start } of isSpatial && positions ? open.slice(0, MOST_MEASURED) : []) {
+    let length = 0;
+    // Fewer chords are shorter.
+    for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)
+      length = lengthOf(problem, /** @type {Float64Array} */ (start), parts);
+    if (!isShorter(length)) continue;
+    least = Math.min(least, length);
+    const shorter = solve(to, start, options);
+    if (holds({ path: shorter }) && shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
+  }
+  return isShorter(least) ? { ...path, status: STALLED } : path;
+}
+
+/**
+ * The path, or that of the straight line, where few chords strayed from this and it is shorter, or what was found is none and not surely shorter.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ */
+function besideStraight(problem, options, best, tried) {
+  const found = holds({ path: best });
+  const most = found ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && (!found || estimate(path) < most));
+  const straight = line ? problem.solve(line.to, null, found ? within(options, STEPS) : options) : best;
+  return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
+}
+
+/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */
+function lengthOf({ positions }, polyline, parts) {
+  const places = new Float64Array((polyline.length - 2) * parts + 2);
+  for (let k = 0; k < places.length; k++) {
+    const at = (k >> 1) / parts;
+    const i = 2 * Math.floor(at) + (k & 1);
+    places[k] = polyline[i] + (at % 1) * ((polyline[i + 2] ?? 0) - polyline[i]);
+  }
+  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(places);
+  let length = 0;
+  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i), points.subarray(i - 3));
+  return length;
+}

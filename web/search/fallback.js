@@ -1,0 +1,95 @@
+/** What is answered where paths that hold are missing, or longer than one that does not. */
+
+import { emptyPath } from '../runtime/result.js';
+import { DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from '../runtime/status.js';
+import { asAsked, holds, isOnSurface, solveFrom } from './candidates.js';
+import { estimate } from './distinct.js';
+import { refine } from './poles.js';
+import { FINEST, ROUGHLY } from './rough.js';
+
+/** @typedef {import('./candidates.js').Found} Found */
+/** @typedef {import('./candidates.js').Problem} Problem */
+/** @typedef {import('./candidates.js').RawPath} RawPath */
+/** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
+/** @typedef {import('./candidates.js').Tried} Tried */
+
+/** Why a straight start comes to nothing that has to do with an end alone. */
+const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
+/** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
+const AGREEMENT = 1e-6;
+
+/** Those that are paths. @param {RawPath[]} paths */
+const shortestFirst = (paths) => paths.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length);
+
+/**
+ * A path that does not hold but is shorter than the best of those that do.
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath | undefined} best
+ * @param {{ failed: RawPath[], unknown: Found[] }} others failed: solved finely; unknown: rough ones that may be no path that was found
+ * @returns {RawPath | null | undefined}
+ */
+export function shorterThan(problem, options, best, { failed, unknown }) {
+  const least = best ? best.length * (1 - options.tolerance) - best.lengthError : Infinity;
+  const shortest = shortestFirst(failed).reduce(
+    (/** @type {RawPath | null} */ found, path) => shorterAnyway(problem, path, found?.length ?? least, options) ?? found,
+    null,
+  );
+  return shortest ?? (best && stalledBeside(problem, unknown, options, best));
+}
+
+/**
+ * What is returned where nothing holds.
+ * @param {Problem} problem @param {SolveOptions} options @param {number} status of the search @param {{ tried: Tried[], failed: RawPath[], beside: Found[] }} others
+ * @returns {RawPath}
+ */
+export function withoutAny(problem, options, status, { tried, failed, beside }) {
+  if (beside.length > 0 && !failed.some(isOnSurface)) return asAsked(beside[0], options);
+  /* A path that is none of the best is better than none, if what is shorter can be told. */
+  const [weakest] = shortestFirst(failed);
+  if (weakest || (failed.length > 0 && !(problem.isPlain && problem.domain))) return weakest ?? failed[0];
+  const isApart = status === DISCONNECTED && !BAD_ENDS.includes(tried[0].path.status);
+  const last = isApart ? emptyPath(status) : solveWeakly(problem, tried, options);
+  return last.length > 0 ? last : (failed[0] ?? last);
+}
+
+/** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
+const shortestWeak = (tried) =>
+  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
+
+/**
+ * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
+ * @param {Problem} problem @param {Found[]} unknown @param {SolveOptions} options @param {RawPath} best
+ */
+function stalledBeside(problem, unknown, options, best) {
+  const weak = problem.domain?.poles.length && shortestWeak(unknown.filter(({ path }) => path.status === STALLED));
+  const least = best.length * (1 - options.tolerance);
+  if (!weak || !(estimate(weak.path) < least)) return null;
+  const path = refine(problem, weak, options);
+  const isMeant = Math.abs(path.length - estimate(weak.path)) <= AGREEMENT * path.length;
+  return isMeant && path.length + path.lengthError < least - best.lengthError ? path : null;
+}
+
+/**
+ * A path that was not solved to the tolerance (iteration-limit, tolerance-not-met) but may be shorter than the best of those that were: it is one on the surface.
+ * A fine polyline tells whether its error leaves that open, and may lead to it; null: it is not shorter.
+ * @param {Problem} problem @param {RawPath} path @param {number} least what it must be shorter than @param {SolveOptions} options @returns {RawPath | null}
+ */
+function shorterAnyway(problem, path, least, options) {
+  const { length, lengthError } = path;
+  if (!isOnSurface(path) || !(length < least)) return null;
+  /* Who allows fewer steps than that takes wants to know where they end. */
+  if (options.maxIterations < ROUGHLY.maxIterations) return path;
+  const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
+  if (!holds(finer)) return path;
+  if (estimate(finer.path) < least) {
+    const refined = solveFrom(problem, finer, options);
+    if (!holds({ path: refined })) return path;
+    if (refined.length < least) return refined;
+  }
+  return length + lengthError < least ? path : null;
+}
+
+/** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */
+function solveWeakly(problem, tried, options) {
+  const best = shortestWeak(tried);
+  return best ? refine(problem, best, options) : problem.solve(tried[0].to, null, options);
+}

@@ -1,0 +1,146 @@
+/** Paths that follow each other, joined into one; paths turned round. Knows paths as plain data. */
+
+import { moveNear } from '../manifold/lifts.js';
+import { isGeodesic } from '../path.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('../manifold/seams.js').Glued} Glued */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+
+/**
+ * Shares inner points out among pieces in proportion to their lengths, the points where they meet left out: at least one each.
+ * @param {number[]} lengths @param {number} points inner points of the whole, at least 2 lengths.length − 1
+ * @returns {number[]}
+ */
+function shareOut(lengths, points) {
+  const total = lengths.reduce((sum, length) => sum + length, 0);
+  const free = points - (lengths.length - 1) - lengths.length;
+  const wanted = lengths.map((length) => (total > 0 ? (free * length) / total : 0));
+  const shares = wanted.map((want) => 1 + Math.floor(want));
+  const left = free - shares.reduce((sum, share) => sum + share - 1, 0);
+  const order = wanted.map((_, i) => i).sort((i, j) => (wanted[j] % 1) - (wanted[i] % 1) || lengths[j] - lengths[i]);
+  for (let k = 0; k < left; k++) shares[order[k % order.length]]++;
+  return shares;
+}
+
+/** Segments of the polyline of a path. @param {Path} path */
+const segmentsOf = ({ points, parameters }) => (parameters ? parameters.length / 2 : points.length / 3) - 1;
+
+/** A sum that does not depend on the order. @param {number[]} numbers */
+const sum = (numbers) => [...numbers].sort((a, b) => a - b).reduce((total, x) => total + x, 0);
+
+/** One array after the other, the number `width` of each but the first, which repeat the end of the one before, left out. @param {Float64Array[]} arrays @param {number} width */
+function concatenate(arrays, width) {
+  const numbers = arrays.flatMap((array, i) => Array.from(i ? array.subarray(width) : array));
+  return Float64Array.from(numbers);
+}
+
+/** u v of the pieces, each moved to go on where the one before ended; at a pole, where they differ in the coordinate around it, in its direction. @param {Path[]} pieces @param {Glued | null} glued @returns {Float64Array | null} */
+function joinParameters(pieces, glued) {
+  if (!glued) return null;
+  /** @type {Float64Array[]} */
+  const moved = [];
+  for (const { parameters } of pieces) {
+    const own = Float64Array.from(/** @type {Float64Array} */ (parameters));
+    moveNear(glued, own, moved.at(-1)?.subarray(-2) ?? own);
+    moved.push(own);
+  }
+  return concatenate(moved, 2);
+}
+
+/**
+ * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
+ * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
+ */
+export function joinPaths(pieces, glued) {
+  const missing = pieces.find(({ length }) => Number.isNaN(length));
+  if (missing) return missing;
+  const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
+  const points = concatenate(
+    pieces.map((piece) => piece.points),
+    3,
+  );
+  const segments = sum(pieces.map(segmentsOf));
+  return {
+    status,
+    converged: status === 'converged',
+    length: sum(pieces.map(({ length }) => length)),
+    lengthError: sum(pieces.map(({ lengthError }) => lengthError)),
+    points,
+    parameters: joinParameters(pieces, glued),
+    iterations: sum(pieces.map(({ iterations }) => iterations)),
+    energy: segments * sum(pieces.map((piece) => piece.energy / segmentsOf(piece))),
+    gradientNorm: Math.sqrt(sum(pieces.map(({ gradientNorm }) => gradientNorm ** 2))),
+    index: pieces.some(({ index }) => index < 0) ? -1 : sum(pieces.map(({ index }) => index)),
+    touchesBoundary: pieces.some(({ touchesBoundary }) => touchesBoundary),
+    crossesSingularity: pieces.some(({ crossesSingularity }) => crossesSingularity),
+    conjugate: null,
+    history: pieces.flatMap(({ history }) => history),
+  };
+}
+
+/**
+ * A path of legs, each solved as it is asked for, with its part of the points.
+ * @param {Path[]} legs as they are known @param {SolveOptions} asked @param {(leg: number, options: SolveOptions) => Path} solve
+ * @param {Glued | null} glued the rectangle, if they have parameters @param {number} [least] the legs are solved in so many parts at least
+ * @returns {{ path: Path, parts: Path[] }} and its legs
+ */
+export function joinLegs(legs, asked, solve, glued, least = 1) {
+  const points = Math.max(asked.points, 2 * legs.length - 1);
+  const shares = shareOut(
+    legs.map(({ length }) => length || 0),
+    points,
+  );
+  const parts = shares.map((share, k) => solve(k, { ...asked, points: (share + 1) * Math.ceil(least / (share + 1)) - 1 }));
+  const whole = joinPaths(
+    parts.map((part, k) => (least > 1 && isGeodesic(part) ? thinned(part, shares[k] + 2) : part)),
+    glued,
+  );
+  return { parts, path: points > asked.points && whole.length >= 0 ? thinned(whole, asked.points + 2) : whole };
+}
+
+/** Inner points of a piece, at least, whose length is only to tell how many points it gets. */
+const ROUGH = 31;
+
+/**
+ * So many pieces, one after the other: first roughly, to share out the points, then as asked.
+ * @param {number} count @param {SolveOptions} options @param {(piece: number, options: SolveOptions) => Path} solve
+ * @param {Glued | null} glued the rectangle, if they have parameters
+ * @returns {Path}
+ */
+export function joinPieces(count, options, solve, glued) {
+  const least = { ...options, points: Math.max(ROUGH, Math.ceil(options.points / count)), record: false };
+  const rough = Array.from({ length: count }, (_, i) => solve(i, least));
+  return joinLegs(rough, options, solve, glued).path;
+}
+
+/** Fewer points of a path. @param {Path} path @param {number} count @returns {Path} */
+export function thinned(path, count) {
+  const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
+    const last = numbers.length / width - 1;
+    const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
+    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
+  };
+  return {
+    ...path,
+    points: pick(path.points, 3),
+    parameters: path.parameters && pick(path.parameters, 2),
+  };
+}
+
+/** @param {Float64Array} numbers @param {number} width so many a point */
+export function turned(numbers, width) {
+  const result = new Float64Array(numbers.length);
+  for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+  return result;
+}
+
+/** Turns a path round. @template {import('../runtime/result.js').RawPath | Path} T @param {T} path @returns {T} */
+export function reverse(path) {
+  return {
+    ...path,
+    points: turned(path.points, 3),
+    parameters: path.parameters && turned(path.parameters, 2),
+    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
+  };
+}

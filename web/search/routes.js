@@ -1,0 +1,256 @@
+/** From two ends to a path: near a start, or the globally shortest. Joins the solver, the graphs and the lifts of a surface. */
+
+import { facePoles } from '../manifold/domain.js';
+import { copies, liftEnds, moveOnto, slide } from '../manifold/lifts.js';
+import { makePath } from '../path.js';
+import { emptyPath } from '../runtime/result.js';
+import { CONVERGED, OUT_OF_MEMORY } from '../runtime/status.js';
+import { gap } from '../vector.js';
+import { findBranches } from './branches.js';
+import { ELEMENTS, holds, LONGEST } from './candidates.js';
+import { findPaths, findPathsFrom } from './global.js';
+import { reverse, turned } from './join.js';
+import { passBranches } from './over-branches.js';
+import { passedTip, passPoles } from './poles.js';
+import { ROUGHLY } from './rough.js';
+import { findStarts } from './starts.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('../runtime/heap.js').Heap} Heap */
+/** @typedef {import('../runtime/result.js').RawPath} RawPath */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+
+/**
+ * A call of the solver. record: address of the surface as it measures length; shape: where the surface is installed as space measures it.
+ * @template T @typedef {(heap: Heap, record: number, shape: { record: number, value: number }) => T} Call
+ */
+
+/**
+ * @typedef {object} Field a surface, as far as finding paths on it needs to know
+ * @property {number} kind 0: parametric, 1: implicit
+ * @property {import('../manifold/domain.js').Domain | null} domain
+ * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
+ * @property {(() => import('../manifold/sides.js').Sides | null) | null} sides of its creases; null: it has none, or is a part of another, or there is no room for them
+ * @property {(() => import('../manifold/bodies.js').Bodies) | null} bodies what boxes hold of an implicit surface; null: it has a metric, or is no such surface
+ * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
+ * @property {number[] | null} box of an implicit surface
+ * @property {boolean} [isLeg] paths are legs of ways through branch points
+ * @property {import('../manifold/graphs.js').Graphs} graphs
+ * @property {boolean} isPlain length is that of space: no density, no metric
+ * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
+ * @property {<T>(call: Call<T>) => T} run
+ * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
+ * @property {(box: number[], resolution: number) => import('../mesh/mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
+ */
+
+/** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
+const [PATIENCE, SLIPPING] = [40, 0.1];
+/** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
+const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
+const BESIDE = 1e-6;
+/** What a polyline is relaxed with that is only to tell which way a path leads. */
+const SKETCH = { ...ROUGHLY, points: 63 };
+/** What only measures a polyline. */
+const MEASURED = { ...AT_ONCE, points: 999 };
+
+/**
+ * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.
+ * @param {Field} field @param {number[][]} ends @param {Float64Array | null} start null: straight
+ */
+export function poseNear({ kind, domain, run }, ends, start) {
+  const faced = facePoles(domain, ends[0], ends[1]);
+  const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
+  const request = { kind, from: lifted[0], to: lifted[1], start };
+  return {
+    solve: (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked)),
+    finish(/** @type {import('../runtime/result.js').RawPath} */ raw) {
+      const path = makePath(raw);
+      if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
+      return path;
+    },
+  };
+}
+
+/**
+ * The locally shortest path near a start. One that comes to nothing near a pole may want to pass that on the other side, whereto no step in the rectangle
+ * leads: then the shortest of those that pass it; and on a surface with branch points, the shortest through these.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight
+ * @returns {Path}
+ */
+export function solveNear(field, ends, options, start) {
+  const { domain } = field;
+  const { solve, finish } = poseNear(field, ends, start);
+  const branches = branchesOf(field).length > 0;
+  const mayPass = domain && (branches || domain.tips.length > 0) && options.algorithm === ELEMENTS;
+  const isCut = mayPass && options.maxIterations > PATIENCE;
+  let near = solve(isCut ? { ...options, maxIterations: PATIENCE } : options);
+  const pass = () => {
+    const rest = { ...options, maxIterations: Math.max(isCut ? PATIENCE : 0, options.maxIterations - near.iterations) };
+    return mayPass && !holds({ path: near }) && rest.maxIterations > 0
+      ? pose(field, ends, (problem) => [...passPoles(problem, rest, near), ...passBranches(problem, rest)])[0]
+      : undefined;
+  };
+  /* Cut short, it may only take long. */
+  const isOpen = isCut && near.iterations >= PATIENCE && !holds({ path: near });
+  const slips = branches || (near.parameters && mayPass && passedTip(domain, near.parameters, SLIPPING));
+  let passing = !isOpen || slips ? pass() : undefined;
+  if (isOpen && !passing) {
+    near = solve(options);
+    passing = pass();
+  }
+  if (passing) return passing;
+  return finish(near);
+}
+
+/**
+ * The shortest paths that a graph search finds, or one without a path that says why.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most
+ * @returns {Path[]}
+ */
+export function findGlobal(field, ends, options, most) {
+  return pose(field, ends, (problem) => findPaths(problem, options, most));
+}
+
+/**
+ * Polylines along which paths between two ends may lead, as a graph has them.
+ * @param {Field} field @param {number[][]} ends @param {import('../pieces/pieces.js').Start} start
+ * @returns {{ ways: Float64Array[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
+ */
+export function findWays(field, ends, start) {
+  if (start !== 'global') return { ways: [start ?? Float64Array.from(ends.flat())], distance: Infinity };
+  /** @type {Float64Array[]} */
+  let ways = [];
+  let distance = Infinity;
+  pose(field, ends, (problem) => {
+    const { from, to, domain, solve } = problem;
+    const straight = { to, start: null };
+    const path = domain ? null : solve(to, null, SKETCH);
+    const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
+    const starts = [...(path ? [straight] : []), ...(found?.starts ?? [])];
+    ways = starts.map(({ to: end, start: given }) => Float64Array.from(given ?? [...from, ...end]));
+    distance = found?.distance ?? Infinity;
+    return [];
+  });
+  return { ways, distance };
+}
+
+/** A polyline relaxed, not further than is needed to tell which way a path leads. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points */
+export function relax(field, ends, line, points) {
+  const { solve, finish } = poseNear(field, ends, line);
+  return finish(solve({ ...SKETCH, points }));
+}
+
+/** How long a polyline is on the surface as it is. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
+export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(MEASURED).length;
+
+/** A polyline as it is, in so many points. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points @returns {Path} */
+export function drawLine(field, ends, line, points) {
+  const { solve, finish } = poseNear(field, ends, line);
+  return finish(solve({ ...AT_ONCE, points }));
+}
+
+/**
+ * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options
+ * @param {ArrayLike<number>[]} lines polylines from the first end to near the second @param {number} shortest length of the shortest path so far
+ * @returns {Path[]}
+ */
+export function findNear(field, ends, options, lines, shortest) {
+  const isTurned = isAfter(ends[0], ends[1]);
+  return pose(field, ends, (problem) => {
+    const starts = lines.map((line) =>
+      slide(problem, isTurned ? turned(Float64Array.from(line), ends[0].length) : Float64Array.from(line)),
+    );
+    return findPathsFrom(problem, options, starts, shortest);
+  });
+}
+
+/**
+ * Paths between two ends, found from the lexicographically smaller one, from the first to the second.
+ * @param {Field} field @param {number[][]} ends @param {(problem: import('./candidates.js').Problem) => import('../runtime/result.js').RawPath[]} find
+ * @returns {Path[]}
+ */
+function pose(field, [from, to], find) {
+  const { kind, domain, box, graphs, isPlain, isSpatial, positions, run } = field;
+  const swap = isAfter(from, to);
+  const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
+  const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
+  const branches = branchesOf(field);
+  const legs = { ...field, isLeg: true };
+  let exhausted = false;
+  /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
+  const watch = (answer) => {
+    exhausted ||= answer?.status === OUT_OF_MEMORY;
+    return answer;
+  };
+  const found = run((heap, record) => {
+    const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoBeside(heap, record, kind, end));
+    return find({
+      from: first,
+      to: last,
+      isPlain,
+      isSpatial,
+      positions,
+      domain,
+      solve: (end, start, asked, passage = null) =>
+        watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),
+      branches,
+      isLeg: !!field.isLeg,
+      leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
+      near: (places, asked, start) => solveNear(legs, places, asked, start),
+      graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
+      flood: (level, length, wide) => watch(graphs.flood(heap, record, first, last, level, length, wide)),
+      search: (graph, points, isAll) =>
+        joinSearches(copies(domain, last).map((end) => watch(heap.searchGraph(record, graph, first, end, points, isAll)))),
+    });
+  });
+  const raw = exhausted ? [emptyPath(OUT_OF_MEMORY)] : found;
+  return raw.map((one) => {
+    const path = makePath(swap ? reverse(one) : one);
+    if (domain && path.parameters) moveOnto(domain, path.parameters, swap ? b : a);
+    return path;
+  });
+}
+
+/**
+ * Where a path begins whose end is given beside an implicit surface: there a graph is looked into, too. What is near enough stays as it is, to the bit.
+ * @param {Heap} heap @param {number} record @param {number} kind @param {number[]} end
+ */
+function ontoBeside(heap, record, kind, end) {
+  const there = ontoSurface(heap, record, kind, end);
+  return gap(there, end) > BESIDE * gap(end, [0, 0, 0]) ? there : end;
+}
+
+/** Where an end of a path on an implicit surface lies on it; the end itself, where nothing tells. @param {Heap} heap @param {number} record @param {number} kind @param {number[]} end */
+function ontoSurface(heap, record, kind, end) {
+  const { points } = heap.solve(record, { kind, from: end, to: end, start: null }, AT_ONCE);
+  return points.length > 0 ? Array.from(points.subarray(0, 3)) : end;
+}
+
+/** @param {Field} field an implicit surface @param {number[]} end of a path on it @returns {number[]} where it lies on the surface */
+export const settleEnd = ({ kind, run }, end) => run((heap, record) => ontoSurface(heap, record, kind, end));
+
+/** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */
+function branchesOf({ domain, graphs, isPlain, jets }) {
+  if (!domain || !isPlain) return [];
+  graphs.branches ??= findBranches(jets, domain);
+  return graphs.branches;
+}
+
+/** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
+export function isAfter(a, b) {
+  const different = a.findIndex((x, j) => x !== b[j]);
+  return different >= 0 && a[different] > b[different];
+}
+
+/**
+ * Searches for ways to the same point in several places as one. Ways that are much longer than the shortest are of no interest.
+ * @param {ReturnType<Heap['searchGraph']>[]} searches
+ */
+function joinSearches(searches) {
+  const found = searches.filter(({ status }) => status === CONVERGED).sort((a, b) => a.distance - b.distance);
+  if (found.length === 0) return searches[0];
+  const near = found.filter(({ distance }) => distance <= LONGEST * found[0].distance);
+  return { ...found[0], candidates: near.flatMap(({ candidates }) => candidates) };
+}
