@@ -19,8 +19,8 @@ static const uint8_t LADDER[][2] = {{8, 2},
                                     {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT}};
 /* Where the path ends on a singular curve. */
 static const uint8_t GRADED[][2] = {{8, 2}, {12, 2}, {16, 2}, {16, 4}, {16, 8}, {24, 8}, {24, 16}, {32, 16}, {32, 32}};
-/* From so many nodes on elements may be spread unevenly. */
-enum { SPREAD_NODES = 64 };
+/* From so many nodes on elements may be spread unevenly, in space and in a metric, of which few see less. */
+enum { SPREAD_NODES = 32, SPREAD_NODES_METRIC = 64 };
 /* Elements of so many nodes that touch a wall show where: more do not settle, there the path bends aside. */
 enum { TOUCHING_NODES = 768 };
 /* A path that is solved again climbs so many rungs at least: two differences are what tells it settled. */
@@ -194,10 +194,10 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
     struct sp_climbed *now = &climb->now;
     struct sp_storage storage;
     double spread[SP_SPREAD + 1], *present = sp_arena_take(climb->arena, SP_SPREAD + 1, sizeof(double));
-    int uneven = elements->spread != NULL;
+    int uneven = elements->spread != NULL, least = first->line.kind->components ? SPREAD_NODES_METRIC : SPREAD_NODES;
     if (uneven) memcpy(spread, elements->spread, sizeof spread);
     /* A metric that changes much is what so many chords were for. */
-    if (climb->chords && first->line.kind->components && first->line.fold.inner >= SPREAD_NODES)
+    if (climb->chords && first->line.kind->components && first->line.fold.inner >= SPREAD_NODES_METRIC)
         uneven = sp_spread_elements(first, newton->step, spread);
     climb->before = *first;
     now->length = climb->last = climb->change = climb->first_length;
@@ -222,7 +222,7 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         if (now->outcome.active && !climb->astray && nodes >= TOUCHING_NODES) break;
         climb->moved = climb->follows && first->elements.reference.degree == 1 ? now->moved : 0;
         climb->before = climb->astray ? *first : sp_storage_keep(&storage, &newton->system);
-        if (!climb->astray && !elements->fixed && nodes >= SPREAD_NODES) uneven = sp_spread_elements(&newton->system, newton->step, spread);
+        if (!climb->astray && !elements->fixed && nodes >= least) uneven = sp_spread_elements(&newton->system, newton->step, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
     int settled = climb->follows && climb->change <= LENGTH_ALONE * climb->allowed && climb->error <= climb->allowed;

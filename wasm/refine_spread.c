@@ -3,15 +3,19 @@
 #include "sample.h"
 #include "scalar.h"
 
-/* Elements are no longer spread evenly if somewhere the path turns so many times faster than on an average. Then this part of their widths
+/* Elements are no longer spread evenly if somewhere they would lie so many times closer than on an average. Then this part of their widths
  * stays even, so that none is without width. */
 static const double UNEVEN = 3, EVENLY = 1e-6;
+/* Last coefficients are no smaller than rounding, in parts of the largest coordinate. */
+static const double LEAST_TAIL = 1e-14;
 
-/* By how much the path's velocity changes at each node, in parts of itself: by how many radians it turns, about, where its speed is even,
- * as it is without a density; and the node's parameter. Returns the sum of the turns. */
-static double measure_turns(const struct sp_system *system, sp_pair *turns) {
+/* Pieces of a path, one after another: how much of the elements each wants, and the path's parameter where it ends. */
+
+/* Chords: their part of the path, and by how many radians it turns at their ends, about: by how much the velocity changes, in parts of
+ * itself. Returns their number. */
+static int32_t measure_turns(const struct sp_system *system, sp_pair *pieces) {
     struct sp_fold fold = system->line.fold;
-    double at[3] = {0}, velocity[3] = {0}, from = 0, total = 0;
+    double at[3] = {0}, velocity[3] = {0}, from = 0;
     for (int32_t i = 0; i <= fold.inner + 1; i++) {
         const sp_pair *chart = system->line.nodes.charts + (size_t)SP_CHART * (size_t)sp_fold_pair(fold, i) + SP_CHART_X;
         double to = sp_sample_parameter(&system->elements, i), rate = i > 0 ? 1 / (to - from) : 0, by = 0, size = 0;
@@ -20,27 +24,62 @@ static double measure_turns(const struct sp_system *system, sp_pair *turns) {
             by += change * change, size += now * now + velocity[c] * velocity[c];
             at[c] = x, velocity[c] = now;
         }
-        turns[i] = (sp_pair){0, from = to};
-        if (i > 1 && size > 0) total += turns[i - 1][0] = root(2 * by / size);
+        double half = i > 1 && size > 0 ? 0.5 * root(2 * by / size) : 0;
+        if (i > 1) pieces[i - 2][0] += half;
+        if (i > 0) pieces[i - 1] = (sp_pair){to - from + half, to};
+        from = to;
     }
-    return total;
+    return fold.inner + 1;
 }
 
-int sp_spread_elements(const struct sp_system *system, sp_pair *turns, double spread[SP_SPREAD + 1]) {
-    int32_t k = 1;
-    double total = 1 + measure_turns(system, turns), passed = 0, most = 0;
-    for (int32_t i = 0; i <= system->line.fold.inner; i++) {
-        double from = turns[i][1], span = turns[i + 1][1] - from, part = span + 0.5 * (turns[i][0] + turns[i + 1][0]);
+/* Elements: some root of the last two Legendre coefficients of their positions, which say what an element leaves over. At GLL nodes 1/P_p
+ * is a root of the weight, but for its sign, and P_p-1 is t P_p. Returns their number. */
+static int32_t measure_tails(const struct sp_system *system, sp_pair *pieces) {
+    const struct sp_elements *elements = &system->elements;
+    const struct sp_reference *reference = &elements->reference;
+    struct sp_fold fold = system->line.fold;
+    int32_t p = reference->degree;
+    double largest = 0;
+    for (int32_t e = 0; e < elements->count; e++) {
+        double last[6] = {0}, squares = 0;
+        for (int32_t j = 0; j <= p; j++) {
+            int32_t i = e * p + j;
+            const sp_pair *chart = system->line.nodes.charts + (size_t)SP_CHART * (size_t)sp_fold_pair(fold, i) + SP_CHART_X;
+            double factor = root(reference->weight[j] * p / (p + 1)) * ((p - j) % 2 ? -1 : 1);
+            for (int c = 0; c < 3; c++) {
+                double x = chart[c][sp_fold_lane(fold, i)];
+                last[c] += factor * x, last[3 + c] += (2.0 - 1.0 / p) * (2 * reference->node[j] - 1) * factor * x;
+                largest = larger(largest, absolute(x));
+            }
+        }
+        for (int c = 0; c < 6; c++)
+            squares += last[c] * last[c];
+        pieces[e] = (sp_pair){squares, sp_sample_parameter(elements, e * p + p)};
+    }
+    for (int32_t e = 0; e < elements->count; e++)
+        pieces[e][0] = root(root(root(root(pieces[e][0] + LEAST_TAIL * LEAST_TAIL * largest * largest))));
+    return elements->count;
+}
+
+int sp_spread_elements(const struct sp_system *system, sp_pair *pieces, double spread[SP_SPREAD + 1]) {
+    /* What is left over tells best, but neither what a metric does between nodes nor how to close in on a singular curve. */
+    int uneven = system->elements.spread && system->line.kind->components == 0 && !sp_elements_graded(&system->elements);
+    int32_t count = uneven ? measure_tails(system, pieces) : measure_turns(system, pieces), k = 1;
+    double total = 0, passed = 0, most = 0, from = 0;
+    for (int32_t i = 0; i < count; i++)
+        total += pieces[i][0];
+    for (int32_t i = 0; i < count; i++) {
+        double part = pieces[i][0], span = pieces[i][1] - from;
         most = larger(most, part / span);
         for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
             spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
-        passed += part;
+        passed += part, from = pieces[i][1];
     }
     for (spread[0] = 0; k <= SP_SPREAD; k++)
         spread[k] = 1;
     for (k = 1; k < SP_SPREAD; k++)
         spread[k] += EVENLY * ((double)k / SP_SPREAD - spread[k]);
-    return most > UNEVEN * total;
+    return uneven || most > UNEVEN * total;
 }
 
 void sp_spread_close(double least, double spread[SP_SPREAD + 1]) {
