@@ -1,4 +1,4 @@
-/* Where elements meet: closer where the path turns, or at its ends. MATH.md, "The ladder". */
+/* Where elements meet: closer where the path turns, where they leave much over, or at its ends. MATH.md, "The ladder". */
 #include "refine_spread.h"
 #include "sample.h"
 #include "scalar.h"
@@ -9,10 +9,11 @@ static const double UNEVEN = 3, EVENLY = 1e-6;
 /* Last coefficients are no smaller than rounding, in parts of the largest coordinate. */
 static const double LEAST_TAIL = 1e-14;
 
-/* Pieces of a path, one after another: how much of the elements each wants, and the path's parameter where it ends. */
+/* Both measures write pieces of the path, one after another: how much of the elements each wants, and the path's parameter where it ends;
+ * and return their number. */
 
-/* Chords: their part of the path, and by how many radians it turns at their ends, about: by how much the velocity changes, in parts of
- * itself. Returns their number. */
+/* A piece a chord, or two nodes of an element: its part of the path, and by how many radians it turns at their ends, about: by how much the
+ * velocity changes, in parts of itself. */
 static int32_t measure_turns(const struct sp_system *system, sp_pair *pieces) {
     struct sp_fold fold = system->line.fold;
     double at[3] = {0}, velocity[3] = {0}, from = 0;
@@ -32,8 +33,8 @@ static int32_t measure_turns(const struct sp_system *system, sp_pair *pieces) {
     return fold.inner + 1;
 }
 
-/* Elements: some root of the last two Legendre coefficients of their positions, which say what an element leaves over. At GLL nodes 1/P_p
- * is a root of the weight, but for its sign, and P_p-1 is t P_p. Returns their number. */
+/* A piece an element: some root of the last two Legendre coefficients of their positions, which say what an element leaves over. At GLL
+ * nodes 1/P_p is a root of the weight, but for its sign, and P_p-1 is t P_p. */
 static int32_t measure_tails(const struct sp_system *system, sp_pair *pieces) {
     const struct sp_elements *elements = &system->elements;
     const struct sp_reference *reference = &elements->reference;

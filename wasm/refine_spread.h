@@ -4,9 +4,9 @@
 
 #include "system.h"
 
-/* Where elements meet if they are to be equally long, the path's parameter and its turns taken together: `spread`.
- * Returns 0 if that is nearly even. `turns`: scratch, a pair a node. */
-int sp_spread_elements(const struct sp_system *system, sp_pair *turns, double spread[SP_SPREAD + 1]);
+/* Where elements meet if each is to get as much as the others, of the path's parameter and its turns taken together or, where they are
+ * spread already, of what they leave over: `spread`. Returns 0 if that is nearly even. `pieces`: scratch, a pair a node. */
+int sp_spread_elements(const struct sp_system *system, sp_pair *pieces, double spread[SP_SPREAD + 1]);
 
 /* Where elements meet that close in on both ends of a path, up to `least`: each longer than the one before by the same factor. */
 void sp_spread_close(double least, double spread[SP_SPREAD + 1]);

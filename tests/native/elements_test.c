@@ -2,6 +2,7 @@
  * the ladder. */
 #include "elements.h"
 #include "newton.h"
+#include "refine_spread.h"
 #include "sample.h"
 #include "surfaces.h"
 #include "surfpath.h"
@@ -174,6 +175,60 @@ static void check_elements(const struct sp_surface *surface, enum sp_hessian hes
     free(matrix);
 }
 
+/* The last two Legendre coefficients, squared and added up, of an element's positions: from all of them, by Gauss's elimination. */
+static double legendre_tail(const struct sp_system *system, int32_t e) {
+    const struct sp_reference *reference = &system->elements.reference;
+    int32_t p = reference->degree, size = p + 1;
+    double matrix[13][16], sum = 0;
+    for (int32_t j = 0; j < size; j++) {
+        double t = 2 * reference->node[j] - 1;
+        matrix[j][0] = 1, matrix[j][1] = t;
+        for (int32_t k = 1; k < p; k++)
+            matrix[j][k + 1] = ((2 * k + 1) * t * matrix[j][k] - k * matrix[j][k - 1]) / (k + 1);
+        for (int32_t c = 0; c < 3; c++)
+            matrix[j][size + c] = sp_fold_get(system->line.fold, system->line.nodes.charts, SP_CHART, e * p + j, SP_CHART_X + c);
+    }
+    for (int32_t k = 0; k < size; k++) {
+        int32_t pivot = k;
+        for (int32_t i = k + 1; i < size; i++)
+            if (fabs(matrix[i][k]) > fabs(matrix[pivot][k])) pivot = i;
+        for (int32_t j = k; j < size + 3; j++) {
+            double kept = matrix[k][j];
+            matrix[k][j] = matrix[pivot][j], matrix[pivot][j] = kept;
+        }
+        for (int32_t i = 0; i < size; i++) {
+            double factor = i == k ? 0 : matrix[i][k] / matrix[k][k];
+            for (int32_t j = k; j < size + 3; j++)
+                matrix[i][j] -= factor * matrix[k][j];
+        }
+    }
+    for (int32_t c = 0; c < 3; c++)
+        for (int32_t k = p - 1; k <= p; k++)
+            sum += matrix[k][size + c] * matrix[k][size + c] / (matrix[k][k] * matrix[k][k]);
+    return sum;
+}
+
+/* What elements leave over is what they are spread by: each 64th has the same part of it. */
+static void check_spread(const struct sp_surface *surface, int32_t degree, int32_t count, uint64_t *seed) {
+    struct sp_newton newton = random_elements(surface, degree, count, seed);
+    double spread[SP_SPREAD + 1], total = 0;
+    CHECK(sp_spread_elements(&newton.system, newton.step, spread), "p = %d, m = %d: even", degree, count);
+    for (int32_t e = 0; e < count; e++) {
+        double tail = legendre_tail(&newton.system, e), measured = pow(newton.step[e][0], 16);
+        CHECK(fabs(measured / tail - 1) < 1e-9, "p = %d, element %d of %d leaves %g over, not %g", degree, e, count, tail, measured);
+        total += newton.step[e][0];
+    }
+    for (int k = 0; k <= SP_SPREAD; k++) {
+        double passed = 0, from = 0;
+        for (int32_t e = 0; e < count; e++) {
+            double to = newton.step[e][1], part = (spread[k] - from) / (to - from);
+            passed += newton.step[e][0] * (part > 1 ? 1 : part > 0 ? part : 0), from = to;
+        }
+        CHECK(fabs(passed / total - (double)k / SP_SPREAD) < 1e-4, "p = %d, m = %d: %g of the whole before %d/64", degree, count,
+              passed / total, k);
+    }
+}
+
 /* Lengths to the tolerance asked for, and never an error estimate below the true error. */
 static void check_ladder(const struct sp_surface *surface, struct sp_request request, double truth) {
     for (double tolerance = 1e-3; tolerance > 1e-13; tolerance *= 0.1) {
@@ -203,6 +258,9 @@ int main(void) {
                 check_elements(surfaces[s], SP_COVARIANT, degrees[d], count, &seed);
                 if (surfaces[s]->kind == SP_PARAMETRIC) check_elements(surfaces[s], SP_COORDINATE, degrees[d], count, &seed);
             }
+    for (int s = 0; s < 5; s++)
+        for (int d = 1; d < 5; d++)
+            check_spread(surfaces[s], degrees[d], 6, &seed);
     check_ladder(&globe_surface, (struct sp_request){.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}},
                  acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));
     check_ladder(&sphere_surface, (struct sp_request){.from = {1, 0, 0}, .to = {0, 0.6, 0.8}}, acos(0.0));
