@@ -208,7 +208,8 @@ static double legendre_tail(const struct sp_system *system, int32_t e) {
     return sum;
 }
 
-/* What elements leave over is what they are spread by: each 64th has the same part of it. */
+/* What elements leave over is what they are spread by: each 64th has the same part of it, but for the millionth of their widths that stays
+ * even, which an element of a hundredth of the width counts a hundred times. */
 static void check_spread(const struct sp_surface *surface, int32_t degree, int32_t count, uint64_t *seed) {
     struct sp_newton newton = random_elements(surface, degree, count, seed);
     double spread[SP_SPREAD + 1], total = 0;
