@@ -41,6 +41,13 @@ export function meetEdge(sides, on, { lower, upper, periodic }, place) {
   return met.map((x, i) => (i === j ? edge : x));
 }
 
+/** Where creases meet, as they are written on the side with these signs, and on an implicit surface on this side of it. @param {Sides} sides @param {number[]} signs @param {number[]} creases @param {number[]} near */
+export const meet = (sides, signs, creases, near) =>
+  approach(near, (at) => [
+    ...creases.map((crease) => vanishing(sides, { crease, signs }, at)),
+    ...implicit(sides, { crease: creases[0], signs }, at),
+  ]);
+
 /** @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
 function approach(place, equations) {
   let at = place;
@@ -162,10 +169,5 @@ function corner(sides, on, at, next) {
   const [one, two] = [after, beyond ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
   const size = Math.max(...one.map(Math.abs));
   if (one.every((x, j) => Math.abs(x - two[j]) <= SAME * size)) return { signs, place: null };
-  const place = approach(next, (there) => [
-    vanishing(sides, on, there),
-    vanishing(sides, { ...on, crease: other }, there),
-    ...implicit(sides, on, there),
-  ]);
-  return { signs, place };
+  return { signs, place: meet(sides, on.signs, [on.crease, other], next) };
 }

@@ -6,12 +6,13 @@
 import { placed } from '../pieces/pieces.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { joinLegs, reverse } from '../search/join.js';
-import { drawLine, findWays, isAfter, measureLine, poseNear } from '../search/routes.js';
+import { drawLine, findWays, isAfter, measureLine, poseNear, settleBeside } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { follow } from './follow.js';
-import { LEG, lengthOf, placesOf } from './legs.js';
+import { isOnEdge, LEG, lengthOf, placesOf } from './legs.js';
+import { followPinned } from './pinned.js';
 import { writeShore } from './shores.js';
-import { isBeside, roundingsOf, sketch } from './sketches.js';
+import { isBeside, measureSketch, roundingsOf, sketch } from './sketches.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -35,6 +36,7 @@ const NEARLY = 1.003;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 
+/** @typedef {{ line: Float64Array, measured: number }} Way a polyline, and how long it is on the surface */
 /** path: `converged`, or null; most: no path is shorter than that is: beyond it a shorter way was seen; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, most: number, rough: () => Path | null }} Creased */
 
 /**
@@ -51,14 +53,15 @@ export function findCreased(field, ends, options, start) {
   sides.begin();
   /* As everywhere: exchanged ends give the same path. */
   const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
-  const asked = isTurned ? [ends[1], ends[0]] : ends;
+  const settled = field.domain ? ends : ends.map((end) => settleBeside(field, end));
+  const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, start);
   const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
   return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
 }
 
-/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Sketch | null, most: number }} */
+/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Way | null, most: number }} */
 function findRoute(question, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
@@ -66,9 +69,9 @@ function findRoute(question, start) {
   const rough = field.domain ? ROUGH : ROUGHER;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
-    .map((line) => ({ line, length: measureLine(field, ends, line), isAtRest: false }))
-    .filter(({ length }) => length >= 0);
-  /** @type {Sketch | null} */
+    .map((line) => ({ line, measured: measureLine(field, ends, line) }))
+    .filter(({ measured }) => measured >= 0);
+  /** @type {Way | null} */
   let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */
   let best = null;
@@ -80,33 +83,39 @@ function findRoute(question, start) {
     for (const drawn of sketch(field, sides, ends, ways, rounding)) {
       const { line, length } = drawn;
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
-      if (field.domain) least = shortestOf(least, drawn);
+      if (field.domain) least = shortestOf(least, { line, measured: length });
       if (understood.some((other) => isBeside(line, other, width))) continue;
-      const found = followBest(question, line, rounding.shores, length * (1 + rough));
+      const found = followPinned(question, line, length, (part, along, about) =>
+        followBest(part, along, rounding.shores, about * (1 + rough)),
+      );
       if (found) best = shorter(best, found);
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
       if (found && lengthOf(found.legs) <= length * (1 + rough)) understood.push(line);
-      else if (drawn.isAtRest) missed.push(drawn);
+      else {
+        if (drawn.isAtRest) missed.push(drawn);
+        least = shortestOf(least, { line, measured: measureSketch(field, drawn) });
+      }
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
-    if (best && lengthOf(best.legs) <= Math.min(least?.length ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length))) break;
+    if (best && lengthOf(best.legs) <= Math.min(least?.measured ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length)))
+      break;
   }
   /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
   const seen = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
   const most = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
-    : Math.min((least?.length ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
+    : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
   return { best, least, most };
 }
 
-/** @param {Sketch | null} one @param {Sketch} other */
-const shortestOf = (one, other) => (one && one.length <= other.length ? one : other);
+/** @param {Way | null} one @param {Way} other */
+const shortestOf = (one, other) => (other.measured < (one?.measured ?? Infinity) ? other : one);
 
-/** A polyline as a path. @param {Field} field @param {number[][]} ends @param {Sketch} sketch @param {number} points @returns {Path} */
-const roughly = (field, ends, { line, length }, points) => ({
+/** A polyline as a path. @param {Field} field @param {number[][]} ends @param {Way} way @param {number} points @returns {Path} */
+const roughly = (field, ends, { line, measured }, points) => ({
   ...drawLine(field, ends, line, points),
-  ...{ status: 'stalled', converged: false, length, lengthError: LOOSE * length },
+  ...{ status: 'stalled', converged: false, length: measured, lengthError: LOOSE * measured },
 });
 
 /** The path that a polyline leads to, following creases or not, whichever way first is no longer than this; else the shortest. @param {Question} question @param {Float64Array} line @param {number[]} shores @param {number} most @returns {Route | null} */
@@ -137,5 +146,6 @@ function write(question, { legs, joints }, options) {
     const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
     return finish(solveLeg(asked));
   };
-  return joinLegs(/** @type {any} */ (legs), options, solve, field.domain).path;
+  const { path } = joinLegs(/** @type {any} */ (legs), options, solve, field.domain);
+  return { ...path, touchesBoundary: path.touchesBoundary || places.slice(1, -1).some((place) => isOnEdge(question, place)) };
 }

@@ -2,7 +2,7 @@
 
 import { isShortest, rest, surveyAll } from './balance.js';
 import { cut } from './cut.js';
-import { lengthOf } from './legs.js';
+import { lengthOf, lineOf } from './legs.js';
 import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
 import { refract } from './refract.js';
 
@@ -13,6 +13,8 @@ import { refract } from './refract.js';
 
 /** So often what a path is put together from is changed. */
 const MOST_CUTS = 12;
+/** Routes at rest are the same to so many digits. */
+const SAME = 6;
 /** The surface is torn where its sides are farther apart than this part of how large coordinates are. */
 const TORN = 1e-9;
 
@@ -24,13 +26,23 @@ const TORN = 1e-9;
 export function follow(question, line, near, most) {
   const width = question.ends[0].length;
   const first = cut(question.sides, line, width, { near });
+  /* Without a shore it is what not following creases is. */
+  if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
   const pieces = first && landed(question, first);
   let route = pieces && join(question, pieces);
   if (!route || isTornAnywhere(question, route)) return null;
   let isAtRest = false;
+  /** Routes at rest that were cut anew: what comes to one of them again goes round in circles. @type {string[]} */
+  const known = [];
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const again = recut(question, route, line, isAtRest);
     if (!again && isAtRest) return finish(question, route);
+    if (again && isAtRest) question.budget.lost = lineOf(route.legs, width);
+    if (again && isAtRest) {
+      const key = keyOf(route);
+      if (known.includes(key)) return null;
+      known.push(key);
+    }
     isAtRest = !again;
     if (again) route = join(question, again);
     else {
@@ -47,6 +59,9 @@ export function follow(question, line, near, most) {
   return null;
 }
 
+/** What tells a route at rest from others. @param {Route} route */
+const keyOf = ({ legs, joints }) => `${joints.map(({ crease }) => crease)} ${lengthOf(legs).toPrecision(SAME)}`;
+
 /** @param {Route} route */
 const hasShores = ({ legs, joints }) => legs.some(({ shore }) => shore) || joints.some(({ isCorner }) => isCorner);
 
@@ -55,13 +70,21 @@ function settleJoints(question, route) {
   if (hasShores(route)) return rest(question, route);
   const rested = refract(question, route);
   if (rested) return { route: rested, isAtRest: true };
+  if (!question.field.domain) return { route, isAtRest: false };
   /* Joints may be held by an edge of the rectangle; where none is, what pulls at none of them may be no minimum. */
   const balanced = rest(question, route);
   return { ...balanced, isAtRest: balanced.isAtRest && hasShores(balanced.route) };
 }
 
 /** @param {Question} question @param {Route} route */
-const isTornAnywhere = (question, { legs, joints }) => joints.some((joint, j) => isTorn(question, joint, legs.slice(j, j + 2)));
+function isTornAnywhere(question, { legs, joints }) {
+  const [from, to] = question.ends;
+  const isLoose = isOff(question, legs[0], from) || isOff(question, legs[legs.length - 1], to);
+  return isLoose || joints.some((joint, j) => isTorn(question, joint, legs.slice(j, j + 2)));
+}
+
+/** Whether a place is beside the implicit surface that a leg's side is. @param {Question} question @param {Leg} leg @param {number[]} place */
+const isOff = ({ field, sides }, { signs }, place) => !field.domain && isBeside(sides.on(signs)?.jets(place)[0] ?? [], place);
 
 /** @param {Question} question @param {Route} route at rest @returns {Route | null} */
 function finish(question, route) {
@@ -72,11 +95,12 @@ function finish(question, route) {
 }
 
 /** Whether the sides of a crease are in different places in space: what leads over a step, or from sheet to sheet, is no path. @param {Question} question @param {Joint} joint @param {Leg[]} beside it, before and after */
-function isTorn({ field, sides }, { crease, signs, place }, [before, next]) {
+function isTorn(question, { crease, signs, place }, [before, next]) {
+  const { field, sides } = question;
   /* E, F and G, and a density, may jump. */
   if (field.domain && !field.positions) return false;
+  if (!field.domain) return [before, next].some((leg) => isOff(question, leg, place));
   const jetOn = (/** @type {number[]} */ of) => sides.on(of)?.jets(place)[0] ?? [];
-  if (!field.domain) return [before, next].some((leg) => isBeside(jetOn(leg.signs), place));
   const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
   const [one, other] = [jetOn(signs), jetOn(beyond)];
   const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));

@@ -15,7 +15,8 @@ import { poseNear } from '../search/routes.js';
  */
 /** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
 /** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
-/** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: { steps: number } }} Question budget: of Newton, for all that is tried */
+/** @typedef {{ steps: number, lost?: Float64Array | null }} Budget of Newton, for all that is tried; lost: the polyline of the last route that came to rest where it does not hold */
+/** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: Budget }} Question */
 
 /** Legs while joints move: so exact, over so many points. */
 export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
@@ -48,6 +49,9 @@ export function solveLeg({ field, sides, budget }, leg, from, to, options) {
   budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
   return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
 }
+
+/** The polyline of all legs. @param {Leg[]} legs @param {number} width */
+export const lineOf = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i) => Array.from(line.subarray(i ? width : 0))));
 
 /** How long all legs are. @param {Leg[]} legs */
 export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);

@@ -12,26 +12,47 @@ const [DIFFERENCE, FARTHEST] = [1e-4, 0.5];
 const [MOST_STEPS, MOST_HALVINGS] = [30, 12];
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
+/** So many steps of springs come first; no spring is slacker than one of this part of the length. */
+const [MOST_SPRINGS, SLACK] = [4, 0.05];
+/** Joints between which a leg shrinks to this part of the length have come to a corner. */
+const GONE = 1e-6;
 
 /** Moves the joints until the path is shortest. @param {Question} question @param {Route} route @returns {Route | null} null: that leads nowhere */
 export function refract(question, route) {
-  let now = route;
+  let now = pull(question, route);
   for (let step = 0; route.joints.length > 0 && step < MOST_STEPS; step++) {
     const next = improve(question, now);
     if (!next) return null;
     if (next.isLast) return next.isMinimum ? next.route : null;
     now = next.route;
+    const total = lengthOf(now.legs);
+    if (now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)))) return null;
   }
   return route.joints.length > 0 ? null : route;
 }
 
 /**
- * One step of Newton for the joints; null: none makes the path shorter.
- * @param {Question} question @param {Route} route
- * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
+ * Joints moved to where springs in place of legs would be at rest, each as stiff as its leg is short: near a short leg steps of Newton are short, too, and may end where it is gone,
+ * though the path is longer there.
+ * @param {Question} question @param {Route} route @returns {Route} as it was from where legs do not hold
  */
-function improve(question, { legs, joints }) {
-  const { sides, ends } = question;
+function pull(question, route) {
+  for (let step = 0; step < MOST_SPRINGS && route.joints.length > 1; step++) {
+    const slack = SLACK * lengthOf(route.legs);
+    const weights = route.legs.map(({ length }) => 1 / Math.max(length, slack));
+    const { least, moved } = motion(question, route);
+    const { slope, matrix } = differentiate(question, route, least, moved, weights);
+    const down = descend(matrix, slope);
+    const joints = down && route.joints.map((joint, j) => ({ ...joint, place: moved(j, down.step[j]) }));
+    const legs = joints?.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs: route.legs, joints }) : null;
+    if (!legs || !joints) break;
+    route = { legs, joints };
+  }
+  return route;
+}
+
+/** How joints may move: along which directions, how long the shorter leg beside each is, and where one is that has moved. @param {Question} question @param {Route} route */
+function motion({ sides, ends }, { legs, joints }) {
   const spans = legs.map(({ line }) => span(line, ends[0].length));
   const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
   const ways = joints.map((joint) => directions(sides, joint, joint.place).along);
@@ -40,6 +61,16 @@ function improve(question, { legs, joints }) {
     const there = place.map((x, i) => x + by * ways[j][i]);
     return settle(sides, joints[j], there);
   };
+  return { least, moved };
+}
+
+/**
+ * One step of Newton for the joints; null: none makes the path shorter.
+ * @param {Question} question @param {Route} route
+ * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
+ */
+function improve(question, { legs, joints }) {
+  const { least, moved } = motion(question, { legs, joints });
   const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
   const down = descend(matrix, slope);
   if (!down) return null;
@@ -56,10 +87,11 @@ function improve(question, { legs, joints }) {
 }
 
 /**
- * First and second derivatives of the length by where the joints lie on their creases: by differences, of each leg by its own ends.
+ * First and second derivatives of the length by where the joints lie on their creases, or of the energy of springs: by differences, of each leg by its own ends.
  * @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {(j: number, by: number) => number[]} moved a joint's place, moved
+ * @param {number[]} [stiffness] of each spring, whose energy is half its length squared times that
  */
-function differentiate(question, { legs, joints }, least, moved) {
+function differentiate(question, { legs, joints }, least, moved, stiffness) {
   const count = joints.length;
   const places = placesOf(question, joints);
   /** @type {number[]} */
@@ -70,15 +102,21 @@ function differentiate(question, { legs, joints }, least, moved) {
     const placeOf = (/** @type {number} */ j, /** @type {number} */ by) => (by ? moved(j, by * steps[j]) : places[j + 1]);
     const lengthAt = (/** @type {number} */ from, /** @type {number} */ to) =>
       solveLeg(question, leg, placeOf(i - 1, from), placeOf(i, to), LEG)?.length ?? Number.NaN;
-    const add = (/** @type {number} */ j, /** @type {number} */ on, /** @type {number} */ back) => {
-      slope[j] += (on - back) / (2 * steps[j]);
-      matrix[j][j] += (on - 2 * leg.length + back) / steps[j] ** 2;
-    };
-    const from = i > 0 ? lengthAt(1, 0) : 0;
-    const to = i < count ? lengthAt(0, 1) : 0;
-    if (i > 0) add(i - 1, from, lengthAt(-1, 0));
-    if (i < count) add(i, to, lengthAt(0, -1));
-    if (i > 0 && i < count) matrix[i - 1][i] = matrix[i][i - 1] = (lengthAt(1, 1) - from - to + leg.length) / (steps[i - 1] * steps[i]);
+    const beside = [i - 1, i].filter((j) => j >= 0 && j < count);
+    const [on, back] = [1, -1].map((by) => beside.map((j) => (j < i ? lengthAt(by, 0) : lengthAt(0, by))));
+    const first = beside.map((j, k) => (on[k] - back[k]) / (2 * steps[j]));
+    const second = beside.map((j, k) => [(on[k] - 2 * leg.length + back[k]) / steps[j] ** 2]);
+    if (beside.length === 2) {
+      const mixed = (lengthAt(1, 1) - on[0] - on[1] + leg.length) / (steps[i - 1] * steps[i]);
+      second[0] = [second[0][0], mixed];
+      second[1] = [mixed, second[1][0]];
+    }
+    const stiff = stiffness?.[i];
+    for (const [k, j] of beside.entries()) {
+      slope[j] += stiff ? stiff * leg.length * first[k] : first[k];
+      for (const [m, other] of beside.entries())
+        matrix[j][other] += stiff ? stiff * (first[k] * first[m] + leg.length * second[k][m]) : second[k][m];
+    }
   }
   return { slope, matrix };
 }

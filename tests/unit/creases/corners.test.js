@@ -1,0 +1,77 @@
+// Paths that turn at corners, where creases meet: on bodies of boxes as long as faces unfolded around these, on graphs as long as the straight lines to the corner.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../../web/index.js';
+import { askOnBoxes, BODIES, randomBoxes, Ways } from '../../accuracy/measure/boxes.js';
+import { createRandom } from '../../helpers/random.js';
+
+const surfpath = await load();
+const RIGHT = 2e-9;
+const PAIRS = 4;
+
+/** @param {import('../../accuracy/measure/boxes.js').Answer[]} answers */
+function check(answers) {
+  for (const { from, to, exact, path } of answers) {
+    const asked = `${from} to ${to}`;
+    assert.equal(path.status, 'converged', asked);
+    assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${asked}: ${path.length}, exact ${exact}`);
+    for (const [end, first] of /** @type {[number[], number][]} */ ([
+      [from, 0],
+      [to, path.points.length - 3],
+    ]))
+      for (const [k, x] of end.entries()) assert.ok(Math.abs(x - path.points[first + k]) <= 1e-9, `${asked}: ends elsewhere`);
+  }
+}
+
+for (const [name, boxes] of Object.entries(BODIES))
+  test(`boxes: ${name}, as long as unfolded, seed 2`, () => check(askOnBoxes(surfpath, boxes, createRandom(2), PAIRS)));
+
+test('boxes at random, as long as unfolded, seed 6', () => {
+  const random = createRandom(6);
+  for (let body = 0; body < 8; body++) check(askOnBoxes(surfpath, randomBoxes(random), random, 2));
+});
+
+test('a path ends where it was asked to, not on another face below', () => {
+  const bars = ['x', 'y', 'z'].map((long) => `max(${['x', 'y', 'z'].map((axis) => `abs(${axis}) - ${axis === long ? 1.2 : 0.4}`)})`);
+  const side = /** @type {const} */ ([-1.5, 1.5]);
+  const cross = surfpath.implicit({ f: `min(${bars})`, bounds: [side, side, side] });
+  const [from, to, corner] = [
+    [-0.4, 0.4785, 0.0106],
+    [0.3309, 0.4, 0.7068],
+    [-0.4, 0.4, 0.4],
+  ];
+  const path = cross.shortestPath(from, to);
+  const straight = Math.hypot(...from.map((x, k) => x - corner[k])) + Math.hypot(...to.map((x, k) => x - corner[k]));
+  assert.deepEqual([...path.points.slice(-3)], to);
+  assert.ok(
+    path.converged && Math.abs(path.length - straight) <= RIGHT * straight,
+    `${path.status}, ${path.length}, through the corner ${straight}`,
+  );
+  cross.dispose();
+});
+
+test('|x| − |y|: through the corner where that is shortest, past it elsewhere, seed 3', () => {
+  const graph = surfpath.graph({ z: 'abs(x) - abs(y)', x: [-1, 1], y: [-1, 1] });
+  const at = (/** @type {number[]} */ [x, y]) => [x, y, Math.abs(x) - Math.abs(y)];
+  const sides = [-1, 0, 1];
+  const corners = sides.flatMap((y) => sides.map((x) => at([x, y])));
+  const faces = [0, 1, 3, 4].flatMap((k) => [
+    [k, k + 1, k + 4],
+    [k, k + 4, k + 3],
+  ]);
+  const ways = new Ways({ corners, faces });
+  const random = createRandom(3);
+  let through = 0;
+  for (let i = 0; i < 30; i++) {
+    const [from, to] = [ways.pick(random), ways.pick(random)];
+    const path = graph.shortestPath(from.place.slice(0, 2), to.place.slice(0, 2));
+    assert.equal(path.status, 'converged');
+    if (path.touchesBoundary) continue;
+    const exact = ways.length(from, to);
+    const [a, b] = [from, to].map(({ place }) => Math.hypot(...place));
+    if (Math.abs(a + b - exact) <= RIGHT * exact) through++;
+    assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from.place} to ${to.place}: ${path.length}, exact ${exact}`);
+  }
+  assert.ok(through >= 3, `only ${through} lead through the corner`);
+  graph.dispose();
+});

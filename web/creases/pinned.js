@@ -1,0 +1,121 @@
+/** Paths that turn at corners: from each to the next as a path of its own. MATH.md, "Corners". */
+
+import { relax } from '../search/routes.js';
+import { cornersNear, passing } from './corners.js';
+import { lengthOf, lineOf, span } from './legs.js';
+import { SKETCH_POINTS } from './sketches.js';
+
+/** @typedef {import('./corners.js').Corner} Corner */
+/** @typedef {import('./legs.js').Question} Question */
+/** @typedef {import('./legs.js').Route} Route */
+/** @typedef {(question: Question, line: Float64Array, length: number) => Route | null} Follow the path that a polyline leads to, of about so long */
+
+/** Beside a corner so many nodes of a polyline do not tell where a path leads. */
+const UNCLEAR = 2;
+/** What leads past a corner does so at this part of the shorter leg that meets there. */
+const BESIDE = 0.1;
+/** So often a path that came to rest where it does not hold tells which corners it slid over. */
+const MOST_ROUNDS = 3;
+/** Corners nearer to each other than this part of the path are one. */
+const SAME = 1e-6;
+
+/**
+ * The path that a polyline leads to, through corners that hold it and past those that do not.
+ * @param {Question} question @param {Float64Array} line @param {number} length of it @param {Follow} follow what leads from one corner to the next @returns {Route | null}
+ */
+export function followPinned(question, line, length, follow) {
+  const { field, ends, budget } = question;
+  const width = ends[0].length;
+  /** @type {Corner[]} */
+  const passed = [];
+  const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => span([...other.place, ...place], width) <= SAME * length);
+  for (let round = 0; round < MOST_ROUNDS; round++) {
+    const corners = field.isPlain ? cornersNear(question, line).filter((corner) => !isPassed(corner)) : [];
+    if (round > 0 && corners.length === 0) break;
+    budget.lost = null;
+    const found = corners.length > 0 ? pin(question, line, corners, passed, follow) : follow(question, line, length);
+    if (found) return found;
+    if (!budget.lost) break;
+    line = budget.lost;
+  }
+  return null;
+}
+
+/**
+ * The path near a polyline through these corners, or past them. null: what leads from one to the next is not found; then what is lost is the whole polyline.
+ * @param {Question} question @param {Float64Array} line @param {Corner[]} corners @param {Corner[]} passed takes those that do not hold it @param {Follow} follow @returns {Route | null}
+ */
+function pin(question, line, corners, passed, follow) {
+  const { field, ends, budget } = question;
+  const width = ends[0].length;
+  const endsOf = (/** @type {number} */ i) => [corners[i - 1]?.place ?? ends[0], corners[i]?.place ?? ends[1]];
+  /** @type {{ route: Route | null, lost: Float64Array }[]} */
+  const parts = between(line, width, corners).map((inner, i) => {
+    const [from, to] = endsOf(i);
+    const start = Float64Array.from([...from, ...inner, ...to]);
+    const { parameters, points, length } = relax(field, [from, to], start, SKETCH_POINTS);
+    return tryPart([from, to], length >= 0 ? (parameters ?? points) : start, length);
+  });
+  /** @param {number[][]} places @param {Float64Array} start @param {number} length */
+  function tryPart(places, start, length) {
+    budget.lost = null;
+    const route = length >= 0 ? follow({ ...question, ends: places }, start, length) : null;
+    return { route, lost: budget.lost ?? start };
+  }
+  while (parts.every(({ route }) => route)) {
+    const found = parts.map(({ route }) => /** @type {Route} */ (route));
+    const ways = corners.map((corner, i) => passing(question, corner, lastOf(found[i].legs), found[i + 1].legs[0]));
+    const loose = ways.findIndex((rays) => rays?.length !== 0);
+    if (loose < 0) return joined(found, corners);
+    const rays = ways[loose];
+    if (!rays) return null;
+    const [before, after] = found.slice(loose, loose + 2);
+    const past = around(before, after, corners[loose], rays);
+    passed.push(...corners.splice(loose, 1));
+    parts.splice(loose, 2, tryPart(endsOf(loose), past, lengthOf([...before.legs, ...after.legs])));
+  }
+  budget.lost = Float64Array.from(
+    parts.flatMap(({ route, lost }, i) => Array.from((route ? lineOf(route.legs, width) : lost).subarray(i ? width : 0))),
+  );
+  return null;
+}
+
+/** The nodes of a polyline between corners, but for those beside them. @param {Float64Array} line @param {number} width @param {Corner[]} corners */
+function between(line, width, corners) {
+  const last = line.length / width - 1;
+  return [...corners, null].map((corner, i) => {
+    const from = i > 0 ? corners[i - 1].at + UNCLEAR + 1 : 1;
+    const to = corner ? corner.at - UNCLEAR : last;
+    return line.subarray(width * from, width * Math.max(from, to));
+  });
+}
+
+/** @template T @param {T[]} list @returns {T} */
+const lastOf = (list) => list[list.length - 1];
+
+/** A polyline along two paths that meet at a corner, past that. @param {Route} before @param {Route} after @param {Corner} corner @param {number[][]} rays directions of creases between them */
+function around(before, after, { place }, rays) {
+  const width = place.length;
+  const [last, first] = [lastOf(before.legs), after.legs[0]];
+  const reach = BESIDE * Math.min(span(last.line, width), span(first.line, width));
+  const isClear = (/** @type {number[]} */ node) => span([...node, ...place], width) > reach;
+  const nodes = [before, after].map(({ legs }) =>
+    legs.flatMap(({ line }) =>
+      Array.from({ length: line.length / width }, (_, i) => Array.from(line.subarray(width * i, width * (i + 1)))),
+    ),
+  );
+  const turned = rays.map((ray) => {
+    const size = span([...ray.map(() => 0), ...ray], width);
+    return place.map((x, j) => x + (reach / size) * ray[j]);
+  });
+  return Float64Array.from([...nodes[0].filter(isClear), ...turned, ...nodes[1].filter(isClear)].flat());
+}
+
+/** @param {Route[]} parts @param {Corner[]} corners between them @returns {Route} */
+const joined = (parts, corners) => ({
+  legs: parts.flatMap(({ legs }) => legs),
+  joints: parts.flatMap(({ joints }, i) => (i ? [jointAt(corners[i - 1]), ...joints] : joints)),
+});
+
+/** @param {Corner} corner @returns {import('./legs.js').Joint} */
+const jointAt = ({ creases: [crease], signs, place }) => ({ crease, signs, place, isCorner: true });
