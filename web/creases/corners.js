@@ -14,6 +14,8 @@ import { isInside, span } from './legs.js';
 const NEAR = 0.03;
 /** Corners nearer to each other than this part of that are one. */
 const SAME = 1e-6;
+/** So many nodes on from the nearest one the others lie that are tried. */
+const BESIDE = [0, -2, 2, -4, 4];
 /** Creases vanish at a corner where their values are this part of how large coordinates are. */
 const VANISHES = 1e4 * ROUNDING;
 
@@ -28,25 +30,67 @@ export function cornersNear(question, line) {
   const reach = NEAR * span(line, width);
   /** @type {(Corner & { away: number, isSaddle: boolean })[]} */
   const corners = [];
+  /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
+  const tried = new Map();
   for (let at = 1; at < survey.last; at++) {
     const near = survey.creases.filter((k) => Math.abs(survey.measured[at][k]) <= reach * survey.steepness(at, k));
     const node = survey.placeAt(at);
     const signs = survey.creases.map((k) => survey.signFrom(at, k) || 1);
     for (const pair of near.flatMap((one, i) => near.slice(i + 1).map((other) => [one, other]))) {
+      if (!(stepToBoth(survey, at, pair) <= 2 * reach)) continue;
+      const key = `${pair} ${signs}`;
+      const before = tried.get(key);
+      if (before && apart(before, node) <= 2 * reach) continue;
+      tried.set(key, node);
       const place = meet(sides, signs, pair, node);
       const away = apart(place, node);
-      if (!(away <= reach) || !isInside(question, place) || ends.some((end) => apart(end, place) <= SAME * reach)) continue;
+      if (!(away <= 3 * reach) || !isInside(question, place) || ends.some((end) => apart(end, place) <= SAME * reach)) continue;
       const known = corners.find((corner) => apart(corner.place, place) <= SAME * reach);
-      if (known && away < known.away) Object.assign(known, { at, away });
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
       const corner = { place, creases, signs, at };
-      const toNode = node.map((x, j) => x - place[j]);
-      const around = turnBetween(sides, corner, signs, toNode, toNode);
-      corners.push({ ...corner, away, isSaddle: around !== null && isBeyond(around.turn, 2) });
+      corners.push({ ...corner, away, isSaddle: hasMore(survey, corner) });
     }
   }
-  return corners.filter(({ isSaddle }) => isSaddle).sort((a, b) => a.at - b.at);
+  return corners
+    .filter(({ isSaddle }) => isSaddle)
+    .map((corner) => ({ ...corner, ...nearest(survey, corner.place) }))
+    .filter(({ away }) => away <= reach)
+    .sort((a, b) => a.at - b.at);
+}
+
+/** Whether there is more than a full turn around a corner, from the direction of a node near by that lies on the side which that tells. @param {Survey} survey @param {Corner} corner */
+function hasMore(survey, corner) {
+  const { sides } = survey;
+  for (const by of BESIDE) {
+    const at = Math.min(Math.max(corner.at + by, 0), survey.last);
+    const direction = survey.placeAt(at).map((x, j) => x - corner.place[j]);
+    const around = turnBetween(sides, corner, signsAlong(sides, corner, corner.signs, direction), direction, direction);
+    if (around) return isBeyond(around.turn, 2);
+  }
+  return false;
+}
+
+/** The inner node of a polyline nearest to a place, and how far away that is. @param {Survey} survey @param {number[]} place */
+function nearest(survey, place) {
+  let best = { at: 1, away: Infinity };
+  for (let at = 1; at < survey.last; at++) {
+    const away = apart(survey.placeAt(at), place);
+    if (away < best.away) best = { at, away };
+  }
+  return best;
+}
+
+/** How long the shortest step is from a node to where two creases vanish, as far as their slopes tell. @param {Survey} survey @param {number} at @param {number[]} pair */
+function stepToBoth({ sides, measured, width }, at, pair) {
+  const [p, q] = pair.map((k) => slopeOf(sides, measured[at], k, width));
+  const [a, b] = pair.map((k) => measured[at][k]);
+  const [pp, pq, qq] = [
+    [p, p],
+    [p, q],
+    [q, q],
+  ].map(([one, other]) => one.reduce((sum, x, j) => sum + x * other[j], 0));
+  return Math.sqrt((qq * a * a - 2 * pq * a * b + pp * b * b) / (pp * qq - pq * pq));
 }
 
 /** @param {number[]} a @param {number[]} b */
@@ -64,20 +108,20 @@ function creasesAt(sides, signs, place, size) {
 }
 
 /**
- * Where legs that meet at a corner would rather lead past it, on the side on which there is less than half a turn between them: directions of the creases there, from one leg to the other.
- * None: the corner holds them. null: it is not known.
- * @param {Question} question @param {Corner} corner @param {Leg} before @param {Leg} after @returns {number[][] | null}
+ * Whether a corner holds the legs that meet there. Else they would rather lead past it, on the side on which there is less than half a turn between them: over creases in these directions, from one
+ * leg to the other. null: it is not known.
+ * @param {Question} question @param {Corner} corner @param {Leg} before @param {Leg} after @returns {{ isHeld: boolean, rays: number[][] } | null}
  */
 export function passing({ sides }, corner, before, after) {
   const width = corner.place.length;
   const [back, on] = [Array.from(before.line.subarray(-3 * width)), Array.from(after.line.subarray(0, 3 * width))];
   const came = tangent(corner.place, back.slice(width, 2 * width), back.slice(0, width));
   const goes = tangent(corner.place, on.slice(width, 2 * width), on.slice(2 * width));
-  const right = turnBetween(sides, corner, signsAlong(sides, corner, before, came), came, goes);
-  const left = turnBetween(sides, corner, signsAlong(sides, corner, after, goes), goes, came);
+  const right = turnBetween(sides, corner, signsAlong(sides, corner, before.signs, came), came, goes);
+  const left = turnBetween(sides, corner, signsAlong(sides, corner, after.signs, goes), goes, came);
   if (!right || !left) return null;
-  if (!isAtLeast(right.turn, 1)) return right.rays;
-  return isAtLeast(left.turn, 1) ? [] : left.rays.reverse();
+  if (!isAtLeast(right.turn, 1)) return { isHeld: false, rays: right.rays };
+  return { isHeld: isAtLeast(left.turn, 1), rays: left.rays.reverse() };
 }
 
 /** The direction of a parabola through three places, at the first. @param {number[]} place @param {number[]} next @param {number[]} second */
@@ -85,12 +129,12 @@ const tangent = (place, next, second) => place.map((x, j) => 4 * (next[j] - x) -
 
 /**
  * On which side of all creases a direction from a corner leads; of those that it follows on that of a leg, which elsewhere may have been written for what it never came to.
- * @param {Sides} sides @param {Corner} corner @param {Leg} leg @param {number[]} direction
+ * @param {Sides} sides @param {Corner} corner @param {number[]} own of a leg, or a node @param {number[]} direction
  */
-function signsAlong(sides, { place, creases }, leg, direction) {
+function signsAlong(sides, { place, creases }, own, direction) {
   const size = Math.sqrt(direction.reduce((sum, x) => sum + x * x, 0));
   const [real] = sides.measure(place);
-  let signs = leg.signs.map((sign, k) => (creases.includes(k) ? sign : Math.sign(real[k]) || sign));
+  let signs = own.map((sign, k) => (creases.includes(k) ? sign : Math.sign(real[k]) || sign));
   /* What vanishes on one crease may be written by the signs of others. */
   for (let round = 0; round <= creases.length; round++) {
     const [measured] = (sides.on(signs) ?? sides).measure(place);

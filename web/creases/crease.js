@@ -42,11 +42,16 @@ export function meetEdge(sides, on, { lower, upper, periodic }, place) {
 }
 
 /** Where creases meet, as they are written on the side with these signs, and on an implicit surface on this side of it. @param {Sides} sides @param {number[]} signs @param {number[]} creases @param {number[]} near */
-export const meet = (sides, signs, creases, near) =>
-  approach(near, (at) => [
-    ...creases.map((crease) => vanishing(sides, { crease, signs }, at)),
-    ...implicit(sides, { crease: creases[0], signs }, at),
-  ]);
+export function meet(sides, signs, creases, near) {
+  const side = sides.on(signs) ?? sides;
+  return approach(near, (at) => {
+    const [measured] = side.measure(at);
+    return [
+      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease, at.length)])),
+      ...implicit(sides, { crease: creases[0], signs }, at),
+    ];
+  });
+}
 
 /** @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
 function approach(place, equations) {

@@ -12,7 +12,7 @@ import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, placesOf } from './legs.js';
 import { followPinned } from './pinned.js';
 import { writeShore } from './shores.js';
-import { isBeside, measureSketch, roundingsOf, sketch } from './sketches.js';
+import { isBeside, measureLength, roundingsOf, sketch } from './sketches.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -66,7 +66,6 @@ function findRoute(question, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
   const { ways, distance } = findWays(field, ends, start);
-  const rough = field.domain ? ROUGH : ROUGHER;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
     .map((line) => ({ line, measured: measureLine(field, ends, line) }))
@@ -86,14 +85,15 @@ function findRoute(question, start) {
       if (field.domain) least = shortestOf(least, { line, measured: length });
       if (understood.some((other) => isBeside(line, other, width))) continue;
       const found = followPinned(question, line, length, (part, along, about) =>
-        followBest(part, along, rounding.shores, about * (1 + rough)),
+        followBest(part, along, rounding.shores, mostOf(field, along, about).most),
       );
       if (found) best = shorter(best, found);
+      const { most, measured } = mostOf(field, line, length);
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
-      if (found && lengthOf(found.legs) <= length * (1 + rough)) understood.push(line);
+      if (found && lengthOf(found.legs) <= most) understood.push(line);
       else {
         if (drawn.isAtRest) missed.push(drawn);
-        least = shortestOf(least, { line, measured: measureSketch(field, drawn) });
+        if (drawn.isRelaxed) least = shortestOf(least, { line, measured });
       }
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
@@ -107,6 +107,12 @@ function findRoute(question, start) {
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
     : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
   return { best, least, most };
+}
+
+/** How long a polyline of about this length is on the surface, infinite where that is not known, and a path that it leads to at most. @param {Field} field @param {Float64Array} line @param {number} length */
+function mostOf(field, line, length) {
+  const measured = measureLength(field, line, length);
+  return { measured, most: Math.max(length * (1 + (field.domain ? ROUGH : ROUGHER)), measured < Infinity ? measured * (1 + ROUGH) : 0) };
 }
 
 /** @param {Way | null} one @param {Way} other */
@@ -124,9 +130,11 @@ function followBest(question, line, shores, most) {
   let best = null;
   for (const near of shores) {
     const steps = Math.min(question.budget.steps, MOST_FOLLOWING);
+    /** @type {import('./legs.js').Budget} */
     const budget = { steps };
     const found = follow({ ...question, budget }, line, near, most * (1 + ASTRAY));
     question.budget.steps -= steps - budget.steps;
+    question.budget.lost = budget.lost ?? question.budget.lost;
     if (found) best = shorter(best, found);
     if (best && lengthOf(best.legs) <= most) break;
   }

@@ -54,23 +54,23 @@ function pin(question, line, corners, passed, follow) {
     const [from, to] = endsOf(i);
     const start = Float64Array.from([...from, ...inner, ...to]);
     const { parameters, points, length } = relax(field, [from, to], start, SKETCH_POINTS);
-    return tryPart([from, to], length >= 0 ? (parameters ?? points) : start, length);
+    return length >= 0 ? tryPart([from, to], parameters ?? points, length) : tryPart([from, to], start, span(start, width));
   });
   /** @param {number[][]} places @param {Float64Array} start @param {number} length */
   function tryPart(places, start, length) {
     budget.lost = null;
-    const route = length >= 0 ? follow({ ...question, ends: places }, start, length) : null;
+    const route = follow({ ...question, ends: places }, start, length);
     return { route, lost: budget.lost ?? start };
   }
   while (parts.every(({ route }) => route)) {
     const found = parts.map(({ route }) => /** @type {Route} */ (route));
     const ways = corners.map((corner, i) => passing(question, corner, lastOf(found[i].legs), found[i + 1].legs[0]));
-    const loose = ways.findIndex((rays) => rays?.length !== 0);
+    const loose = ways.findIndex((way) => !way?.isHeld);
     if (loose < 0) return joined(found, corners);
-    const rays = ways[loose];
-    if (!rays) return null;
+    const way = ways[loose];
+    if (!way) return null;
     const [before, after] = found.slice(loose, loose + 2);
-    const past = around(before, after, corners[loose], rays);
+    const past = around(before, after, corners[loose], way.rays);
     passed.push(...corners.splice(loose, 1));
     parts.splice(loose, 2, tryPart(endsOf(loose), past, lengthOf([...before.legs, ...after.legs])));
   }

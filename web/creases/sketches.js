@@ -3,13 +3,13 @@
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
 import { measureLine, relax } from '../search/routes.js';
-import { dot, gap } from '../vector.js';
+import { gap } from '../vector.js';
 import { slopeOf } from './crease.js';
 import { span } from './legs.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
-/** @typedef {{ line: Float64Array, length: number, isAtRest: boolean }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed; whether that came to rest */
+/** @typedef {{ line: Float64Array, length: number, isAtRest: boolean, isRelaxed: boolean }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed, if it was; whether that came to rest */
 /** @typedef {{ within: number, points: number, dearer: number, shores: number[] }} Rounding */
 
 /** Inner points of most polylines. */
@@ -23,8 +23,10 @@ const ROUNDINGS = [
   { within: 0.01, points: SKETCH_POINTS, dearer: 0.15, shores: [0.04, 0.01, 0] },
   { within: 0.0025, points: 255, dearer: 0.04, shores: [0.01, 0.04, 0] },
 ];
-/** Chords laid onto an implicit surface are halved until they are this part of the length, at most so often; places come to rest there by so many steps of Newton, to that part of it. */
-const [SHORT, MOST_HALVINGS, MOST_ROUNDS, LAID] = [5e-4, 16, 12, 1e-6];
+/** A chord laid onto an implicit surface is straight there if its middle moves by this part of it; else it is halved, until it is this part of the length, at most so often. */
+const [FLAT, SHORT, MOST_HALVINGS] = [1e-3, 2e-4, 16];
+/** Places come to rest on it by so many steps of Newton, to this part of the length. */
+const [MOST_ROUNDS, LAID] = [12, 1e-6];
 /** Polylines that are nowhere farther apart than this part of their length lead the same way. */
 const APART = 0.02;
 
@@ -32,60 +34,69 @@ const APART = 0.02;
 export const roundingsOf = ({ isPlain }) => (isPlain ? [{ ...ROUNDINGS[0], shores: [0, 0.04, 0.01] }] : ROUNDINGS);
 
 /**
- * Polylines relaxed from these ways, shortest first, each once.
+ * Polylines relaxed from these ways, shortest first, each once; after them ways that lead from sheet to sheet of an implicit surface when relaxed, as they are.
  * @param {Field} field @param {Sides} sides @param {number[][]} ends @param {Float64Array[]} ways @param {Rounding} rounding @returns {Sketch[]}
  */
 export function sketch(field, sides, ends, ways, { within, points }) {
   const smooth = field.isPlain ? field : { ...field, run: round(field, sides, ways, within) };
-  const drawn = ways.map((way) => ({ path: relax(smooth, ends, way, points) })).filter(({ path }) => path.length >= 0);
-  return distinct(drawn)
+  const drawn = ways.map((way) => ({ way, path: relax(smooth, ends, way, points) }));
+  const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
       const line = path.parameters ?? path.points;
-      return { line, length: field.domain ? measureLine(field, ends, line) : path.length, isAtRest: isGeodesic(path) };
+      return { line, length: field.domain ? measureLine(field, ends, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
     })
     .filter(({ length }) => length >= 0);
+  const leaping = drawn.filter(({ path }) => !field.domain && !(path.length >= 0));
+  return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, 3), isAtRest: false, isRelaxed: false }))];
 }
 
 /**
- * How long a polyline is on the surface: no less than what is shortest near by, to a thousandth. On an implicit one its chords are laid onto it, halved until all are short, as across an edge a chord
- * lies in the air; infinite: a place does not come to rest there, or length is not that of space.
- * @param {Field} field @param {Sketch} sketch
+ * How long a polyline is on the surface: no less than what is shortest near by, to a thousandth. On an implicit one its chords are laid onto it, those that are not straight there in halves, as across
+ * an edge a chord lies in the air; infinite: a place does not come to rest there, halves do not become short, or length is not that of space.
+ * @param {Field} field @param {Float64Array} line @param {number} length that it has as it was relaxed, or was measured in the rectangle
  */
-export function measureSketch(field, { line, length }) {
+export function measureLength(field, line, length) {
   if (field.domain) return length;
-  let laid = field.isPlain ? line : null;
-  for (let halving = 0; laid && halving < MOST_HALVINGS; halving++) {
-    const finer = halved(laid, SHORT * length);
-    if (finer.length === laid.length) break;
-    laid = layOn(field, finer, LAID * length);
+  if (!field.isPlain) return Infinity;
+  let chords = Array.from({ length: line.length / 3 - 1 }, (_, i) => [
+    line.subarray(3 * i, 3 * i + 3),
+    line.subarray(3 * i + 3, 3 * i + 6),
+  ]);
+  let sum = 0;
+  for (let halving = 0; chords.length > 0 && halving < MOST_HALVINGS; halving++) {
+    const middles = Float64Array.from(chords.flatMap(([a, b]) => [0, 1, 2].map((j) => (a[j] + b[j]) / 2)));
+    const laid = layOn(field, middles, LAID * length);
+    if (!laid) return Infinity;
+    chords = chords.flatMap(([a, b], i) => {
+      const [middle, on] = [middles, laid].map((places) => places.subarray(3 * i, 3 * i + 3));
+      const chord = gap(a, b);
+      if (chord > SHORT * length && gap(middle, on) > FLAT * chord)
+        return [
+          [a, on],
+          [on, b],
+        ];
+      sum += gap(a, on) + gap(on, b);
+      return [];
+    });
   }
-  /* What no halving makes shorter leads through a sharp edge. */
-  return laid && halved(laid, 2 * SHORT * length).length === laid.length ? span(laid, 3) : Infinity;
+  return chords.length > 0 ? Infinity : sum;
 }
 
-/** A polyline in space with the middles of chords that are longer. @param {Float64Array} line @param {number} longest */
-function halved(line, longest) {
-  const places = [line.subarray(0, 3)];
-  for (let i = 3; i < line.length; i += 3) {
-    const [last, next] = [line.subarray(i - 3, i), line.subarray(i, i + 3)];
-    if (gap(last, next) > longest) places.push(last.map((x, j) => (x + next[j]) / 2));
-    places.push(next);
-  }
-  return Float64Array.from(places.flatMap((place) => [...place]));
-}
-
-/** Places moved onto an implicit surface, to within a distance; null: one of them does not come to rest. @param {Field} field @param {Float64Array} places @param {number} near */
-function layOn({ jets }, places, near) {
+/** Places moved onto an implicit surface, to within a distance; null: one of them does not come to rest. @param {Field} field @param {Float64Array} from @param {number} near */
+function layOn({ jets }, from, near) {
+  const places = from.slice();
   const count = places.length / 3;
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const all = jets(places);
     const stride = all.length / count;
     let farthest = 0;
-    for (let i = 1; i < count - 1; i++) {
-      const [f, ...slope] = all.subarray(stride * i, stride * i + 4);
-      const squared = dot(slope, slope);
-      for (const [j, x] of slope.entries()) places[3 * i + j] -= (f * x) / squared;
-      farthest = Math.max(farthest, Math.abs(f) / Math.sqrt(squared));
+    for (let i = 0; i < count; i++) {
+      const [f, x, y, z] = [0, 1, 2, 3].map((k) => all[stride * i + k]);
+      const step = f / (x * x + y * y + z * z);
+      places[3 * i] -= step * x;
+      places[3 * i + 1] -= step * y;
+      places[3 * i + 2] -= step * z;
+      farthest = Math.max(farthest, Math.abs(step) * Math.sqrt(x * x + y * y + z * z));
     }
     if (farthest <= near) return places;
     if (!(farthest < Infinity)) break;
