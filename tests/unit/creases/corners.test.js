@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../../web/index.js';
-import { askOnBoxes, BODIES, randomBoxes, Ways } from '../../accuracy/measure/boxes.js';
+import { askOnBoxes, BODIES, formulaOf, randomBoxes, Ways } from '../../accuracy/measure/boxes.js';
 import { createRandom } from '../../helpers/random.js';
 
 const surfpath = await load();
@@ -48,6 +48,21 @@ test('a path ends where it was asked to, not on another face below', () => {
     `${path.status}, ${path.length}, through the corner ${straight}`,
   );
   cross.dispose();
+});
+
+test('a corner lets go of legs that turn by less than half around it with no crease between them', () => {
+  const { table } = BODIES;
+  const side = /** @type {const} */ ([-1.25, 1.25]);
+  const surface = surfpath.implicit({ f: formulaOf(table), bounds: [side, side, side] });
+  const [from, to] = [
+    [-0.9524, 0.9823, 0.5],
+    [0.7532, -0.9, -0.4603],
+  ];
+  /* Under the table, past the first leg's outer corner, from its inner one to that of the third, and around this. */
+  const exact = Math.hypot(from[0] + 0.6, from[1] - 0.9) + Math.hypot(1.2, 1.5) + Math.hypot(0.3 + to[0] - 0.6, 0.5 - to[2]);
+  const path = surface.shortestPath(from, to);
+  assert.ok(path.converged && Math.abs(path.length - exact) <= RIGHT * exact, `${path.status}, ${path.length}, exact ${exact}`);
+  surface.dispose();
 });
 
 test('|x| − |y|: through the corner where that is shortest, past it elsewhere, seed 3', () => {
