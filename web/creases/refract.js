@@ -19,14 +19,16 @@ const GONE = 1e-6;
 
 /** Moves the joints until the path is shortest. @param {Question} question @param {Route} route @returns {Route | null} null: that leads nowhere */
 export function refract(question, route) {
-  let now = pull(question, route);
+  const { isPlain } = question.field;
+  let now = isPlain ? pull(question, route) : route;
   for (let step = 0; route.joints.length > 0 && step < MOST_STEPS; step++) {
     const next = improve(question, now);
     if (!next) return null;
     if (next.isLast) return next.isMinimum ? next.route : null;
     now = next.route;
     const total = lengthOf(now.legs);
-    if (now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)))) return null;
+    const isGone = now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)));
+    if (isPlain && isGone) return null;
   }
   return route.joints.length > 0 ? null : route;
 }
