@@ -6,7 +6,7 @@
 import { placed } from '../pieces/pieces.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { joinLegs, reverse } from '../search/join.js';
-import { drawLine, findWays, isAfter, measureLine, poseNear, settleBeside } from '../search/routes.js';
+import { drawLine, findWays, isAfter, measureLine, poseNear, settleEnd } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, placesOf } from './legs.js';
@@ -53,7 +53,7 @@ export function findCreased(field, ends, options, start) {
   sides.begin();
   /* As everywhere: exchanged ends give the same path. */
   const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
-  const settled = field.domain ? ends : ends.map((end) => settleBeside(field, end));
+  const settled = field.domain ? ends : ends.map((end) => settleEnd(field, end));
   const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, start);

@@ -231,9 +231,6 @@ function ontoSurface(heap, record, kind, end) {
 /** @param {Field} field an implicit surface @param {number[]} end of a path on it @returns {number[]} where it lies on the surface */
 export const settleEnd = ({ kind, run }, end) => run((heap, record) => ontoSurface(heap, record, kind, end));
 
-/** As {@link settleEnd}; what is near enough stays as it is. @param {Field} field @param {number[]} end */
-export const settleBeside = ({ kind, run }, end) => run((heap, record) => ontoBeside(heap, record, kind, end));
-
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */
 function branchesOf({ domain, graphs, isPlain, jets }) {
   if (!domain || !isPlain) return [];

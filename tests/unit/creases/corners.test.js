@@ -50,6 +50,17 @@ test('a path ends where it was asked to, not on another face below', () => {
   cross.dispose();
 });
 
+test('ends that are typed with a few digits lie beside a body, by little or by more: the path is that of the places below', () => {
+  const side = /** @type {const} */ ([-1.5, 1.5]);
+  const cube = surfpath.implicit({ f: 'max(|x|, |y|, |z|) - 1', bounds: [side, side, side] });
+  for (const off of [0, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3]) {
+    const path = cube.shortestPath([1 + off, 0.2, 0.3], [-0.4, 1 + off, 0.1]);
+    const exact = Math.hypot(0.8 + 1.4, 0.2);
+    assert.ok(path.converged && Math.abs(path.length - exact) <= RIGHT * exact, `${off}: ${path.status}, ${path.length}, exact ${exact}`);
+  }
+  cube.dispose();
+});
+
 test('a corner lets go of legs that turn by less than half around it with no crease between them', () => {
   const { table } = BODIES;
   const side = /** @type {const} */ ([-1.25, 1.25]);
