@@ -8,7 +8,7 @@ const [onBody = '40', bodies = '60', only = '', given = '1'] = process.argv.slic
 const seed = Number(given);
 const PAIRS_OF_RANDOM = 4;
 const RANDOM = 'random boxes';
-/** Right is what is no longer than the shortest by more than this part: rounding of its corners. */
+/** Right is what is as long as the shortest to the default tolerance. */
 const RIGHT = 1e-9;
 /** No search promises the shortest way, but it is rarely missed. */
 const MOST_LONGER = 0.02;

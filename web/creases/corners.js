@@ -3,7 +3,7 @@
 import { meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isAtLeast, isBeyond, turnBetween } from './fan.js';
-import { isInside, span } from './legs.js';
+import { apart, isInside, span } from './legs.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -28,7 +28,7 @@ export function cornersNear(question, line) {
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
   const reach = NEAR * span(line, width);
-  /** @type {(Corner & { away: number, isSaddle: boolean })[]} */
+  /** @type {(Corner & { isSaddle: boolean })[]} */
   const corners = [];
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
   const tried = new Map();
@@ -43,13 +43,13 @@ export function cornersNear(question, line) {
       if (before && apart(before, node) <= 2 * reach) continue;
       tried.set(key, node);
       const place = meet(sides, signs, pair, node);
-      const away = apart(place, node);
-      if (!(away <= 3 * reach) || !isInside(question, place) || ends.some((end) => apart(end, place) <= SAME * reach)) continue;
+      if (!(apart(place, node) <= 3 * reach) || !isInside(question, place) || ends.some((end) => apart(end, place) <= SAME * reach))
+        continue;
       const known = corners.find((corner) => apart(corner.place, place) <= SAME * reach);
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
       const corner = { place, creases, signs, at };
-      corners.push({ ...corner, away, isSaddle: hasMore(survey, corner) });
+      corners.push({ ...corner, isSaddle: hasMore(survey, corner) });
     }
   }
   return corners
@@ -92,9 +92,6 @@ function stepToBoth({ sides, measured, width }, at, pair) {
   ].map(([one, other]) => one.reduce((sum, x, j) => sum + x * other[j], 0));
   return Math.sqrt((qq * a * a - 2 * pq * a * b + pp * b * b) / (pp * qq - pq * pq));
 }
-
-/** @param {number[]} a @param {number[]} b */
-const apart = (a, b) => span([...a, ...b], a.length);
 
 /** The creases that meet at a place; null: the side with these signs is not there. @param {Sides} sides @param {number[]} signs @param {number[]} place @param {number} size of coordinates */
 function creasesAt(sides, signs, place, size) {

@@ -84,11 +84,11 @@ function findRoute(question, start) {
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
       if (understood.some((other) => isBeside(line, other, width))) continue;
+      const { most, measured } = mostOf(field, line, length);
       const found = followPinned(question, line, length, (part, along, about) =>
-        followBest(part, along, rounding.shores, mostOf(field, along, about).most),
+        followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about).most),
       );
       if (found) best = shorter(best, found);
-      const { most, measured } = mostOf(field, line, length);
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
       if (found && lengthOf(found.legs) <= most) understood.push(line);
       else {

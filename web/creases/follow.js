@@ -37,8 +37,8 @@ export function follow(question, line, near, most) {
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     const again = recut(question, route, line, isAtRest);
     if (!again && isAtRest) return finish(question, route);
-    if (again && isAtRest) question.budget.lost = lineOf(route.legs, width);
     if (again && isAtRest) {
+      question.budget.lost = lineOf(route.legs, width);
       const key = keyOf(route);
       if (known.includes(key)) return null;
       known.push(key);

@@ -67,6 +67,9 @@ export function span(line, width) {
   return sum;
 }
 
+/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b */
+export const apart = (a, b) => span([...a, ...b], a.length);
+
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
 export const isInside = ({ field: { domain } }, place) =>
   !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));

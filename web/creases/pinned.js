@@ -2,7 +2,7 @@
 
 import { relax } from '../search/routes.js';
 import { cornersNear, passing } from './corners.js';
-import { lengthOf, lineOf, span } from './legs.js';
+import { apart, lengthOf, lineOf, span } from './legs.js';
 import { SKETCH_POINTS } from './sketches.js';
 
 /** @typedef {import('./corners.js').Corner} Corner */
@@ -24,11 +24,10 @@ const SAME = 1e-6;
  * @param {Question} question @param {Float64Array} line @param {number} length of it @param {Follow} follow what leads from one corner to the next @returns {Route | null}
  */
 export function followPinned(question, line, length, follow) {
-  const { field, ends, budget } = question;
-  const width = ends[0].length;
+  const { field, budget } = question;
   /** @type {Corner[]} */
   const passed = [];
-  const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => span([...other.place, ...place], width) <= SAME * length);
+  const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => apart(other.place, place) <= SAME * length);
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const corners = field.isPlain ? cornersNear(question, line).filter((corner) => !isPassed(corner)) : [];
     if (round > 0 && corners.length === 0) break;
@@ -98,7 +97,7 @@ function around(before, after, { place }, rays) {
   const width = place.length;
   const [last, first] = [lastOf(before.legs), after.legs[0]];
   const reach = BESIDE * Math.min(span(last.line, width), span(first.line, width));
-  const isClear = (/** @type {number[]} */ node) => span([...node, ...place], width) > reach;
+  const isClear = (/** @type {number[]} */ node) => apart(node, place) > reach;
   const nodes = [before, after].map(({ legs }) =>
     legs.flatMap(({ line }) =>
       Array.from({ length: line.length / width }, (_, i) => Array.from(line.subarray(width * i, width * (i + 1)))),
