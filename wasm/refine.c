@@ -41,6 +41,9 @@ static const double ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST
 static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
+/* Elements that agree with chords to this part of a tolerance, or of the loosest, are enough, and wrong by as much of how far they moved.
+ */
+static const double CHORDS_AGREE = 0.1, CHORDS_LOOSEST = 1e-2, PART_OF_CHORDS = 0.3;
 
 /* Enough for a step more to be below the tolerance. */
 static double decrement_of(const struct sp_options *options) { return options->tolerance < 1e-8 ? 1e-8 : 1e-6; }
@@ -87,6 +90,10 @@ static double unevenness(const struct sp_climbed *climbed) {
     return smaller(larger(climbed->outcome.energy / length - length, 0), length);
 }
 
+/* What the path that a rung started from is: chords that are enough to compare it with where the tolerance is loose, elements of the rung
+ * before, or what says nothing of it, as a path between other ends. */
+enum origin { ORIGIN_OTHER, ORIGIN_CHORDS, ORIGIN_RUNG };
+
 /* A climb, rung by rung. */
 struct climb {
     struct sp_newton *newton;
@@ -96,6 +103,7 @@ struct climb {
     const struct sp_storage *chords; /* its storage, if it is one of chords that may be more; else NULL */
     double first_length;             /* 0: not known */
     struct sp_system before;         /* the path that the next rung starts from */
+    enum origin origin;              /* what that is */
     struct sp_climbed now;
     double last, change, moved; /* length of the last rung, by how much it had changed, how far nodes had moved (0: not known) */
     double error, allowed;      /* what the length of `now` is, and may be, wrong by */
@@ -128,14 +136,21 @@ static void climb_guarded(struct climb *climb, struct sp_rung rung) {
     }
 }
 
-/* Climbs a rung; a draft that agrees with the rung before, to its end. Returns whether the two agree. */
-static int climb_rung(struct climb *climb, struct sp_rung rung, int from_elements) {
+/* What the rung that was climbed may differ by from the path before. */
+static double allow(const struct climb *climb) {
+    double length = climb->now.length, tolerance = tolerance_of(climb->newton, climb->options, length);
+    if (climb->origin == ORIGIN_CHORDS) tolerance = CHORDS_AGREE * larger(tolerance, smaller(climb->options->tolerance, CHORDS_LOOSEST));
+    return tolerance * length;
+}
+
+/* Climbs a rung; a draft that agrees with the path before, to its end. Returns whether the two agree. */
+static int climb_rung(struct climb *climb, struct sp_rung rung) {
     struct sp_newton *newton = climb->newton;
     struct sp_climbed *now = &climb->now;
     climb_guarded(climb, rung);
-    climb->allowed = tolerance_of(newton, climb->options, now->length) * now->length;
+    climb->allowed = allow(climb);
     climb->astray = strayed(now, climb->first_length);
-    int agrees = !climb->astray && from_elements && absolute(now->length - climb->last) <= climb->allowed &&
+    int agrees = !climb->astray && climb->origin != ORIGIN_OTHER && absolute(now->length - climb->last) <= climb->allowed &&
                  is_settled(now->moved, climb->moved, climb->allowed);
     if (agrees && newton->draft) {
         aim(newton, climb->options, 0);
@@ -175,15 +190,18 @@ static struct sp_refined give_up(struct climb *climb) {
 }
 
 /* What the rung that was climbed is wrong by. Returns whether that is allowed. */
-static int measure(struct climb *climb, int from_elements) {
+static int measure(struct climb *climb) {
     const struct sp_climbed *now = &climb->now;
-    double previous = climb->change, uneven = unevenness(now);
-    climb->follows = !climb->astray && from_elements;
+    double previous = climb->change, uneven = unevenness(now), least = 0, tail = 0;
+    climb->follows = !climb->astray && climb->origin == ORIGIN_RUNG;
     climb->change = absolute(now->length - climb->last);
     climb->last = now->length;
-    climb->error = climb->follows ? larger(climb->change, smaller(PART_OF_MOVE * now->moved, PART_OF_CHANGE * previous)) : climb->change;
-    climb->error = larger(uneven, climb->error);
-    return climb->change <= climb->allowed && uneven <= climb->allowed && is_settled(now->moved, climb->moved, climb->allowed);
+    if (climb->follows) least = smaller(PART_OF_MOVE * now->moved, PART_OF_CHANGE * previous);
+    /* Rungs have other nodes than those before; between the first one's only what it leaves over tells. */
+    if (climb->origin == ORIGIN_CHORDS) least = PART_OF_CHORDS * now->moved, tail = sp_spread_tail(&climb->newton->system) * now->length;
+    climb->error = larger(uneven, larger(climb->change, least));
+    return larger(climb->change, uneven) <= climb->allowed && tail <= climb->allowed &&
+           is_settled(now->moved, climb->moved, climb->allowed);
 }
 
 /* Climbs until two neighbouring rungs agree. */
@@ -205,11 +223,14 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
     climb->floor = climb->bottom = climb->arena->used;
     for (int r = 0; r < rungs; r++) {
         struct sp_rung rung = {ladder[r][0], ladder[r][1], NULL};
-        int from_elements = r > 0 && climb->before.elements.reference.degree > 1, nodes = rung.degree * rung.count;
+        int nodes = rung.degree * rung.count, has_chords = climb->before.elements.reference.degree == 1;
+        climb->origin = has_chords && climb->options->tolerance > LOOSEST ? ORIGIN_CHORDS
+                        : has_chords || r == 0                            ? ORIGIN_OTHER
+                                                                          : ORIGIN_RUNG;
         if (!take_reference(climb, rung.degree)) return out_of_memory(climb);
         aim(newton, climb->options, r < rungs - (climb->follows ? LAST_RUNGS : 1));
         if (uneven) rung.spread = memcpy(present, spread, sizeof spread);
-        int agrees = climb_rung(climb, rung, from_elements), status = now->outcome.status;
+        int agrees = climb_rung(climb, rung), status = now->outcome.status;
         if (status == SP_ITERATION_LIMIT) return give_up(climb);
         if ((status == SP_TOLERANCE_NOT_MET && !climb->astray) || status == SP_OUT_OF_MEMORY)
             return finish(climb, absolute(now->length - climb->last));
@@ -218,7 +239,7 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
             r--;
             continue;
         }
-        if (measure(climb, from_elements) && agrees) return finish(climb, climb->error);
+        if (measure(climb) && agrees) return finish(climb, climb->error);
         if (now->outcome.active && !climb->astray && nodes >= TOUCHING_NODES) break;
         climb->moved = climb->follows && first->elements.reference.degree == 1 ? now->moved : 0;
         climb->before = climb->astray ? *first : sp_storage_keep(&storage, &newton->system);

@@ -33,30 +33,54 @@ static int32_t measure_turns(const struct sp_system *system, sp_pair *pieces) {
     return fold.inner + 1;
 }
 
-/* A piece an element: some root of the last two Legendre coefficients of their positions, which say what an element leaves over. At GLL
- * nodes 1/P_p is a root of the weight, but for its sign, and P_p-1 is t P_p. */
-static int32_t measure_tails(const struct sp_system *system, sp_pair *pieces) {
-    const struct sp_elements *elements = &system->elements;
-    const struct sp_reference *reference = &elements->reference;
+/* Numbers of nodes: so many of each, in pairs of nodes `stride` apart. */
+struct numbers {
+    const sp_pair *pairs;
+    size_t stride;
+    int count;
+};
+
+/* The square of what an element leaves over: of the last two Legendre coefficients of its nodes' numbers, the largest of which is
+ * `largest`. At GLL nodes 1/P_p is a root of the weight, but for its sign, and P_p-1 is t P_p. */
+static double tail_squared(const struct sp_system *system, struct numbers numbers, int32_t element, double *largest) {
+    const struct sp_reference *reference = &system->elements.reference;
     struct sp_fold fold = system->line.fold;
     int32_t p = reference->degree;
-    double largest = 0;
-    for (int32_t e = 0; e < elements->count; e++) {
-        double last[6] = {0}, squares = 0;
-        for (int32_t j = 0; j <= p; j++) {
-            int32_t i = e * p + j;
-            const sp_pair *chart = system->line.nodes.charts + (size_t)SP_CHART * (size_t)sp_fold_pair(fold, i) + SP_CHART_X;
-            double factor = root(reference->weight[j] * p / (p + 1)) * ((p - j) % 2 ? -1 : 1);
-            for (int c = 0; c < 3; c++) {
-                double x = chart[c][sp_fold_lane(fold, i)];
-                last[c] += factor * x, last[3 + c] += (2.0 - 1.0 / p) * (2 * reference->node[j] - 1) * factor * x;
-                largest = larger(largest, absolute(x));
-            }
+    double last[6] = {0}, squares = 0;
+    for (int32_t j = 0; j <= p; j++) {
+        int32_t i = element * p + j;
+        const sp_pair *node = numbers.pairs + numbers.stride * (size_t)sp_fold_pair(fold, i);
+        double factor = root(reference->weight[j] * p / (p + 1)) * ((p - j) % 2 ? -1 : 1);
+        for (int c = 0; c < numbers.count; c++) {
+            double x = node[c][sp_fold_lane(fold, i)];
+            last[c] += factor * x, last[3 + c] += (2.0 - 1.0 / p) * (2 * reference->node[j] - 1) * factor * x;
+            *largest = larger(*largest, absolute(x));
         }
-        for (int c = 0; c < 6; c++)
-            squares += last[c] * last[c];
-        pieces[e] = (sp_pair){squares, sp_sample_parameter(elements, e * p + p)};
     }
+    for (int c = 0; c < 6; c++)
+        squares += last[c] * last[c];
+    return squares;
+}
+
+double sp_spread_tail(const struct sp_system *system) {
+    int32_t dimension = system->line.kind->dimension;
+    struct numbers places = {system->line.nodes.places, (size_t)dimension, dimension};
+    double squares = 0, largest = 0, extent = 0;
+    for (int32_t e = 0; e < system->elements.count; e++)
+        squares = larger(squares, tail_squared(system, places, e, &largest));
+    for (int c = 0; c < dimension; c++)
+        extent = larger(extent, absolute(places.pairs[c][1] - places.pairs[c][0]));
+    return root(squares) / extent;
+}
+
+/* A piece an element: some root of what its positions leave over. */
+static int32_t measure_tails(const struct sp_system *system, sp_pair *pieces) {
+    const struct sp_elements *elements = &system->elements;
+    struct numbers positions = {system->line.nodes.charts + SP_CHART_X, SP_CHART, 3};
+    int32_t p = elements->reference.degree;
+    double largest = 0;
+    for (int32_t e = 0; e < elements->count; e++)
+        pieces[e] = (sp_pair){tail_squared(system, positions, e, &largest), sp_sample_parameter(elements, e * p + p)};
     for (int32_t e = 0; e < elements->count; e++)
         pieces[e][0] = root(root(root(root(pieces[e][0] + LEAST_TAIL * LEAST_TAIL * largest * largest))));
     return elements->count;
