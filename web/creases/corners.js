@@ -33,7 +33,7 @@ export function cornersNear(question, line) {
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
   const tried = new Map();
   for (let at = 1; at < survey.last; at++) {
-    const near = survey.creases.filter((k) => Math.abs(survey.measured[at][k]) <= reach * survey.steepness(at, k));
+    const near = survey.creases.filter((k) => Math.abs(survey.valueAt(at, k)) <= reach * survey.steepness(at, k));
     const node = survey.placeAt(at);
     const signs = survey.creases.map((k) => survey.signFrom(at, k) || 1);
     for (const pair of near.flatMap((one, i) => near.slice(i + 1).map((other) => [one, other]))) {
@@ -82,9 +82,9 @@ function nearest(survey, place) {
 }
 
 /** How long the shortest step is from a node to where two creases vanish, as far as their slopes tell. @param {Survey} survey @param {number} at @param {number[]} pair */
-function stepToBoth({ sides, measured, width }, at, pair) {
-  const [p, q] = pair.map((k) => slopeOf(sides, measured[at], k, width));
-  const [a, b] = pair.map((k) => measured[at][k]);
+function stepToBoth(survey, at, pair) {
+  const [p, q] = pair.map((k) => survey.slopes(at, k));
+  const [a, b] = pair.map((k) => survey.valueAt(at, k));
   const [pp, pq, qq] = [
     [p, p],
     [p, q],

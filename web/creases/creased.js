@@ -8,6 +8,7 @@ import { ELEMENTS } from '../search/candidates.js';
 import { joinLegs, reverse } from '../search/join.js';
 import { drawLine, findWays, isAfter, measureLine, poseNear, settleEnd } from '../search/routes.js';
 import { gap } from '../vector.js';
+import { cut } from './cut.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, placesOf } from './legs.js';
 import { followPinned } from './pinned.js';
@@ -35,7 +36,10 @@ const COARSE = 0.25;
 const NEARLY = 1.003;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
+/** Polylines lead the same way that are nowhere farther apart than this part of their length, or than the second if they cross the same creases. */
+const [APART, ALIKE] = [0.02, 0.1];
 
+/** @typedef {{ line: Float64Array, crossed: string | null }} Understood a polyline that was followed, and which creases it crosses; null: not known, or past corners, of which that does not tell the side */
 /** @typedef {{ line: Float64Array, measured: number }} Way a polyline, and how long it is on the surface */
 /** path: `converged`, or null; most: no path is shorter than that is: beyond it a shorter way was seen; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, most: number, rough: () => Path | null }} Creased */
 
@@ -74,29 +78,31 @@ function findRoute(question, start) {
   let least = measured.reduce(shortestOf, null);
   /** @type {Route | null} */
   let best = null;
-  /** @type {Float64Array[]} */
+  /** @type {Understood[]} */
   const understood = [];
   /** @type {Sketch[]} */
   let missed = [];
   for (const rounding of roundingsOf(field)) {
     for (const drawn of sketch(field, sides, ends, ways, rounding)) {
       const { line, length } = drawn;
-      if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
+      if (best && drawn.least > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
-      if (understood.some((other) => isBeside(line, other, width))) continue;
+      const crossed = crossedBy(sides, line, width);
+      if (understood.some((other) => isBeside(line, other.line, width, crossed !== null && other.crossed === crossed ? ALIKE : APART)))
+        continue;
       const { most, measured } = mostOf(field, line, length);
       const found = followPinned(question, line, length, (part, along, about) =>
         followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about).most),
       );
-      if (found) best = shorter(best, found);
+      if (found) best = shorter(best, found.route);
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
-      if (found && lengthOf(found.legs) <= most) understood.push(line);
+      if (found && lengthOf(found.route.legs) <= most) understood.push({ line, crossed: found.isClear ? crossed : null });
       else {
         if (drawn.isAtRest) missed.push(drawn);
         if (drawn.isRelaxed) least = shortestOf(least, { line, measured });
       }
     }
-    missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other, width)));
+    missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, width, APART)));
     if (best && lengthOf(best.legs) <= Math.min(least?.measured ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length)))
       break;
   }
@@ -108,6 +114,12 @@ function findRoute(question, start) {
     : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
   return { best, least, most };
 }
+
+/** Which creases a polyline crosses, and from which sides. @param {import('../manifold/sides.js').Sides} sides @param {Float64Array} line @param {number} width */
+const crossedBy = (sides, line, width) =>
+  cut(sides, line, width)
+    ?.joints.map(({ crease, signs }) => `${crease} ${signs}`)
+    .join() ?? null;
 
 /** How long a polyline of about this length is on the surface, infinite where that is not known, and a path that it leads to at most. @param {Field} field @param {Float64Array} line @param {number} length */
 function mostOf(field, line, length) {

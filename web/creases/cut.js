@@ -17,36 +17,53 @@ const SAME = 1e-9;
 /** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
 const LONG = 0.08;
 
+/** @type {number[]} */
+const NONE = [];
+
 /** What a polyline passes, looked at in parts of its chords. */
 export class Survey {
+  /** Of each place, what vanishes on each crease, then its derivatives. @type {Float64Array} */ #measured;
+
   /** @param {Sides} sides @param {Float64Array} line @param {number} width @param {number} parts of each chord */
   constructor(sides, line, width, parts) {
     this.sides = sides;
     this.width = width;
     this.places = divide(line, width, parts);
     this.last = this.places.length / width - 1;
-    this.measured = sides.measure(this.places);
+    this.#measured = sides.measureAll(this.places);
     this.size = Math.max(...line.map(Math.abs));
+    this.count = sides.count;
     this.creases = Array.from({ length: sides.count }, (_, k) => k);
+  }
+
+  /** What vanishes on a crease. @param {number} i @param {number} k */
+  valueAt(i, k) {
+    return this.#measured[i * this.count * (1 + this.width) + k];
+  }
+
+  /** Its derivative by a variable. @param {number} i @param {number} k @param {number} j */
+  slopeBy(i, k, j) {
+    return this.#measured[(i * (1 + this.width) + 1 + j) * this.count + k];
   }
 
   /** @param {number} i @param {number} k */
   slopes(i, k) {
-    return Array.from({ length: this.width }, (_, j) => this.measured[i][this.sides.count * (1 + j) + k]);
+    return Array.from({ length: this.width }, (_, j) => this.slopeBy(i, k, j));
   }
 
   /** How steeply a crease's function rises. @param {number} i @param {number} k */
   steepness(i, k) {
     let squared = 0;
-    for (let j = 1; j <= this.width; j++) squared += this.measured[i][this.sides.count * j + k] ** 2;
+    for (let j = 0; j < this.width; j++) squared += this.slopeBy(i, k, j) ** 2;
     return Math.sqrt(squared);
   }
 
   /** On which side of a crease a place is; 0: on it. @param {number} i @param {number} k */
   signAt(i, k) {
+    const value = this.valueAt(i, k);
     let slope = 0;
-    for (let j = 1; j <= this.width; j++) slope = Math.max(slope, Math.abs(this.measured[i][this.sides.count * j + k]));
-    return Math.abs(this.measured[i][k]) > ROUNDING * this.size * slope ? Math.sign(this.measured[i][k]) : 0;
+    for (let j = 0; j < this.width; j++) slope = Math.max(slope, Math.abs(this.slopeBy(i, k, j)));
+    return Math.abs(value) > ROUNDING * this.size * slope ? Math.sign(value) : 0;
   }
 
   /** The first sign from a place on; 0: none. @param {number} i @param {number} k */
@@ -149,17 +166,18 @@ export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
 
 /** Where a polyline comes to the other side of a crease. @param {Survey} survey @param {number[]} signs at its beginning @returns {{ at: number, crease: number, run?: Run, isEnd?: boolean }[]} */
 function crossings(survey, signs) {
-  const { measured, last } = survey;
+  const { last } = survey;
   const now = [...signs];
   const events = [];
   for (let i = 0; i <= last; i++)
     for (const crease of survey.creases) {
       const sign = survey.signAt(i, crease);
       if (sign && sign === now[crease] && i > 0 && i < last)
-        for (const at of dips(measured[i - 1][crease], measured[i][crease], measured[i + 1][crease])) events.push({ at: i + at, crease });
+        for (const at of dips(survey.valueAt(i - 1, crease), survey.valueAt(i, crease), survey.valueAt(i + 1, crease)))
+          events.push({ at: i + at, crease });
       if (!sign || sign === now[crease]) continue;
       now[crease] = sign;
-      const [before, after] = [measured[i - 1][crease], measured[i][crease]];
+      const [before, after] = [survey.valueAt(i - 1, crease), survey.valueAt(i, crease)];
       events.push({ at: i - 1 + Math.min(Math.max(before / (before - after), 0), 1), crease });
     }
   return events;
@@ -167,18 +185,21 @@ function crossings(survey, signs) {
 
 /** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @returns {Run[]} */
 function runsOf(survey, near) {
-  const { sides, places, width, last, measured } = survey;
+  const { sides, places, width, last } = survey;
   const total = span(places, width);
   /** @type {(Run & { length: number })[]} */
   const runs = [];
   for (const crease of survey.creases)
     for (let i = 0; i <= last; i++) {
       const from = i;
-      while (i <= last && Math.abs(measured[i][crease]) <= near * total * survey.steepness(i, crease)) i++;
+      while (i <= last && Math.abs(survey.valueAt(i, crease)) <= near * total * survey.steepness(i, crease)) i++;
       if (i - from < 2) continue;
       const part = places.subarray(width * from, width * i);
       const length = span(part, width);
-      const changes = Array.from({ length: i - 1 - from }, (_, j) => measured[from + j][crease] * measured[from + j + 1][crease] < 0);
+      const changes = Array.from(
+        { length: i - 1 - from },
+        (_, j) => survey.valueAt(from + j, crease) * survey.valueAt(from + j + 1, crease) < 0,
+      );
       if (length < LONG * total && changes.filter(Boolean).length < 2) continue;
       /* What begins beside a crease, not on it, comes to it: where it is crossed, or later. */
       const lead = (i - 1 - from) / 8;
@@ -204,14 +225,15 @@ function runsOf(survey, near) {
 
 /** Where the parabola through three numbers of one sign, side by side, has the other: from and to, from the middle one, or nothing. @param {number} before @param {number} here @param {number} after */
 function dips(before, here, after) {
-  const [bend, slope] = [0.5 * (before - 2 * here + after), 0.5 * (after - before)];
+  const bend = 0.5 * (before - 2 * here + after);
+  const slope = 0.5 * (after - before);
   const squared = slope * slope - 4 * bend * here;
-  if (!(before * here > 0 && here * after > 0 && bend * here > 0 && squared > 0 && Math.abs(slope) < 2 * Math.abs(bend))) return [];
+  if (!(before * here > 0 && here * after > 0 && bend * here > 0 && squared > 0 && Math.abs(slope) < 2 * Math.abs(bend))) return NONE;
   const reach = Math.sqrt(squared);
   const roots = [(-slope - reach) / (2 * bend), (-slope + reach) / (2 * bend)].sort((a, b) => a - b);
   /* Between two places it is seen from the nearer one alone. */
   const middle = -slope / (2 * bend);
-  return middle >= -0.5 && middle < 0.5 ? roots : [];
+  return middle >= -0.5 && middle < 0.5 ? roots : NONE;
 }
 
 /** Whether two sides are the same surface at a place. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */

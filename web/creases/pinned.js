@@ -21,7 +21,8 @@ const SAME = 1e-6;
 
 /**
  * The path that a polyline leads to, through corners that hold it and past those that do not.
- * @param {Question} question @param {Float64Array} line @param {number} length of it @param {Follow} follow what leads from one corner to the next @returns {Route | null}
+ * @param {Question} question @param {Float64Array} line @param {number} length of it @param {Follow} follow what leads from one corner to the next
+ * @returns {{ route: Route, isClear: boolean } | null} isClear: no corner is near
  */
 export function followPinned(question, line, length, follow) {
   const { field, budget } = question;
@@ -33,7 +34,7 @@ export function followPinned(question, line, length, follow) {
     if (round > 0 && corners.length === 0) break;
     budget.lost = null;
     const found = corners.length > 0 ? pin(question, line, corners, passed, follow) : follow(question, line, length);
-    if (found) return found;
+    if (found) return { route: found, isClear: round === 0 && corners.length === 0 };
     if (!budget.lost) break;
     line = budget.lost;
   }

@@ -1,8 +1,11 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
+import { dot } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { isInside, LEG, lengthOf, placesOf, solveAll, solveLeg, span } from './legs.js';
 
+/** @typedef {import('./legs.js').Joint} Joint */
+/** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
 /** @typedef {import('./legs.js').Route} Route */
 
@@ -34,36 +37,71 @@ export function refract(question, route) {
 }
 
 /**
- * Joints moved to where springs in place of legs would be at rest, each as stiff as its leg is short: near a short leg steps of Newton are short, too, and may end where it is gone,
+ * Joints moved to where springs in place of legs, straight in space, would be at rest, each as stiff as its leg is short: near a short leg steps of Newton are short, too, and may end where it is gone,
  * though the path is longer there.
- * @param {Question} question @param {Route} route @returns {Route} as it was from where legs do not hold
+ * @param {Question} question @param {Route} route @returns {Route} as it was where legs do not hold
  */
 function pull(question, route) {
-  for (let step = 0; step < MOST_SPRINGS && route.joints.length > 1; step++) {
-    const slack = SLACK * lengthOf(route.legs);
-    const weights = route.legs.map(({ length }) => 1 / Math.max(length, slack));
-    const { least, moved } = motion(question, route);
-    const { slope, matrix } = differentiate(question, route, least, moved, weights);
+  let { joints } = route;
+  for (let step = 0; step < MOST_SPRINGS && joints.length > 1; step++) {
+    const { ways, moved } = motion(question, joints);
+    const { slope, matrix } = tension(question, { legs: route.legs, joints }, ways);
     const down = descend(matrix, slope);
-    const joints = down && route.joints.map((joint, j) => ({ ...joint, place: moved(j, down.step[j]) }));
-    const legs = joints?.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs: route.legs, joints }) : null;
-    if (!legs || !joints) break;
-    route = { legs, joints };
+    const next = down && joints.map((joint, j) => ({ ...joint, place: moved(j, down.step[j]) }));
+    if (!next?.every(({ place }) => isInside(question, place))) break;
+    joints = next;
   }
-  return route;
+  const legs = joints === route.joints ? null : solveAll(question, { legs: route.legs, joints });
+  return legs ? { legs, joints } : route;
 }
 
-/** How joints may move: along which directions, how long the shorter leg beside each is, and where one is that has moved. @param {Question} question @param {Route} route */
-function motion({ sides, ends }, { legs, joints }) {
-  const spans = legs.map(({ line }) => span(line, ends[0].length));
-  const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+/**
+ * First and second derivatives of the energy of springs between the joints, by where these lie on their creases as far as they are straight.
+ * @param {Question} question @param {Route} route @param {number[][]} ways along which each joint moves
+ */
+function tension(question, { legs, joints }, ways) {
+  const places = placesOf(question, joints);
+  const still = places[0].map(() => 0);
+  const nodes = places.map((place, i) => lift(question, legs[Math.max(0, i - 1)], place, ways[i - 1] ?? still));
+  const chords = legs.map((_, i) => minus(nodes[i + 1].at, nodes[i].at));
+  const lengths = chords.map((chord) => Math.sqrt(dot(chord, chord)));
+  const slack = SLACK * lengths.reduce((sum, length) => sum + length, 0);
+  const stiffness = lengths.map((length) => 1 / Math.max(length, slack));
+  const slope = joints.map((_, j) =>
+    dot(minus(scaled(chords[j], stiffness[j]), scaled(chords[j + 1], stiffness[j + 1])), nodes[j + 1].along),
+  );
+  const matrix = joints.map((_, j) =>
+    joints.map((_, k) => {
+      if (Math.abs(j - k) > 1) return 0;
+      const stiff = j === k ? stiffness[j] + stiffness[j + 1] : -stiffness[Math.max(j, k)];
+      return stiff * dot(nodes[j + 1].along, nodes[k + 1].along);
+    }),
+  );
+  return { slope, matrix };
+}
+
+/** A place in space, and a direction there. @param {Question} question @param {Leg} leg on whose side @param {number[]} place @param {number[]} way */
+function lift({ sides }, { signs }, place, way) {
+  if (place.length === 3) return { at: place, along: way };
+  const [jet] = sides.on(signs)?.jets(place) ?? [[]];
+  return { at: jet.slice(0, 3), along: [0, 1, 2].map((k) => way[0] * jet[3 + k] + way[1] * jet[6 + k]) };
+}
+
+/** @param {number[]} a @param {number[]} b */
+const minus = (a, b) => a.map((x, k) => x - b[k]);
+
+/** @param {number[]} a @param {number} by */
+const scaled = (a, by) => a.map((x) => by * x);
+
+/** How joints may move: along which directions, and where one is that has moved. @param {Question} question @param {Joint[]} joints */
+function motion({ sides }, joints) {
   const ways = joints.map((joint) => directions(sides, joint, joint.place).along);
   const moved = (/** @type {number} */ j, /** @type {number} */ by) => {
     const { place } = joints[j];
     const there = place.map((x, i) => x + by * ways[j][i]);
     return settle(sides, joints[j], there);
   };
-  return { least, moved };
+  return { ways, moved };
 }
 
 /**
@@ -72,7 +110,9 @@ function motion({ sides, ends }, { legs, joints }) {
  * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
  */
 function improve(question, { legs, joints }) {
-  const { least, moved } = motion(question, { legs, joints });
+  const { moved } = motion(question, joints);
+  const spans = legs.map(({ line }) => span(line, question.ends[0].length));
+  const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
   const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
   const down = descend(matrix, slope);
   if (!down) return null;
@@ -89,11 +129,10 @@ function improve(question, { legs, joints }) {
 }
 
 /**
- * First and second derivatives of the length by where the joints lie on their creases, or of the energy of springs: by differences, of each leg by its own ends.
+ * First and second derivatives of the length by where the joints lie on their creases: by differences, of each leg by its own ends.
  * @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {(j: number, by: number) => number[]} moved a joint's place, moved
- * @param {number[]} [stiffness] of each spring, whose energy is half its length squared times that
  */
-function differentiate(question, { legs, joints }, least, moved, stiffness) {
+function differentiate(question, { legs, joints }, least, moved) {
   const count = joints.length;
   const places = placesOf(question, joints);
   /** @type {number[]} */
@@ -113,11 +152,9 @@ function differentiate(question, { legs, joints }, least, moved, stiffness) {
       second[0] = [second[0][0], mixed];
       second[1] = [mixed, second[1][0]];
     }
-    const stiff = stiffness?.[i];
     for (const [k, j] of beside.entries()) {
-      slope[j] += stiff ? stiff * leg.length * first[k] : first[k];
-      for (const [m, other] of beside.entries())
-        matrix[j][other] += stiff ? stiff * (first[k] * first[m] + leg.length * second[k][m]) : second[k][m];
+      slope[j] += first[k];
+      for (const [m, other] of beside.entries()) matrix[j][other] += second[k][m];
     }
   }
   return { slope, matrix };

@@ -9,6 +9,7 @@ import { listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 
+/** @typedef {import('../expression/creases.js').Way} Way */
 /** @typedef {ReturnType<import('../runtime/solver.js').Solver['install']>} Installed */
 /**
  * @typedef {object} Given a surface, for the present values of its parameters
@@ -29,6 +30,8 @@ import { compileMetric, METRIC, nodesOf } from './metric.js';
 
 /** So many sides one question may ask for, whatever was asked before: an icosahedron's by max and abs, where signs tell 20 facets apart, takes up to 400. As many are kept. */
 const MOST_SIDES = 512;
+/** Numbers of so many signs, and a leading one, are small integers to every engine. */
+const MOST_BITS = 2 ** 29;
 
 export class Sides {
   #given;
@@ -81,34 +84,43 @@ export class Sides {
     return this.#measureBy(this.#vanishing, places);
   }
 
+  /** As {@link measure}, one place after the other. @param {ArrayLike<number>} places @returns {Float64Array} */
+  measureAll(places) {
+    return this.#evaluate(this.#vanishing, places);
+  }
+
   /** @param {Installed} vanishing @param {ArrayLike<number>} places */
   #measureBy(vanishing, places) {
+    return split(this.#evaluate(vanishing, places), places.length / SHAPE[this.#given.kind].variables.length);
+  }
+
+  /** @param {Installed} vanishing @param {ArrayLike<number>} places */
+  #evaluate(vanishing, places) {
     const width = SHAPE[this.#given.kind].variables.length;
-    return split(this.#given.solver.evaluate(vanishing.call.value, places, width, this.count * (1 + width)), places.length / width);
+    return this.#given.solver.evaluate(vanishing.call.value, places, width, this.count * (1 + width));
   }
 
   /** The surface on these sides of its creases; null: there are too many, or there is no room. @param {number[]} signs @returns {Side | null} */
   on(signs) {
-    const sides = this.#which.map((crease) => signs[crease]);
-    return this.#find(signs.join(), () => new Creases({ sides }))?.side ?? null;
+    return this.#find(keyOf(signs), () => ({ sides: this.#which.map((crease) => signs[crease]) }))?.side ?? null;
   }
 
   /** The surface with its creases rounded: √(g² + w²) in place of |g|. null: there is no room. @param {number[]} widths w of each crease @returns {Side | null} */
   rounded(widths) {
     const { solver, parameters } = this.#given;
     const first = Object.keys(parameters).length;
-    const found = this.#find('rounded', () => new Creases({ widths: this.#which.map((crease) => first + crease) }));
+    const found = this.#find('rounded', () => ({ widths: this.#which.map((crease) => first + crease) }));
     for (const { data } of found?.installed ?? []) solver.heap.writeDoubles(data + 8 * first, widths);
     return found?.side ?? null;
   }
 
-  /** @param {string} key @param {() => Creases} creases how its formulas are written */
-  #find(key, creases) {
+  /** @param {string} key @param {() => Way} way how its formulas are written, asked for now or never */
+  #find(key, way) {
     if (!this.#asked.has(key) && this.#asked.size >= MOST_SIDES) return null;
     this.#asked.add(key);
     if (!this.#known.has(key)) {
       try {
-        this.#known.set(key, this.#make(creases));
+        this.#known.set(key, this.#make(way()));
       } catch {
         /* No memory: it goes without. */
         return null;
@@ -117,8 +129,8 @@ export class Sides {
     return this.#known.get(key) ?? null;
   }
 
-  /** @param {() => Creases} creases */
-  #make(creases) {
+  /** @param {Way} way */
+  #make(way) {
     const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
     const { variables, valueOrder } = SHAPE[kind];
     const { outputs, names } = shape;
@@ -129,16 +141,16 @@ export class Sides {
       parameters,
       apply: solver.apply,
       valueOrder,
-      creases: creases(),
+      creases: new Creases(way),
     });
-    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, creases());
+    const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, new Creases(way));
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
     const installed = this.#install(modules);
     const measured = write(installed[0], installed[1] ?? null, metric?.code ?? METRIC.induced);
     /** @type {Installed | null} */
     let vanishing = null;
     const vanish = () => {
-      const sided = creases();
+      const sided = new Creases(way);
       const compiled = this.#compileVanishing(sided, () =>
         Array.from({ length: this.count }, (_, crease) => sided.nodes[this.#which.indexOf(crease)]),
       );
@@ -192,6 +204,19 @@ export class Sides {
     this.#forget();
     this.#given.solver.remove(this.#vanishing);
   }
+}
+
+/** What tells sides from others, quicker than their signs joined. @param {number[]} signs */
+function keyOf(signs) {
+  let key = '';
+  let bits = 1;
+  for (const sign of signs) {
+    bits = 2 * bits + Number(sign > 0);
+    if (bits < MOST_BITS) continue;
+    key += `${bits} `;
+    bits = 1;
+  }
+  return key + bits;
 }
 
 /** @param {Float64Array} numbers @param {number} count lists */

@@ -73,17 +73,17 @@ export class Heap extends Memory {
     const pairs = (count + 1) >> 1;
     const bytes = pairs * 16 * (inputs + outputs);
     if (!this.reserve(bytes)) return null;
-    const input = this.doubles(this.arenaBase, 2 * pairs * inputs);
+    const numbers = this.allDoubles();
+    const input = this.arenaBase >> 3;
     for (let i = 0; i < 2 * pairs; i++) {
       const point = Math.min(i, count - 1) * inputs;
-      for (let j = 0; j < inputs; j++) input[2 * (inputs * (i >> 1) + j) + (i & 1)] = points[point + j];
+      for (let j = 0; j < inputs; j++) numbers[input + 2 * (inputs * (i >> 1) + j) + (i & 1)] = points[point + j];
     }
-    const at = this.arenaBase + pairs * 16 * inputs;
-    evaluate(pairs, this.arenaBase, at);
-    const output = this.doubles(at, 2 * pairs * outputs);
+    const output = input + 2 * pairs * inputs;
+    evaluate(pairs, input << 3, output << 3);
     const result = new Float64Array(count * outputs);
     for (let i = 0; i < count; i++)
-      for (let j = 0; j < outputs; j++) result[outputs * i + j] = output[2 * (outputs * (i >> 1) + j) + (i & 1)];
+      for (let j = 0; j < outputs; j++) result[outputs * i + j] = numbers[output + 2 * (outputs * (i >> 1) + j) + (i & 1)];
     return result;
   }
 
