@@ -100,10 +100,13 @@ export function findPath(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
   if (!creased) return findSmooth(field, ends, options, start);
   if (creased.path && creased.path.length <= creased.most) return creased.path;
-  const path = shorter(findSmooth(field, ends, options, start), creased.path);
+  /* Across edges of a body elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
+  const maxIterations = field.domain ? options.maxIterations : Math.min(options.maxIterations, STEPS);
+  const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
   if (path.converged && path.length <= creased.most) return path;
   const rough = creased.rough();
-  if (rough && !(path.length <= rough.length * (1 + NO_LONGER))) return rough;
+  const mayBeShort = !field.domain && field.isPlain && !path.converged;
+  if (rough && (mayBeShort || !(path.length <= rough.length * (1 + NO_LONGER)))) return rough;
   if (!path.converged) return path;
   return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };
 }

@@ -34,7 +34,7 @@ describe('the package', () => {
 
   test('holds what was built and the papers, and nothing else', () => {
     const expected =
-      /^(dist\/(index|slim|gallery|pool|worker|three|element)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|CHANGELOG|SECURITY)\.md|LICENSE|package\.json)$/;
+      /^(dist\/(index|slim|gallery|pool|worker|three|element)\.js|dist\/surfpath\.wasm|dist\/types\/.+\.d\.ts|(README|SECURITY)\.md|LICENSE|package\.json)$/;
     const unexpected = packed.files.map((file) => file.path).filter((path) => !expected.test(path));
     assert.deepEqual(unexpected, []);
   });

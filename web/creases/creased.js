@@ -85,7 +85,7 @@ function findRoute(question, start) {
   for (const rounding of roundingsOf(field)) {
     for (const drawn of sketch(field, sides, ends, ways, rounding)) {
       const { line, length } = drawn;
-      if (best && drawn.least > lengthOf(best.legs)) continue;
+      if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
       const crossed = crossedBy(sides, line, width);
       if (understood.some((other) => isBeside(line, other.line, width, crossed !== null && other.crossed === crossed ? ALIKE : APART)))

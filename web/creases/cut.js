@@ -12,6 +12,8 @@ import { span } from './legs.js';
 const [PARTS, MOST_JOINTS] = [4, 12];
 /** Events nearer to each other than this, in parts of a chord's, are one. */
 const TOGETHER = 1e-6;
+/** The chords at a leg's ends are halved so often towards these: beyond a corner near by a leg may leave its side just before it ends on another crease. */
+const HALVINGS = 10;
 /** Sides are the same surface where derivatives are, to this part of them. */
 const SAME = 1e-9;
 /** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
@@ -249,12 +251,24 @@ function isBent(sides, before, after, place) {
   return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
 }
 
+/** A polyline with more nodes on its first and its last chord, ever nearer to its ends. @param {Float64Array} line @param {number} width */
+function closeToEnds(line, width) {
+  const count = line.length / width - 1;
+  const nodeAt = (/** @type {number} */ at) => {
+    const i = Math.min(Math.floor(at), count - 1);
+    return Array.from({ length: width }, (_, j) => line[width * i + j] + (at - i) * (line[width * (i + 1) + j] - line[width * i + j]));
+  };
+  const near = Array.from({ length: HALVINGS }, (_, k) => 0.5 ** (HALVINGS - k));
+  const inner = Array.from({ length: count - 1 }, (_, k) => k + 1);
+  return Float64Array.from([0, ...near, ...inner, ...near.map((x) => count - x).reverse(), count].flatMap(nodeAt));
+}
+
 /**
  * A leg in the parts that lie on one side of all creases each; null: it lies on one side, its own.
  * @param {Sides} sides @param {Leg} leg @param {number} width @returns {Route | null}
  */
 export function leavings(sides, leg, width) {
-  const route = cut(sides, leg.line, width, { parts: 1 });
+  const route = cut(sides, closeToEnds(leg.line, width), width, { parts: 1 });
   const isOwn = (/** @type {Leg} */ { signs, line }) => {
     const middle = width * Math.floor(line.length / width / 2);
     return isBent(sides, leg.signs, signs, Array.from(line.subarray(middle, middle + width))) === false;

@@ -9,7 +9,7 @@ import { span } from './legs.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
-/** @typedef {{ line: Float64Array, length: number, least: number, isAtRest: boolean, isRelaxed: boolean }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed, if it was; least: no path that it leads to is shorter; whether it came to rest */
+/** @typedef {{ line: Float64Array, length: number, isAtRest: boolean, isRelaxed: boolean }} Sketch a polyline, u v or x y z; how long it is: measured in the rectangle, else as it was relaxed, if it was; whether that came to rest */
 /** @typedef {{ within: number, points: number, dearer: number, shores: number[] }} Rounding */
 
 /** Inner points of most polylines. */
@@ -23,35 +23,29 @@ const ROUNDINGS = [
   { within: 0.01, points: SKETCH_POINTS, dearer: 0.15, shores: [0.04, 0.01, 0] },
   { within: 0.0025, points: 255, dearer: 0.04, shores: [0.01, 0.04, 0] },
 ];
-/** On a body the polyline of a path's own places is no longer than that, and one at rest is no longer than others near by; but for this part. */
-const SHORTER = 0.01;
 /** A chord laid onto an implicit surface is straight there if its middle moves by this part of it; else it is halved, until it is this part of the length, at most so often. */
 const [FLAT, SHORT, MOST_HALVINGS] = [1e-3, 2e-4, 16];
 /** Places come to rest on it by so many steps of Newton, to this part of the length. */
 const [MOST_ROUNDS, LAID] = [12, 1e-6];
 
 /** How a surface is rounded: on folds of the surface alone polylines settle as they are, and few paths follow them. @param {Field} field @returns {Rounding[]} */
-export const roundingsOf = ({ isPlain }) => (isPlain ? [{ ...ROUNDINGS[0], shores: [0, 0.04, 0.01] }] : ROUNDINGS);
+export const roundingsOf = ({ isPlain }) => (isPlain ? [{ ...ROUNDINGS[0], dearer: 0.08, shores: [0, 0.04, 0.01] }] : ROUNDINGS);
 
 /**
  * Polylines relaxed from these ways, shortest first, each once; after them ways that lead from sheet to sheet of an implicit surface when relaxed, as they are.
  * @param {Field} field @param {Sides} sides @param {number[][]} ends @param {Float64Array[]} ways @param {Rounding} rounding @returns {Sketch[]}
  */
-export function sketch(field, sides, ends, ways, { within, points, dearer }) {
+export function sketch(field, sides, ends, ways, { within, points }) {
   const smooth = field.isPlain ? field : { ...field, run: round(field, sides, ways, within) };
   const drawn = ways.map((way) => ({ way, path: relax(smooth, ends, way, points) }));
   const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
       const line = path.parameters ?? path.points;
-      const length = field.domain ? measureLine(field, ends, line) : path.length;
-      const isAtRest = isGeodesic(path);
-      const least = length * (1 - (isAtRest && field.isPlain && !field.domain ? SHORTER : dearer));
-      return { line, length, least, isAtRest, isRelaxed: true };
+      return { line, length: field.domain ? measureLine(field, ends, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
     })
     .filter(({ length }) => length >= 0);
   const leaping = drawn.filter(({ path }) => !field.domain && !(path.length >= 0));
-  const leapt = leaping.map(({ way }) => ({ line: way, length: span(way, 3), isAtRest: false, isRelaxed: false }));
-  return [...relaxed, ...leapt.map((drawn) => ({ ...drawn, least: drawn.length * (1 - dearer) }))];
+  return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, 3), isAtRest: false, isRelaxed: false }))];
 }
 
 /**

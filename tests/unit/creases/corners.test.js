@@ -50,6 +50,28 @@ test('a path ends where it was asked to, not on another face below', () => {
   cross.dispose();
 });
 
+test('a leg that would pass just beyond a corner does not cut it off: the path turns there', () => {
+  const side = /** @type {const} */ ([-1.25, 1.25]);
+  const frame = surfpath.implicit({ f: formulaOf(BODIES.frame), bounds: [side, side, side] });
+  const corner = [0.5, -0.5, 0.3];
+  for (const beyond of [0.03, 0.003, 1e-3, 1e-4, 1e-6])
+    for (const [y, z] of [
+      [0.4, -0.2],
+      [-0.2, 0.1],
+    ]) {
+      /* Unfolded, the straight line over the upper edge crosses that so far beyond the corner. */
+      const [from, out, edge] = [[0.5, y, z], 0.2, -0.5 - beyond];
+      const to = [0.5 + out, edge + ((edge - y) * out) / (0.3 - z), 0.3];
+      const exact = Math.hypot(...from.map((x, k) => x - corner[k])) + Math.hypot(...to.map((x, k) => x - corner[k]));
+      const path = frame.shortestPath(from, to);
+      assert.ok(
+        path.converged && Math.abs(path.length - exact) <= RIGHT * exact,
+        `${beyond}, ${from}: ${path.status}, ${path.length}, exact ${exact}`,
+      );
+    }
+  frame.dispose();
+});
+
 test('ends that are typed with a few digits lie beside a body, by little or by more: the path is that of the places below', () => {
   const side = /** @type {const} */ ([-1.5, 1.5]);
   const cube = surfpath.implicit({ f: 'max(|x|, |y|, |z|) - 1', bounds: [side, side, side] });
