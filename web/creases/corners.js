@@ -10,8 +10,6 @@ import { apart, isInside, span } from './legs.js';
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ place: number[], creases: number[], signs: number[], at: number }} Corner creases: that meet there; signs: of a side that it is on; at: the nearest node of a polyline */
 
-/** A polyline passes corners that are nearer to it than this part of its length. */
-const NEAR = 0.03;
 /** Corners nearer to each other than this part of that are one. */
 const SAME = 1e-6;
 /** So many nodes on from the nearest one the others lie that are tried. */
@@ -21,22 +19,22 @@ const VANISHES = 1e4 * ROUNDING;
 
 /**
  * Corners near a polyline around which there is more than a full turn, in its order.
- * @param {Question} question @param {Float64Array} line @returns {Corner[]}
+ * @param {Question} question @param {Float64Array} line @param {number} near no farther than this part of its length @returns {Corner[]}
  */
-export function cornersNear(question, line) {
+export function cornersNear(question, line, near) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
-  const reach = NEAR * span(line, width);
+  const reach = near * span(line, width);
   /** @type {(Corner & { isSaddle: boolean })[]} */
   const corners = [];
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
   const tried = new Map();
   for (let at = 1; at < survey.last; at++) {
-    const near = survey.creases.filter((k) => Math.abs(survey.valueAt(at, k)) <= reach * survey.steepness(at, k));
+    const beside = survey.creases.filter((k) => Math.abs(survey.valueAt(at, k)) <= reach * survey.steepness(at, k));
     const node = survey.placeAt(at);
     const signs = survey.creases.map((k) => survey.signFrom(at, k) || 1);
-    for (const pair of near.flatMap((one, i) => near.slice(i + 1).map((other) => [one, other]))) {
+    for (const pair of beside.flatMap((one, i) => beside.slice(i + 1).map((other) => [one, other]))) {
       if (!(stepToBoth(survey, at, pair) <= 2 * reach)) continue;
       const key = `${pair} ${signs}`;
       const before = tried.get(key);
@@ -59,11 +57,11 @@ export function cornersNear(question, line) {
     .sort((a, b) => a.at - b.at);
 }
 
-/** Whether there is more than a full turn around a corner, from the direction of a node near by that lies on the side which that tells. @param {Survey} survey @param {Corner} corner */
+/** Whether there is more than a full turn around a corner, from the direction of a node near by, or of an end, that lies on the side which that tells. @param {Survey} survey @param {Corner} corner */
 function hasMore(survey, corner) {
-  const { sides } = survey;
-  for (const by of BESIDE) {
-    const at = Math.min(Math.max(corner.at + by, 0), survey.last);
+  const { sides, last } = survey;
+  const nodes = [...BESIDE.map((by) => Math.min(Math.max(corner.at + by, 0), last)), 0, last];
+  for (const at of nodes) {
     const direction = survey.placeAt(at).map((x, j) => x - corner.place[j]);
     const around = turnBetween(sides, corner, signsAlong(sides, corner, corner.signs, direction), direction, direction);
     if (around) return isBeyond(around.turn, 2);

@@ -10,6 +10,8 @@ import { SKETCH_POINTS } from './sketches.js';
 /** @typedef {import('./legs.js').Route} Route */
 /** @typedef {(question: Question, line: Float64Array, length: number) => Route | null} Follow the path that a polyline leads to, of about so long */
 
+/** A polyline passes corners that are nearer to it than this part of its length; where it came to rest across a body, and there are none, than the second. */
+const [NEAR, FARTHER] = [0.03, 0.1];
 /** Beside a corner so many nodes of a polyline do not tell where a path leads. */
 const UNCLEAR = 2;
 /** What leads past a corner does so at this part of the shorter leg that meets there. */
@@ -30,7 +32,10 @@ export function followPinned(question, line, length, follow) {
   const passed = [];
   const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => apart(other.place, place) <= SAME * length);
   for (let round = 0; round < MOST_ROUNDS; round++) {
-    const corners = field.isPlain ? cornersNear(question, line).filter((corner) => !isPassed(corner)) : [];
+    const within = (/** @type {number} */ near) =>
+      field.isPlain ? cornersNear(question, line, near).filter((corner) => !isPassed(corner)) : [];
+    let corners = within(NEAR);
+    if (round > 0 && corners.length === 0) corners = within(FARTHER);
     if (round > 0 && corners.length === 0) break;
     budget.lost = null;
     const found = corners.length > 0 ? pin(question, line, corners, passed, follow) : follow(question, line, length);

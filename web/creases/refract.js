@@ -2,7 +2,7 @@
 
 import { dot } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { isInside, LEG, lengthOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { isInside, LEG, lengthOf, lineOf, placesOf, solveAll, solveLeg, span } from './legs.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -31,7 +31,10 @@ export function refract(question, route) {
     now = next.route;
     const total = lengthOf(now.legs);
     const isGone = now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)));
-    if (isPlain && isGone) return null;
+    if (isPlain && isGone) {
+      question.budget.lost = lineOf(now.legs, question.ends[0].length);
+      return null;
+    }
   }
   return route.joints.length > 0 ? null : route;
 }

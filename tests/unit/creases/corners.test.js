@@ -72,6 +72,23 @@ test('a leg that would pass just beyond a corner does not cut it off: the path t
   frame.dispose();
 });
 
+test('a path that slides into a corner, or comes to rest across the body beside one, turns there', () => {
+  /** @type {[import('../../accuracy/measure/boxes.js').Box[], number[], number[], number[]][]} */
+  const cases = [
+    [BODIES.frame, [-0.5, 0.4844, 0.2872], [-0.5, 0.5, 0.3], [-0.435, 0.5618, 0.3]],
+    [BODIES.channel, [-0.5, -0.4593, -0.3289], [-0.5, -0.5, -0.4], [-0.3604, -0.5, -0.5254]],
+    [BODIES.notch, [0.9168, -0.3, 0.2009], [1, -0.3, 0.2], [1, -0.495, 0.1058]],
+  ];
+  for (const [boxes, from, corner, to] of cases) {
+    const side = /** @type {const} */ ([-1.25, 1.25]);
+    const body = surfpath.implicit({ f: formulaOf(boxes), bounds: [side, side, side] });
+    const exact = Math.hypot(...from.map((x, k) => x - corner[k])) + Math.hypot(...to.map((x, k) => x - corner[k]));
+    const path = body.shortestPath(from, to);
+    assert.ok(path.converged && Math.abs(path.length - exact) <= RIGHT * exact, `${from}: ${path.status}, ${path.length}, exact ${exact}`);
+    body.dispose();
+  }
+});
+
 test('ends that are typed with a few digits lie beside a body, by little or by more: the path is that of the places below', () => {
   const side = /** @type {const} */ ([-1.5, 1.5]);
   const cube = surfpath.implicit({ f: 'max(|x|, |y|, |z|) - 1', bounds: [side, side, side] });
