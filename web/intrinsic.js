@@ -5,7 +5,7 @@
 
 import { findCreased } from './creases/creased.js';
 import { vector } from './manifold/rectangle.js';
-import { mostOf } from './path.js';
+import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS } from './search/candidates.js';
 import { settleEnd } from './search/routes.js';
@@ -105,7 +105,7 @@ export function findPath(field, ends, options, start) {
   const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
   if (path.converged && path.length <= creased.most) return path;
   const rough = creased.rough();
-  const mayBeShort = !field.domain && field.isPlain && !path.converged;
+  const mayBeShort = !field.domain && field.isPlain && !isGeodesic(path);
   if (rough && (mayBeShort || !(path.length <= rough.length * (1 + NO_LONGER)))) return rough;
   if (!path.converged) return path;
   return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };

@@ -6,6 +6,9 @@ export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
+/** The difference of two lists, of any length. @param {readonly number[]} a @param {readonly number[]} b */
+export const minus = (a, b) => a.map((x, k) => x - b[k]);
+
 /** The distance of two points. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
 

@@ -1,6 +1,6 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
-import { cross } from '../vector.js';
+import { cross, minus } from '../vector.js';
 import { solveLinear } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -114,7 +114,6 @@ function unit(vector) {
  * @returns {Edge[] | null} null: the other place is not reached
  */
 export function walk(sides, on, from, to, sense) {
-  const minus = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.map((x, j) => x - b[j]);
   const size = (/** @type {number[]} */ a) => Math.sqrt(a.reduce((sum, x) => sum + x * x, 0));
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];

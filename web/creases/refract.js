@@ -1,6 +1,6 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
-import { dot } from '../vector.js';
+import { dot, minus } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { isInside, LEG, lengthOf, lineOf, placesOf, solveAll, solveLeg, span } from './legs.js';
 
@@ -89,9 +89,6 @@ function lift({ sides }, { signs }, place, way) {
   const [jet] = sides.on(signs)?.jets(place) ?? [[]];
   return { at: jet.slice(0, 3), along: [0, 1, 2].map((k) => way[0] * jet[3 + k] + way[1] * jet[6 + k]) };
 }
-
-/** @param {number[]} a @param {number[]} b */
-const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 /** @param {number[]} a @param {number} by */
 const scaled = (a, by) => a.map((x) => by * x);
