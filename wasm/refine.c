@@ -41,8 +41,7 @@ static const double ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST
 static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
-/* Elements that agree with chords to this part of a tolerance, or of the loosest, are enough, and wrong by as much of how far they moved.
- */
+/* What agrees with chords to this part of a tolerance, or of the loosest, is enough, and wrong by the third of how far it moved. */
 static const double CHORDS_AGREE = 0.1, CHORDS_LOOSEST = 1e-2, PART_OF_CHORDS = 0.3;
 
 /* Enough for a step more to be below the tolerance. */

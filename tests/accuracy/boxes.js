@@ -8,6 +8,7 @@ const [onBody = '40', bodies = '60', only = '', given = '1'] = process.argv.slic
 const seed = Number(given);
 const PAIRS_OF_RANDOM = 4;
 const RANDOM = 'random boxes';
+const AROUND = 'round a corner';
 /** Right is what is as long as the shortest to the default tolerance. */
 const RIGHT = 1e-9;
 /** No search promises the shortest way, but it is rarely missed. */
@@ -42,6 +43,13 @@ console.log(`seed ${seed}`);
 console.log('body          pairs  right  longer  refused  wrong  median ms  max ms');
 for (const [name, boxes] of Object.entries(BODIES).filter(([name]) => name.includes(only)))
   print(name, askOnBoxes(surfpath, boxes, createRandom(seed), Number(onBody)));
+if (AROUND.includes(only)) {
+  const random = createRandom(seed);
+  print(
+    AROUND,
+    Object.values(BODIES).flatMap((boxes) => askOnBoxes(surfpath, boxes, random, Number(onBody), true)),
+  );
+}
 if (RANDOM.includes(only)) {
   const random = createRandom(seed);
   print(RANDOM, Array.from({ length: Number(bodies) }, () => askOnBoxes(surfpath, randomBoxes(random), random, PAIRS_OF_RANDOM)).flat());

@@ -130,6 +130,20 @@ export class Ways {
     return { face, place: corners[faces[face][0]].map((x, k) => x + u * p[k] + v * q[k]) };
   }
 
+  /** Two places on faces around a corner at which paths may turn, as far from it as these reach, to a hundredth of that. @param {import('../../helpers/random.js').Random} random */
+  pickAround(random) {
+    const { corners, faces } = this.net;
+    const corner = this.turning[Math.floor(random.next() * this.turning.length)];
+    const around = [...faces.keys()].filter((face) => faces[face].includes(corner));
+    return [0, 1].map(() => {
+      const face = around[Math.floor(random.next() * around.length)];
+      const [p, q] = faces[face].filter((other) => other !== corner).map((other) => minus(corners[other], corners[corner]));
+      const [s, t, reach] = [random.next(), random.next(), 10 ** (-2 * random.next())];
+      const [u, v] = s + t > 1 ? [1 - s, 1 - t] : [s, t];
+      return { face, place: corners[corner].map((x, k) => x + reach * (u * p[k] + v * q[k])) };
+    });
+  }
+
   /** How long the shortest way is. @param {Spot} from @param {Spot} to */
   length(from, to) {
     const [here, there] = [this.#look(from.place, [from.face], to), this.#look(to.place, [to.face], null)];
@@ -229,15 +243,15 @@ export function randomBoxes(random) {
 
 /**
  * Paths between random places on bodies of boxes.
- * @param {import('../../../web/instance.js').Surfpath} surfpath @param {Box[]} boxes @param {import('../../helpers/random.js').Random} random @param {number} pairs @returns {Answer[]}
+ * @param {import('../../../web/instance.js').Surfpath} surfpath @param {Box[]} boxes @param {import('../../helpers/random.js').Random} random @param {number} pairs @param {boolean} [isAround] both around one corner at which paths may turn @returns {Answer[]}
  */
-export function askOnBoxes(surfpath, boxes, random, pairs) {
+export function askOnBoxes(surfpath, boxes, random, pairs, isAround = false) {
   const ways = new Ways(netOf(boxes));
   const cuts = boxes.flat(2);
   const side = /** @type {[number, number]} */ ([Math.min(...cuts) - 0.25, Math.max(...cuts) + 0.25]);
   const surface = surfpath.surface({ kind: 'implicit', f: formulaOf(boxes), bounds: [side, side, side] });
   const answers = Array.from({ length: pairs }, () => {
-    const [from, to] = [ways.pick(random), ways.pick(random)];
+    const [from, to] = isAround ? ways.pickAround(random) : [ways.pick(random), ways.pick(random)];
     const start = performance.now();
     const path = surface.shortestPath(from.place, to.place);
     const milliseconds = performance.now() - start;
