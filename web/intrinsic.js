@@ -107,8 +107,8 @@ export function findPath(field, ends, options, start) {
   const rough = creased.rough();
   const mayBeShort = !field.domain && field.isPlain && !isGeodesic(path);
   if (rough && (mayBeShort || !(path.length <= rough.length * (1 + NO_LONGER)))) return rough;
-  if (!path.converged) return path;
-  return { ...path, status: 'stalled', converged: false, lengthError: Math.max(path.lengthError, path.length - creased.most) };
+  const lengthError = Math.max(path.lengthError, path.length - creased.most);
+  return { ...path, status: path.converged ? 'stalled' : path.status, converged: false, lengthError };
 }
 
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */

@@ -10,8 +10,8 @@ import { SKETCH_POINTS } from './sketches.js';
 /** @typedef {import('./legs.js').Route} Route */
 /** @typedef {(question: Question, line: Float64Array, length: number) => Route | null} Follow the path that a polyline leads to, of about so long */
 
-/** A polyline passes corners that are nearer to it than this part of its length; where it came to rest across a body, and there are none, than the second. */
-const [NEAR, FARTHER] = [0.03, 0.1];
+/** A polyline passes corners that are nearer to it than this part of its length; one that came to rest where it does not hold, and passes none, those nearer than the second. */
+const [NEAR, FARTHER] = [0.03, 0.4];
 /** Beside a corner so many nodes of a polyline do not tell where a path leads. */
 const UNCLEAR = 2;
 /** What leads past a corner does so at this part of the shorter leg that meets there. */

@@ -78,6 +78,8 @@ test('a path that slides into a corner, or comes to rest across the body beside 
     [BODIES.frame, [-0.5, 0.4844, 0.2872], [-0.5, 0.5, 0.3], [-0.435, 0.5618, 0.3]],
     [BODIES.channel, [-0.5, -0.4593, -0.3289], [-0.5, -0.5, -0.4], [-0.3604, -0.5, -0.5254]],
     [BODIES.notch, [0.9168, -0.3, 0.2009], [1, -0.3, 0.2], [1, -0.495, 0.1058]],
+    /* It goes round in circles between ways as far from the corner as a quarter of them. */
+    [BODIES.cubes, [0.3, 0.2906, -0.2593], [0.3, 0.3, -0.2], [0.3191, 0.3374, -0.2]],
   ];
   for (const [boxes, from, corner, to] of cases) {
     const side = /** @type {const} */ ([-1.25, 1.25]);
