@@ -4,6 +4,7 @@ import { meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isAtLeast, isBeyond, turnBetween } from './fan.js';
 import { apart, isInside, span } from './legs.js';
+import { product, sizeOf } from './linear.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -87,7 +88,7 @@ function stepToBoth(survey, at, pair) {
     [p, p],
     [p, q],
     [q, q],
-  ].map(([one, other]) => one.reduce((sum, x, j) => sum + x * other[j], 0));
+  ].map(([one, other]) => product(one, other));
   return Math.sqrt((qq * a * a - 2 * pq * a * b + pp * b * b) / (pp * qq - pq * pq));
 }
 
@@ -127,7 +128,7 @@ const tangent = (place, next, second) => place.map((x, j) => 4 * (next[j] - x) -
  * @param {Sides} sides @param {Corner} corner @param {number[]} own of a leg, or a node @param {number[]} direction
  */
 function signsAlong(sides, { place, creases }, own, direction) {
-  const size = Math.sqrt(direction.reduce((sum, x) => sum + x * x, 0));
+  const size = sizeOf(direction);
   const [real] = sides.measure(place);
   let signs = own.map((sign, k) => (creases.includes(k) ? sign : Math.sign(real[k]) || sign));
   /* What vanishes on one crease may be written by the signs of others. */
@@ -137,9 +138,8 @@ function signsAlong(sides, { place, creases }, own, direction) {
     signs = before.map((sign, k) => {
       if (!creases.includes(k)) return sign;
       const slope = slopeOf(sides, measured, k, place.length);
-      const along = slope.reduce((sum, x, j) => sum + x * direction[j], 0);
-      const steep = Math.sqrt(slope.reduce((sum, x) => sum + x * x, 0)) * size;
-      return Math.abs(along) <= ALIKE * steep ? sign : Math.sign(along);
+      const along = product(slope, direction);
+      return Math.abs(along) <= ALIKE * (sizeOf(slope) * size) ? sign : Math.sign(along);
     });
     if (signs.every((sign, k) => sign === before[k])) break;
   }

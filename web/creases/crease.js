@@ -1,7 +1,7 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
 import { cross, minus } from '../vector.js';
-import { solveLinear } from './linear.js';
+import { ahead, product, sizeOf, solveLinear } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ crease: number, signs: number[] }} On a crease, of the surface as it is on the side with these signs, and it, too, as it is written there */
@@ -86,10 +86,9 @@ function implicit(sides, { signs }, at) {
 
 /** The shortest step that takes away one, two or three values with these gradients. @param {[number, number[]][]} equations */
 function along(equations) {
-  const times = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p.reduce((sum, x, j) => sum + x * q[j], 0);
   const gradients = equations.map(([, gradient]) => gradient);
   const weights = solveLinear(
-    gradients.map((p) => gradients.map((q) => times(p, q))),
+    gradients.map((p) => gradients.map((q) => product(p, q))),
     equations.map(([value]) => value),
   );
   return gradients[0].map((_, j) => (weights ? gradients.reduce((sum, gradient, k) => sum + weights[k] * gradient[j], 0) : Number.NaN));
@@ -104,7 +103,7 @@ export function directions(sides, on, place, slope = vanishing(sides, on, place)
 
 /** @param {number[]} vector */
 function unit(vector) {
-  const size = Math.sqrt(vector.reduce((sum, x) => sum + x * x, 0));
+  const size = sizeOf(vector);
   return vector.map((x) => x / size);
 }
 
@@ -114,31 +113,23 @@ function unit(vector) {
  * @returns {Edge[] | null} null: the other place is not reached
  */
 export function walk(sides, on, from, to, sense) {
-  const size = (/** @type {number[]} */ a) => Math.sqrt(a.reduce((sum, x) => sum + x * x, 0));
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];
-  let stride = STRIDE * size(minus(to, from));
+  let stride = STRIDE * sizeOf(minus(to, from));
   for (let count = 0; count < MOST_STRIDES && stride > 0; count++) {
     const { signs, places } = edges[edges.length - 1];
     const here = { crease: on.crease, signs };
     const at = places[places.length - 1];
     const t = directions(sides, here, at).along.map((x) => sense * x);
     const rest = minus(to, at);
-    const ahead = rest.reduce((sum, x, j) => sum + x * t[j], 0);
-    const isNear = size(rest) <= 1.5 * stride && ahead > 0;
+    const reach = product(rest, t);
+    const isNear = sizeOf(rest) <= 1.5 * stride && reach > 0;
     const step = isNear ? rest : t.map((x) => stride * x);
-    const aim = at.map((x, j) => x + step[j]);
+    const aim = ahead(at, step, 1);
     const next = isNear ? to : settle(sides, here, aim);
     const passed = corner(sides, here, at, isNear ? settle(sides, here, to) : next);
-    const off = size(
-      isNear
-        ? minus(
-            rest,
-            t.map((x) => ahead * x),
-          )
-        : minus(next, aim),
-    );
-    if (!passed && !(off <= BENT * size(step))) {
+    const off = sizeOf(isNear ? ahead(rest, t, -reach) : minus(next, aim));
+    if (!passed && !(off <= BENT * sizeOf(step))) {
       stride /= 2;
       continue;
     }

@@ -18,8 +18,6 @@ import { isBeside, measureLength, roundingsOf, sketch } from './sketches.js';
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
-/** @typedef {import('./legs.js').Joint} Joint */
-/** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
 /** @typedef {import('./legs.js').Route} Route */
 /** @typedef {import('./sketches.js').Sketch} Sketch */

@@ -2,6 +2,7 @@
 
 import { cross, dot } from '../vector.js';
 import { slopeOf } from './crease.js';
+import { product } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ place: number[], creases: number[] }} Corner creases: that meet there */
@@ -21,9 +22,6 @@ export const isAtLeast = (turn, halves) => turn.halves >= halves || (turn.halves
 /** Whether it is surely more than so many half turns. @param {Turn} turn @param {number} halves */
 export const isBeyond = (turn, halves) => turn.halves > halves || (turn.halves === halves && (turn.y > ALIKE || turn.x < 0));
 
-/** @param {Turn} turn */
-const isTurned = ({ halves, x, y }) => halves > 0 || y > ALIKE || x < 0;
-
 /** A turn and an angle up to half a one more, of which half has this tangent. @param {Turn} turn @param {number} half @returns {Turn} */
 function add({ halves, x, y }, half) {
   const { x: cosine, y: sine } = cosineAndSine(half);
@@ -40,11 +38,11 @@ export function turnBetween(sides, corner, signs, from, to) {
   let turn = { halves: 0, x: 1, y: 0 };
   const rays = [];
   for (const { plane, half } of sectors(sides, corner, signs, from)) {
-    const rest = from !== to || isTurned(turn) ? halfAngle(plane, to) : null;
+    const rest = from !== to || isBeyond(turn, 0) ? halfAngle(plane, to) : null;
     if (rest !== null && rest <= half * (1 + ALIKE) + ALIKE) return { turn: add(turn, rest), rays };
     turn = add(turn, half);
     /* A direction that follows a crease has not passed it. */
-    if (isTurned(turn)) rays.push(rayAt(plane, half));
+    if (isBeyond(turn, 0)) rays.push(rayAt(plane, half));
   }
   return null;
 }
@@ -77,7 +75,7 @@ function* sectors(sides, { place, creases }, signs, direction) {
     const slopes = creases.map((k) => slopeOf(sides, measured, k, place.length).map((x) => signs[k] * x));
     const steepest = Math.max(...slopes.flat().map(Math.abs));
     const halves = slopes.map((slope) => {
-      const [along, up] = [e1, e2].map((e) => slope.reduce((sum, x, j) => sum + x * e[j], 0));
+      const [along, up] = [e1, e2].map((e) => product(slope, e));
       const steep = Math.sqrt(along * along + up * up);
       /* What vanishes all over a side is no crease of it. */
       if (!(steep > ALIKE * steepest)) return Infinity;

@@ -1,4 +1,13 @@
-/** Small systems of linear equations. */
+/** Lists of numbers as vectors of any length, and small systems of linear equations. */
+
+/** @param {number[]} a @param {number[]} b */
+export const product = (a, b) => a.reduce((sum, x, j) => sum + x * b[j], 0);
+
+/** @param {number[]} a */
+export const sizeOf = (a) => Math.sqrt(product(a, a));
+
+/** A place, so far along a direction. @param {number[]} place @param {number[]} direction @param {number} by */
+export const ahead = (place, direction, by) => place.map((x, j) => x + by * direction[j]);
 
 /** Solves linear equations by elimination, with pivots; null: they have no one solution. @param {number[][]} matrix @param {number[]} right */
 export function solveLinear(matrix, right) {

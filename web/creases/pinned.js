@@ -3,6 +3,7 @@
 import { relax } from '../search/routes.js';
 import { cornersNear, passing } from './corners.js';
 import { apart, lengthOf, lineOf, span } from './legs.js';
+import { ahead, sizeOf } from './linear.js';
 import { SKETCH_POINTS } from './sketches.js';
 
 /** @typedef {import('./corners.js').Corner} Corner */
@@ -109,10 +110,7 @@ function around(before, after, { place }, rays) {
       Array.from({ length: line.length / width }, (_, i) => Array.from(line.subarray(width * i, width * (i + 1)))),
     ),
   );
-  const turned = rays.map((ray) => {
-    const size = span([...ray.map(() => 0), ...ray], width);
-    return place.map((x, j) => x + (reach / size) * ray[j]);
-  });
+  const turned = rays.map((ray) => ahead(place, ray, reach / sizeOf(ray)));
   return Float64Array.from([...nodes[0].filter(isClear), ...turned, ...nodes[1].filter(isClear)].flat());
 }
 

@@ -3,6 +3,7 @@
 import { dot, minus } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { isInside, LEG, lengthOf, lineOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { ahead, product } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -96,11 +97,7 @@ const scaled = (a, by) => a.map((x) => by * x);
 /** How joints may move: along which directions, and where one is that has moved. @param {Question} question @param {Joint[]} joints */
 function motion({ sides }, joints) {
   const ways = joints.map((joint) => directions(sides, joint, joint.place).along);
-  const moved = (/** @type {number} */ j, /** @type {number} */ by) => {
-    const { place } = joints[j];
-    const there = place.map((x, i) => x + by * ways[j][i]);
-    return settle(sides, joints[j], there);
-  };
+  const moved = (/** @type {number} */ j, /** @type {number} */ by) => settle(sides, joints[j], ahead(joints[j].place, ways[j], by));
   return { ways, moved };
 }
 
@@ -116,7 +113,7 @@ function improve(question, { legs, joints }) {
   const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
   const down = descend(matrix, slope);
   if (!down) return null;
-  const gain = -0.5 * down.step.reduce((sum, x, j) => sum + x * slope[j], 0);
+  const gain = -0.5 * product(down.step, slope);
   const before = lengthOf(legs);
   let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
   for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {

@@ -4,9 +4,9 @@ import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { directions, ground, settle, slopeAt, walk } from './crease.js';
 import { isInside, LEG, solveLeg } from './legs.js';
+import { ahead } from './linear.js';
 
 /** @typedef {import('../path.js').Path} Path */
-/** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -32,16 +32,13 @@ export function land(question, leg, shore, place, step) {
   const speeds = sides.map((signs) => {
     const on = { crease: shore.crease, signs };
     const { along } = directions(question.sides, on, place);
-    const [a, b] = [-step, step].map((by) => settle(question.sides, on, shift(place, along, by)));
+    const [a, b] = [-step, step].map((by) => settle(question.sides, on, ahead(place, along, by)));
     return distance(question, signs, a, b);
   });
   if (!speeds.every((speed) => speed > 0)) return null;
   const isFold = Math.abs(speeds[0] - speeds[1]) <= ALIKE * speeds[0];
   return { ...leg, signs: sides[isFold || speeds[0] < speeds[1] ? 0 : 1], shore: { ...shore, isFold } };
 }
-
-/** @param {number[]} place @param {number[]} direction @param {number} by */
-const shift = (place, direction, by) => place.map((x, j) => x + by * direction[j]);
 
 /**
  * How far a leg meets a shore from as it should: the tangent of half its angle, large where it turns back, less that of the critical one, whose cosine is the ratio of what both sides measure
@@ -56,7 +53,7 @@ export function graze(question, leg, ends, end, beside, step) {
   const { along, across } = directions(sides, on, place, slopeAt(sides, { crease, signs: beside.signs }, place));
   const t = along.map((x) => (end ? sense : -sense) * x);
   const n = across.map((x) => leg.signs[crease] * x);
-  const at = (/** @type {number} */ a, /** @type {number} */ b) => ground(sides, on, shift(shift(place, t, a * step), n, b * step));
+  const at = (/** @type {number} */ a, /** @type {number} */ b) => ground(sides, on, ahead(ahead(place, t, a * step), n, b * step));
   const lengthAt = (/** @type {number} */ a, /** @type {number} */ b) => {
     const there = at(a, b);
     return solveLeg(question, leg, end ? ends[0] : there, end ? there : ends[1], LEG)?.length ?? Number.NaN;

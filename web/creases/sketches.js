@@ -6,6 +6,7 @@ import { measureLine, relax } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { slopeOf } from './crease.js';
 import { span } from './legs.js';
+import { sizeOf } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -120,11 +121,9 @@ function round({ domain, run }, sides, lines, within) {
   const width = domain ? 2 : 3;
   const measured = lines.map((line) => sides.measure(line));
   const reach = within * Math.min(...lines.map((line) => span(line, width)));
-  const slope = (/** @type {number[]} */ seen, /** @type {number} */ crease) =>
-    Math.sqrt(slopeOf(sides, seen, crease, width).reduce((sum, x) => sum + x * x, 0));
   const widths = Array.from({ length: sides.count }, (_, crease) => {
     const places = measured.flat().sort((a, b) => Math.abs(a[crease]) - Math.abs(b[crease]));
-    const steep = places.slice(0, 8).map((seen) => slope(seen, crease));
+    const steep = places.slice(0, 8).map((seen) => sizeOf(slopeOf(sides, seen, crease, width)));
     return reach * Math.max(...steep);
   });
   return sides.rounded(widths.map((x) => (x > 0 && x < Infinity ? x : reach)))?.run ?? run;
