@@ -1,8 +1,8 @@
 /** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
 
-import { directions, meetEdge, settle } from './crease.js';
+import { bothWays, directions, meetEdge, settle } from './crease.js';
 import { isInside, isOnEdge, LEG, placesOf, solveLeg, span } from './legs.js';
-import { solveLinear } from './linear.js';
+import { ahead, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { distance, graze, survey } from './shores.js';
 
@@ -64,15 +64,12 @@ export function isShortest(question, route) {
 
 /** Whether a joint on an edge of the rectangle that is crossed there would make the path longer anywhere else. @param {Question} question @param {Balanced} route @param {number} j */
 function isHeld(question, { legs, joints }, j) {
-  const { sides } = question;
   const joint = joints[j];
   const pair = [legs[j], legs[j + 1]];
   if (!isOnEdge(question, joint.place) || pair.some(({ shore }) => shore)) return true;
   const [from, place, to] = placesOf(question, joints).slice(j, j + 3);
-  const { along } = directions(sides, joint, place);
   const step = BALANCE * Math.min(...pair.map(({ line }) => span(line, place.length)));
-  const beside = [-step, step].map((by) => place.map((x, i) => x + by * along[i])).map((at) => settle(sides, joint, at));
-  const inside = beside.find((at) => isInside(question, at));
+  const inside = bothWays(question.sides, joint, place, step).find((at) => isInside(question, at));
   const moved = inside && [solveLeg(question, pair[0], from, inside, LEG), solveLeg(question, pair[1], inside, to, LEG)];
   return !!moved && moved.reduce((sum, leg) => sum + (leg?.length ?? Number.NaN), 0) >= pair[0].length + pair[1].length;
 }
@@ -123,8 +120,7 @@ function shift(question, now, by, least) {
     if (!by[j]) return joint;
     const on = edgeAt(now, j);
     const { along } = directions(question.sides, on, joint.place);
-    const aim = joint.place.map((x, i) => x + by[j] * along[i]);
-    const place = settle(question.sides, on, aim);
+    const place = settle(question.sides, on, ahead(joint.place, along, by[j]));
     const edge = least && domain && meetEdge(question.sides, on, domain, place);
     const isPressed = !!edge && span([...joint.place, ...edge], edge.length) <= NEAR_EDGE * least[j];
     const there = isPressed ? edge : place;
@@ -176,14 +172,7 @@ function offAt(question, { legs, joints }, j, step) {
  * @param {Question} question @param {Leg[]} legs @param {number[][]} places where they begin, meet and end @param {Joint} joint @param {number} step of differences
  */
 function snell(question, [before, after], [from, place, to], joint, step) {
-  const { along } = directions(question.sides, joint, place);
-  const [back, on] = [-step, step].map((by) =>
-    settle(
-      question.sides,
-      joint,
-      place.map((x, i) => x + by * along[i]),
-    ),
-  );
+  const [back, on] = bothWays(question.sides, joint, place, step);
   const lengthAt = (/** @type {number[]} */ at) =>
     (solveLeg(question, before, from, at, LEG)?.length ?? Number.NaN) + (solveLeg(question, after, at, to, LEG)?.length ?? Number.NaN);
   return (lengthAt(on) - lengthAt(back)) / Math.max(...[before, after].map(({ signs }) => distance(question, signs, back, on)));

@@ -101,6 +101,15 @@ export function directions(sides, on, place, slope = vanishing(sides, on, place)
   return { along: t, across: unit(surface ? cross(t, surface[1]) : slope) };
 }
 
+/** Places on a crease so far back and so far on along it. @param {Sides} sides @param {On} on @param {number[]} place @param {number} step */
+export function bothWays(sides, on, place, step) {
+  const { along } = directions(sides, on, place);
+  return [-step, step].map((by) => settle(sides, on, ahead(place, along, by)));
+}
+
+/** The side beyond a crease. @param {number[]} signs @param {number} crease */
+export const beyond = (signs, crease) => signs.map((sign, k) => (k === crease ? -sign : sign));
+
 /** @param {number[]} vector */
 function unit(vector) {
   const size = sizeOf(vector);
@@ -159,9 +168,9 @@ function corner(sides, on, at, next) {
       k !== on.crease && after[k] * sign < 0 && (before[k] - after[k]) * sign > 0 && Math.abs(after[k]) > ROUNDING * Math.abs(before[k]),
   );
   if (other < 0) return null;
-  const signs = on.signs.map((sign, k) => (k === other ? -sign : sign));
-  const beyond = sides.on(signs)?.measure(next)[0];
-  const [one, two] = [after, beyond ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
+  const signs = beyond(on.signs, other);
+  const there = sides.on(signs)?.measure(next)[0];
+  const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
   const size = Math.max(...one.map(Math.abs));
   if (one.every((x, j) => Math.abs(x - two[j]) <= SAME * size)) return { signs, place: null };
   return { signs, place: meet(sides, on.signs, [on.crease, other], next) };

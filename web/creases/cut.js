@@ -1,6 +1,6 @@
 /** Polylines cut where they cross creases, or follow them: which legs a path has. */
 
-import { directions, ROUNDING } from './crease.js';
+import { beyond, directions, ROUNDING } from './crease.js';
 import { span } from './legs.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -154,8 +154,8 @@ export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
     if (at < TOGETHER) leg.signs = [...signs];
     if (at < TOGETHER || at > last - TOGETHER) continue;
     /* Higher derivatives alone may jump: then the sides part beyond it. */
-    const beyond = survey.placeAt(0.5 * (at + (events[e + 1]?.at ?? last)));
-    const bends = [place, beyond].map((there) => isBent(sides, before, signs, there));
+    const later = survey.placeAt(0.5 * (at + (events[e + 1]?.at ?? last)));
+    const bends = [place, later].map((there) => isBent(sides, before, signs, there));
     if (bends.includes(null)) return null;
     if (!bends.includes(true)) continue;
     finish(at, place);
@@ -212,13 +212,8 @@ function runsOf(survey, near) {
       ];
       const signs = survey.creases.map((k) => survey.signFrom(from, k) || 1);
       const middle = Math.floor((from + i) / 2);
-      const isOther = isBent(
-        sides,
-        signs,
-        signs.map((sign, k) => (k === crease ? -sign : sign)),
-        survey.placeAt(middle),
-      );
-      if (isOther) runs.push({ crease, from: start, to: end, length, sense: survey.senseOf(crease, signs, from, i - 1) });
+      if (isBent(sides, signs, beyond(signs, crease), survey.placeAt(middle)))
+        runs.push({ crease, from: start, to: end, length, sense: survey.senseOf(crease, signs, from, i - 1) });
     }
   runs.sort((a, b) => b.length - a.length);
   const kept = runs.filter((run, i) => !runs.slice(0, i).some((longer) => run.from <= longer.to && run.to >= longer.from));

@@ -1,6 +1,7 @@
 /** From a polyline to the path that it leads to, across creases and along them. */
 
 import { isShortest, rest, surveyAll } from './balance.js';
+import { beyond } from './crease.js';
 import { cut } from './cut.js';
 import { lengthOf, lineOf } from './legs.js';
 import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
@@ -101,8 +102,7 @@ function isTorn(question, { crease, signs, place }, [before, next]) {
   if (field.domain && !field.positions) return false;
   if (!field.domain) return [before, next].some((leg) => isOff(question, leg, place));
   const jetOn = (/** @type {number[]} */ of) => sides.on(of)?.jets(place)[0] ?? [];
-  const beyond = next.shore ? signs.map((sign, k) => (k === crease ? -sign : sign)) : next.signs;
-  const [one, other] = [jetOn(signs), jetOn(beyond)];
+  const [one, other] = [jetOn(signs), jetOn(next.shore ? beyond(signs, crease) : next.signs)];
   const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));
   return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
 }

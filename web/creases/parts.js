@@ -1,10 +1,10 @@
 /** What a path across creases is put together from: legs where they stay on their sides, shores where they bulge, corners between them. MATH.md, "Shores". */
 
 import { listOf } from '../vector.js';
-import { directions, meetEdge, settle, walk } from './crease.js';
+import { bothWays, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
 import { isInside, isOnEdge, LEG, placesOf, solveAll, span } from './legs.js';
-import { isBulging, land } from './shores.js';
+import { isBulging, land, sidesOf } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -83,9 +83,7 @@ function onto(question, on, place) {
   const edge = domain && (isOnEdge(question, there) ? there : meetEdge(sides, on, domain, there));
   if (!edge) return there;
   const step = INWARD * Math.min(...edge.map((_, j) => domain.upper[j] - domain.lower[j]));
-  const { along } = directions(sides, on, edge);
-  const beside = [-step, step].map((by) => edge.map((x, j) => x + by * along[j])).map((at) => settle(sides, on, at));
-  return beside.find((at) => isInside(question, at)) ?? edge;
+  return bothWays(sides, on, edge, step).find((at) => isInside(question, at)) ?? edge;
 }
 
 /** @param {ArrayLike<number>} line @param {number} width */
@@ -187,16 +185,17 @@ function landOn(question, leg, shore) {
  * The parts of a shore that bulge, edge by edge, and between them what cuts it short; nothing where its ends have passed each other.
  * @param {Question} question @param {Piece} whole @param {number[]} from @param {number[]} to @param {number} guess how long it is @returns {Piece[]}
  */
-function bulge(question, { signs: first, shore, on, isCorner }, from, to, guess) {
+function bulge(question, { signs: first, shore: given, on, isCorner }, from, to, guess) {
   const { sides } = question;
-  const { crease, sense, isFold } = /** @type {Shore} */ (shore);
+  const shore = /** @type {Shore} */ (given);
+  const { crease, sense } = shore;
   const edges = guess > 0 ? walk(sides, { crease, signs: first }, from, to, sense) : null;
   const all = edges?.flatMap(({ places }) => places) ?? [];
   if (!edges || !all.every((place) => isInside(question, place)) || span(all.flat(), from.length) > LONGER * guess) return [];
   /** @type {Piece[]} */
   const pieces = [];
   for (const [e, { signs, places }] of edges.entries()) {
-    const bends = isFold ? [signs, signs.map((sign, k) => (k === crease ? -sign : sign))] : [signs];
+    const bends = sidesOf(shore, signs);
     for (let i = 1; i < places.length; i++) {
       const isFollowed = bends.every((of) => isBulging(question, { crease, signs: of }, places[i - 1], places[i]));
       const last = pieces[pieces.length - 1];

@@ -2,7 +2,7 @@
 
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { directions, ground, settle, slopeAt, walk } from './crease.js';
+import { beyond, bothWays, directions, ground, settle, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, solveLeg } from './legs.js';
 import { ahead } from './linear.js';
 
@@ -26,14 +26,15 @@ export const distance = (question, signs, from, to) => near(question, signs, fro
 const near = (question, signs, from, to) =>
   solveLeg(question, { signs, length: 0, shore: null, line: Float64Array.from([...from, ...to]) }, from, to, { ...LEG, points: 1 });
 
+/** On which sides a shore is followed: a fold on both. @param {Shore} shore @param {number[]} signs of one */
+export const sidesOf = ({ crease, isFold }, signs) => (isFold ? [signs, beyond(signs, crease)] : [signs]);
+
 /** The leg along a shore, on the side of it on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore @param {number[]} place on it @param {number} step @returns {Leg | null} */
 export function land(question, leg, shore, place, step) {
   const sides = [1, -1].map((sign) => leg.signs.map((of, k) => (k === shore.crease ? sign : of)));
   const speeds = sides.map((signs) => {
-    const on = { crease: shore.crease, signs };
-    const { along } = directions(question.sides, on, place);
-    const [a, b] = [-step, step].map((by) => settle(question.sides, on, ahead(place, along, by)));
-    return distance(question, signs, a, b);
+    const [back, on] = bothWays(question.sides, { crease: shore.crease, signs }, place, step);
+    return distance(question, signs, back, on);
   });
   if (!speeds.every((speed) => speed > 0)) return null;
   const isFold = Math.abs(speeds[0] - speeds[1]) <= ALIKE * speeds[0];
@@ -76,12 +77,13 @@ export function graze(question, leg, ends, end, beside, step) {
  */
 export function survey(question, leg, from, to) {
   const { sides } = question;
-  const { crease, sense, isFold } = /** @type {Shore} */ (leg.shore);
+  const shore = /** @type {Shore} */ (leg.shore);
+  const { crease, sense } = shore;
   const on = { crease, signs: leg.signs };
   const edges = walk(sides, on, from, to, sense);
   const places = edges?.length === 1 ? edges[0].places : null;
   if (!places?.every((place) => isInside(question, place))) return null;
-  const bends = isFold ? [leg.signs, leg.signs.map((sign, k) => (k === crease ? -sign : sign))] : [leg.signs];
+  const bends = sidesOf(shore, leg.signs);
   if (!bends.every((signs) => places.slice(1).every((place, i) => isBulging(question, { crease, signs }, places[i], place)))) return null;
   /** Romberg's table, a row at a time. @type {number[]} */
   let row = [];
@@ -122,7 +124,7 @@ export function isBulging(question, { crease, signs }, from, to) {
   const width = from.length;
   const middle = Array.from(leg.line.subarray(width, 2 * width));
   const [measured] = question.sides.measure(middle);
-  const slope = Math.max(...middle.map((_, j) => Math.abs(measured[question.sides.count * (1 + j) + crease])));
+  const slope = Math.max(...slopeOf(question.sides, measured, crease, width).map(Math.abs));
   const apart = Math.max(...from.map((x, j) => Math.abs(x - to[j])));
   return signs[crease] * measured[crease] <= LEAVES * slope * apart;
 }
