@@ -1,7 +1,7 @@
 /** Polylines cut where they cross creases, or follow them: which legs a path has. */
 
 import { beyond, directions, ROUNDING } from './crease.js';
-import { span } from './legs.js';
+import { middleOf, span } from './legs.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Route} Route */
@@ -264,10 +264,7 @@ function closeToEnds(line, width) {
  */
 export function leavings(sides, leg, width) {
   const route = cut(sides, closeToEnds(leg.line, width), width, { parts: 1 });
-  const isOwn = (/** @type {Leg} */ { signs, line }) => {
-    const middle = width * Math.floor(line.length / width / 2);
-    return isBent(sides, leg.signs, signs, Array.from(line.subarray(middle, middle + width))) === false;
-  };
+  const isOwn = (/** @type {Leg} */ { signs, line }) => isBent(sides, leg.signs, signs, middleOf(line, width)) === false;
   if (route?.legs.length === 1 && isOwn(route.legs[0])) return null;
   return route && { ...route, legs: route.legs.map((part) => (isOwn(part) ? { ...part, signs: leg.signs } : part)) };
 }

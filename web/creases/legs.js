@@ -1,7 +1,9 @@
 /** Legs of a path across creases: each on one side of them all, between two places. */
 
 import { ELEMENTS, holds } from '../search/candidates.js';
+import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
+import { listOf } from '../vector.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -51,7 +53,20 @@ export function solveLeg({ field, sides, budget }, leg, from, to, options) {
 }
 
 /** The polyline of all legs. @param {Leg[]} legs @param {number} width */
-export const lineOf = (legs, width) => Float64Array.from(legs.flatMap(({ line }, i) => Array.from(line.subarray(i ? width : 0))));
+export const lineOf = (legs, width) =>
+  concatenate(
+    legs.map(({ line }) => line),
+    width,
+  );
+
+/** The nodes of a polyline. @param {ArrayLike<number>} line @param {number} width */
+export const nodesOf = (line, width) => Array.from({ length: line.length / width }, (_, i) => listOf(line, width * i, width * (i + 1)));
+
+/** The node in the middle of a polyline. @param {ArrayLike<number>} line @param {number} width */
+export function middleOf(line, width) {
+  const first = width * Math.floor(line.length / width / 2);
+  return listOf(line, first, first + width);
+}
 
 /** How long all legs are. @param {Leg[]} legs */
 export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);

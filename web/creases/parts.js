@@ -3,7 +3,7 @@
 import { listOf } from '../vector.js';
 import { bothWays, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
-import { isInside, isOnEdge, LEG, placesOf, solveAll, span } from './legs.js';
+import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, span } from './legs.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -39,7 +39,7 @@ const wholes = ({ legs, joints }, width) =>
     const own = whole(leg, joints[i - 1]);
     if (!leg.shore) return own;
     const [before, after] = [joints[i - 1], joints[i]];
-    const nodes = Array.from({ length: own.line.length / width }, (_, k) => own.line.slice(width * k, width * (k + 1)));
+    const nodes = nodesOf(own.line, width);
     /* What joints have moved past is behind them. */
     const begin = leg.shore.sense * (before?.moved ?? 0);
     const end = span(own.line, width) + leg.shore.sense * (after?.moved ?? 0);
@@ -84,12 +84,6 @@ function onto(question, on, place) {
   if (!edge) return there;
   const step = INWARD * Math.min(...edge.map((_, j) => domain.upper[j] - domain.lower[j]));
   return bothWays(sides, on, edge, step).find((at) => isInside(question, at)) ?? edge;
-}
-
-/** @param {ArrayLike<number>} line @param {number} width */
-function middleOf(line, width) {
-  const middle = width * Math.floor(line.length / width / 2);
-  return Array.from({ length: width }, (_, j) => line[middle + j]);
 }
 
 /**

@@ -1,8 +1,9 @@
 /** Paths that turn at corners: from each to the next as a path of its own. MATH.md, "Corners". */
 
+import { concatenate } from '../search/join.js';
 import { relax } from '../search/routes.js';
 import { cornersNear, passing } from './corners.js';
-import { apart, lengthOf, lineOf, span } from './legs.js';
+import { apart, lengthOf, lineOf, nodesOf, span } from './legs.js';
 import { ahead, sizeOf } from './linear.js';
 import { SKETCH_POINTS } from './sketches.js';
 
@@ -80,8 +81,9 @@ function pin(question, line, corners, passed, follow) {
     passed.push(...corners.splice(loose, 1));
     parts.splice(loose, 2, tryPart(endsOf(loose), past, lengthOf([...before.legs, ...after.legs])));
   }
-  budget.lost = Float64Array.from(
-    parts.flatMap(({ route, lost }, i) => Array.from((route ? lineOf(route.legs, width) : lost).subarray(i ? width : 0))),
+  budget.lost = concatenate(
+    parts.map(({ route, lost }) => (route ? lineOf(route.legs, width) : lost)),
+    width,
   );
   return null;
 }
@@ -105,11 +107,7 @@ function around(before, after, { place }, rays) {
   const [last, first] = [lastOf(before.legs), after.legs[0]];
   const reach = BESIDE * Math.min(span(last.line, width), span(first.line, width));
   const isClear = (/** @type {number[]} */ node) => apart(node, place) > reach;
-  const nodes = [before, after].map(({ legs }) =>
-    legs.flatMap(({ line }) =>
-      Array.from({ length: line.length / width }, (_, i) => Array.from(line.subarray(width * i, width * (i + 1)))),
-    ),
-  );
+  const nodes = [before, after].map(({ legs }) => legs.flatMap(({ line }) => nodesOf(line, width)));
   const turned = rays.map((ray) => ahead(place, ray, reach / sizeOf(ray)));
   return Float64Array.from([...nodes[0].filter(isClear), ...turned, ...nodes[1].filter(isClear)].flat());
 }

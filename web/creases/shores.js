@@ -3,7 +3,7 @@
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { beyond, bothWays, directions, ground, settle, slopeAt, slopeOf, walk } from './crease.js';
-import { isInside, LEG, solveLeg } from './legs.js';
+import { isInside, LEG, middleOf, solveLeg } from './legs.js';
 import { ahead } from './linear.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -122,8 +122,7 @@ export function isBulging(question, { crease, signs }, from, to) {
   const leg = near(question, signs, from, to);
   if (!leg) return false;
   const width = from.length;
-  const middle = Array.from(leg.line.subarray(width, 2 * width));
-  const [measured] = question.sides.measure(middle);
+  const [measured] = question.sides.measure(middleOf(leg.line, width));
   const slope = Math.max(...slopeOf(question.sides, measured, crease, width).map(Math.abs));
   const apart = Math.max(...from.map((x, j) => Math.abs(x - to[j])));
   return signs[crease] * measured[crease] <= LEAVES * slope * apart;

@@ -5,7 +5,7 @@ import { distinct } from '../search/distinct.js';
 import { measureLine, relax } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { slopeOf } from './crease.js';
-import { span } from './legs.js';
+import { nodesOf, span } from './legs.js';
 import { sizeOf } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -106,8 +106,7 @@ function layOn({ jets }, from, near) {
 /** Whether no node of a polyline is farther from those of another one than this part of its length. @param {Float64Array} line @param {Float64Array} other @param {number} width @param {number} part */
 export function isBeside(line, other, width, part) {
   const near = part * span(line, width);
-  const nodes = Array.from({ length: line.length / width }, (_, i) => line.subarray(width * i, width * (i + 1)));
-  return nodes.every((node) => {
+  return nodesOf(line, width).every((node) => {
     for (let k = 0; k < other.length; k += width) if (node.every((x, j) => Math.abs(x - other[k + j]) <= near)) return true;
     return false;
   });

@@ -29,8 +29,8 @@ const segmentsOf = ({ points, parameters }) => (parameters ? parameters.length /
 /** A sum that does not depend on the order. @param {number[]} numbers */
 const sum = (numbers) => [...numbers].sort((a, b) => a - b).reduce((total, x) => total + x, 0);
 
-/** One array after the other, the number `width` of each but the first, which repeat the end of the one before, left out. @param {Float64Array[]} arrays @param {number} width */
-function concatenate(arrays, width) {
+/** One array after the other, the first `width` numbers of each but the first, which repeat the end of the one before, left out. @param {Float64Array[]} arrays @param {number} width */
+export function concatenate(arrays, width) {
   const numbers = arrays.flatMap((array, i) => Array.from(i ? array.subarray(width) : array));
   return Float64Array.from(numbers);
 }
