@@ -12,6 +12,9 @@ export const minus = (a, b) => a.map((x, k) => x - b[k]);
 /** The distance of two points. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const gap = (a, b) => Math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2);
 
+/** @param {number[]} box from and to of x, y and z */
+export const diagonalOf = (box) => gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]);
+
 /** Whether a place lies in ranges, one a coordinate. @param {ArrayLike<number>} place @param {number[][]} ranges none: it does */
 export const isWithin = (place, ranges) => ranges.every(([low, high], k) => place[k] >= low && place[k] <= high);
 

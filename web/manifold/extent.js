@@ -1,6 +1,6 @@
 /** Where in a box an implicit surface lies, and how far it extends along its own axes: told by points of it, to which Newton's steps lead from a grid. Knows no paths. */
 
-import { dot, gap } from '../vector.js';
+import { diagonalOf, dot, gap } from '../vector.js';
 
 /**
  * @typedef {object} Extent
@@ -50,7 +50,7 @@ function stepBy(f, x, y, z) {
  * @param {(places: ArrayLike<number>) => Float64Array} values f and ∇f @param {number[]} box @returns {number[][]}
  */
 function pointsOf(values, box) {
-  const cell = gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) / GRID;
+  const cell = diagonalOf(box) / GRID;
   const grid = gridOf(box);
   const seen = values(grid);
   /** @type {Walk[]} */
@@ -126,13 +126,16 @@ function extentAlong(points, axes, cells) {
   };
 }
 
-/** The part of some bounds that holds all of it. @param {Extent} extent @param {number[]} box */
-export function boxOf({ axes, middle, half, margin }, box) {
-  return middle.flatMap((x, j) => {
+/** From where to where the surface may reach along each axis of space. @param {Extent} extent */
+const rangesOf = ({ axes, middle, half, margin }) =>
+  middle.map((x, j) => {
     const reach = axes.reduce((sum, axis, i) => sum + Math.abs(axis[j]) * (half[i] + margin[i]), 0);
-    return [Math.max(x - reach, box[2 * j]), Math.min(x + reach, box[2 * j + 1])];
+    return [x - reach, x + reach];
   });
-}
+
+/** The part of some bounds that holds all of it. @param {Extent} extent @param {number[]} box */
+export const boxOf = (extent, box) =>
+  rangesOf(extent).flatMap(([low, high], j) => [Math.max(low, box[2 * j]), Math.min(high, box[2 * j + 1])]);
 
 /**
  * Whether some places lie on a face of a box, where a surface is cut.
@@ -146,11 +149,7 @@ export function touches(places, box, except) {
 }
 
 /** Whether a surface comes so near to a face of its box that it may go on beyond. @param {Extent} extent @param {number[]} box */
-export const isCut = ({ axes, middle, half, margin }, box) =>
-  middle.some((x, j) => {
-    const reach = axes.reduce((sum, axis, i) => sum + Math.abs(axis[j]) * (half[i] + margin[i]), 0);
-    return x - reach < box[2 * j] || x + reach > box[2 * j + 1];
-  });
+export const isCut = (extent, box) => rangesOf(extent).some(([low, high], j) => low < box[2 * j] || high > box[2 * j + 1]);
 
 /** How much longer than thick a body is. @param {Extent} extent */
 export const flatnessOf = ({ half }) => Math.max(...half) / Math.min(...half);

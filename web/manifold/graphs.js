@@ -41,19 +41,21 @@ export class Graphs {
   /**
    * The graph of all of the surface, the next finer one if it is coarse; null: there is none so fine. One of status out-of-memory holds nothing, and is tried
    * again by the next call.
-   * @param {Heap} heap @param {number} record address of the surface's record @param {number[] | null} box where the surface lies
-   * @param {number} level how often it is refined @param {number} [turns] how often the surface lies in the box: so many times as many cells
+   * @param {Heap} heap @param {number} record address of the surface's record @param {{ domain: import('./domain.js').Domain | null, box: number[] | null }} where the surface
+   *   lies: in the rectangle of some turns so many times, and so many times as many cells @param {number} level how often it is refined
    * @returns {Graph | null}
    */
-  find(heap, record, box, level, turns = 1) {
+  find(heap, record, where, level) {
+    const { domain } = where;
+    const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : where.box;
     const resolutions = RESOLUTION[this.#kind];
-    const resolution = Math.round(resolutions[level] * Math.sqrt(turns));
+    const resolution = Math.round(resolutions[level] * Math.sqrt(domain?.turn?.folds ?? 1));
     if (!box || !resolution) return null;
     const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
     const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose, level });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     /** @type {Graph | null} */
-    const finer = graph.coarse ? this.find(heap, record, box, 1, turns) : null;
+    const finer = graph.coarse ? this.find(heap, record, where, 1) : null;
     return finer?.status === CONVERGED ? finer : usable(graph);
   }
 

@@ -4,9 +4,8 @@
  */
 
 import { checkBounds, checkParameters, checkPeriodic, readNumbers } from '../definition.js';
-import { compile } from '../expression/compile.js';
 import { Creases } from '../expression/creases.js';
-import { gap } from '../vector.js';
+import { diagonalOf } from '../vector.js';
 import { Bodies } from './bodies.js';
 import { enterDomain, findDomain } from './domain.js';
 import { Graphs } from './graphs.js';
@@ -14,7 +13,7 @@ import { Installation, writeRecords } from './installation.js';
 import { KIND, SHAPE } from './kind.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
-import { evaluateRanges, readShape } from './shapes.js';
+import { compileShape, evaluateRanges, readShape } from './shapes.js';
 import { Sides } from './sides.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
@@ -31,7 +30,7 @@ export class Manifold {
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /**
    * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
-   * @type {ReturnType<typeof compile> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean }}
+   * @type {ReturnType<typeof compileShape> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean }}
    */
   #compiled;
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
@@ -93,8 +92,7 @@ export class Manifold {
 
   /** Diagonal of the bounds; 0 without. */
   get extent() {
-    const box = this.box;
-    return box ? gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]) : 0;
+    return this.box ? diagonalOf(this.box) : 0;
   }
 
   /** Coordinates of a point, as the definition calls them. */
@@ -205,19 +203,11 @@ export class Manifold {
   }
 
   #compile() {
-    const { outputs, names, variables } = this.#shape;
     const reference = this.#reference;
+    const { apply } = this.#solver;
     const [creases, measured] = [new Creases(), new Creases()];
-    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, this.#solver.apply, measured);
-    const compiled = compile({
-      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
-      names,
-      variables,
-      parameters: this.parameters,
-      apply: this.#solver.apply,
-      valueOrder: SHAPE[this.kind].valueOrder,
-      creases,
-    });
+    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, apply, measured);
+    const compiled = compileShape(this.kind, this.#shape, reference, this.parameters, apply, creases);
     return { ...compiled, metric, own: null, reference, isCreased: creases.nodes.length + measured.nodes.length > 0 };
   }
 

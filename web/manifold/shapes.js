@@ -2,9 +2,10 @@
  * as nodes of the graph in which formulas are differentiated, so that their derivatives are exact. Knows nothing of paths. */
 
 import { checkDefinition, checkExpressions, readRange } from '../definition.js';
-import { evaluateConstant } from '../expression/compile.js';
+import { compile, evaluateConstant } from '../expression/compile.js';
 import { COS, SIN } from '../expression/functions.js';
 import { frameAlong } from './frame.js';
+import { SHAPE } from './kind.js';
 import { componentsOf } from './reference.js';
 
 /** @typedef {import('../definition.js').Expression} Expression */
@@ -113,6 +114,18 @@ const SHAPES = {
 export const PARAMETRIC_KINDS = Object.freeze(Object.keys(SHAPES).filter((kind) => kind !== 'implicit' && kind !== 'metric'));
 /** Checks a definition and says how to compile it. @param {string} kind @param {unknown} definition @returns {Shape} */
 export const readShape = (kind, definition) => SHAPES[kind](kind, definition);
+
+/**
+ * Compiles a shape, as space measures it.
+ * @param {'parametric' | 'implicit' | 'metric'} kind @param {Shape} shape @param {readonly number[] | null} reference of a frame
+ * @param {Record<string, number>} parameters @param {import('../expression/compile.js').Apply} apply @param {import('../expression/creases.js').Creases} creases
+ */
+export const compileShape = (kind, { outputs, names, variables }, reference, parameters, apply, creases) =>
+  compile({
+    outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
+    ...{ names, variables, parameters, apply, creases },
+    valueOrder: SHAPE[kind].valueOrder,
+  });
 
 /** @param {string} kind @param {any} definition @param {string[]} names @returns {[string, Range][]} copies */
 function rangesOf(kind, definition, names) {

@@ -8,6 +8,7 @@ import { Creases } from '../expression/creases.js';
 import { listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
+import { compileShape } from './shapes.js';
 
 /** @typedef {import('../expression/creases.js').Way} Way */
 /** @typedef {ReturnType<import('../runtime/solver.js').Solver['install']>} Installed */
@@ -132,17 +133,8 @@ export class Sides {
   /** @param {Way} way */
   #make(way) {
     const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
-    const { variables, valueOrder } = SHAPE[kind];
-    const { outputs, names } = shape;
-    const compiled = compile({
-      outputs: typeof outputs === 'function' ? (formulas) => outputs(formulas, reference) : outputs,
-      names,
-      variables: shape.variables,
-      parameters,
-      apply: solver.apply,
-      valueOrder,
-      creases: new Creases(way),
-    });
+    const { variables } = SHAPE[kind];
+    const compiled = compileShape(kind, shape, reference, parameters, solver.apply, new Creases(way));
     const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, new Creases(way));
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
     const installed = this.#install(modules);

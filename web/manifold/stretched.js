@@ -4,7 +4,7 @@
  */
 
 import { compile } from '../expression/compile.js';
-import { dot, gap } from '../vector.js';
+import { diagonalOf, dot } from '../vector.js';
 import { touches } from './extent.js';
 import { Graphs } from './graphs.js';
 import { KIND, SHAPE } from './kind.js';
@@ -85,7 +85,7 @@ export class Stretched {
       throw error;
     }
     const [shape, metric] = this.#installed;
-    const measured = write(shape, metric, gap([box[1], box[3], box[5]], [box[0], box[2], box[4]]));
+    const measured = write(shape, metric, diagonalOf(box));
     const { variables, jet } = SHAPE.implicit;
     /** @type {import('../search/routes.js').Field['run']} */
     const run = (call) => solver.run(() => call(solver.heap, measured.record, shape));

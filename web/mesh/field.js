@@ -47,8 +47,8 @@ export function readFieldOptions(caller, given) {
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places u v or x y z of each
  * @returns {{ lengths: Float64Array, isUnique: boolean }} isUnique: geodesics of this surface are taken as unique
  */
-function search({ domain, box, graphs, run }, caller, from, places) {
-  const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
+function search(field, caller, from, places) {
+  const { domain, graphs, run } = field;
   const width = from.length;
   const lengths = new Float64Array(places.length / width).fill(Infinity);
   let isUnique = false;
@@ -57,7 +57,7 @@ function search({ domain, box, graphs, run }, caller, from, places) {
     const wanted =
       level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
     const found = run((heap, record) => {
-      const graph = graphs.find(heap, record, place, level, domain?.turn?.folds);
+      const graph = graphs.find(heap, record, field, level);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
       isUnique ||= graph?.unique ?? false;
       return graph && joinFields(copies(domain, from).map((place) => heap.measureField(record, graph, place, wanted)));

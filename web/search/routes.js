@@ -172,10 +172,9 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, box, graphs, isPlain, isSpatial, positions, run } = field;
+  const { kind, domain, graphs, isPlain, isSpatial, positions, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
-  const place = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : box;
   const branches = branchesOf(field);
   const legs = { ...field, isLeg: true };
   let exhausted = false;
@@ -199,7 +198,7 @@ function pose(field, [from, to], find) {
       isLeg: !!field.isLeg,
       leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
       near: (places, asked, start) => solveNear(legs, places, asked, start),
-      graph: (level) => watch(graphs.find(heap, record, place, level, domain?.turn?.folds)),
+      graph: (level) => watch(graphs.find(heap, record, field, level)),
       flood: (level, length, wide) => watch(graphs.flood(heap, record, first, last, level, length, wide)),
       search: (graph, points, isAll) =>
         joinSearches(copies(domain, last).map((end) => watch(heap.searchGraph(record, graph, first, end, points, isAll)))),
