@@ -54,7 +54,6 @@ struct sp_graph {
 struct sp_graph_answer {
     double distance; /* length of the shortest way through the graph; NaN without one */
     double *places;  /* candidate_count polylines of point_count places (u v, continuous across seams, or x y z), in the arena */
-    double *lengths; /* of the ways through the graph */
     int32_t candidate_count, point_count;
 };
 

@@ -94,8 +94,7 @@ static enum sp_status find_ways(struct search *search, struct sp_arena *arena, s
             via = best_via(search, APART[round]);
         if (via < 0) break;
         struct sp_way way = {search->surface, search->graph, search->ends[0], search->ends[1], search->vertices, trace(search, via)};
-        double length = search->front[0].distance[via] + search->front[1].distance[via];
-        enum sp_status status = sp_way_write(&way, length, arena, answer);
+        enum sp_status status = sp_way_write(&way, arena, answer);
         if (status != SP_CONVERGED) return status;
         for (int32_t i = 0; i < way.count; i++)
             sp_front_offer(&search->taken, way.vertices[i], -1, 0);
@@ -110,7 +109,7 @@ static int32_t clamped_points(int32_t point_count) {
 
 double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) {
     double front = graph->vertex_count * (double)(sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t)) + 4 * 16;
-    double answer = SP_GRAPH_MAX_CANDIDATES * (3.0 * clamped_points(point_count) + 1) * sizeof(double) + 2 * 16;
+    double answer = SP_GRAPH_MAX_CANDIDATES * 3.0 * clamped_points(point_count) * sizeof(double) + 16;
     return 3 * front + 2.0 * graph->vertex_count * sizeof(int32_t) + 16 + answer + sp_way_bytes(graph);
 }
 
@@ -122,9 +121,8 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = not_a_number(), .point_count = clamped_points(point_count)};
     answer->places = sp_arena_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
-    answer->lengths = sp_arena_take(arena, SP_GRAPH_MAX_CANDIDATES, sizeof(double));
     search.vertices = sp_arena_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
-    int fits = answer->places && answer->lengths && search.vertices;
+    int fits = answer->places && search.vertices;
     for (int end = 0; end < 2; end++)
         fits = fits && sp_front_take(search.front + end, graph, arena);
     if (!fits || !sp_front_take(&search.taken, graph, arena)) return SP_OUT_OF_MEMORY;

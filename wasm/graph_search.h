@@ -81,7 +81,7 @@ struct sp_way {
 
 /* Polylines of point_count places that a way starts: appended to the answer, more than one if the way passes a collapsed edge. Returns a
  * status; SP_OUT_OF_MEMORY if the arena is full. */
-enum sp_status sp_way_write(const struct sp_way *way, double length, struct sp_arena *arena, struct sp_graph_answer *answer);
+enum sp_status sp_way_write(const struct sp_way *way, struct sp_arena *arena, struct sp_graph_answer *answer);
 
 /* Bytes that sp_way_write needs for a way of all vertices. */
 double sp_way_bytes(const struct sp_graph *graph);

@@ -134,24 +134,24 @@ static void smooth(double *places, int32_t points, int32_t dimension) {
 }
 
 /* A line that is not finite, between vertices that are, is none; be it its length, or a place between ends that are huge. */
-static void emit(struct line *line, double length, struct sp_graph_answer *answer) {
+static void emit(struct line *line, struct sp_graph_answer *answer) {
     measure(line);
-    int32_t points = answer->point_count, number = answer->candidate_count;
-    double *out = answer->places + (size_t)number * (size_t)(points * line->dimension);
+    int32_t points = answer->point_count;
+    double *out = answer->places + (size_t)answer->candidate_count * (size_t)(points * line->dimension);
     double sum = line->along[line->count - 1] + resample(line, points, out);
     for (int sweep = 0; sweep < SWEEPS; sweep++)
         smooth(out, points, line->dimension);
-    if (!is_finite(sum)) return;
-    answer->lengths[number] = length, answer->candidate_count++;
+    if (is_finite(sum)) answer->candidate_count++;
 }
 
-/* The vertices [begin, end) of a way that lie on its first collapsed edge. */
+/* The vertices [begin, end) of a way that lie on its first collapsed edge, which is returned; -1, and none at its end: there is no such
+ * edge. */
 static int find_run(const struct sp_way *way, int32_t *begin, int32_t *end) {
     int edge = -1;
     for (*begin = 0; *begin < way->count && edge < 0; ++*begin)
         edge = collapsed_edge(way->graph, way->vertices[*begin]);
-    if (edge < 0) return -1;
     *end = *begin;
+    if (edge < 0) return -1;
     --*begin;
     while (*end < way->count && collapsed_edge(way->graph, way->vertices[*end]) == edge)
         ++*end;
@@ -166,7 +166,6 @@ static void write_line(struct line *line, int edge, int32_t begin, int32_t end, 
     for (int32_t i = 0; i < begin; i++)
         append_vertex(line, way->vertices[i]);
     int32_t before = line->count - 1;
-    if (edge < 0) end = begin;
     if (edge >= 0) {
         struct line next = *line;
         if (end < way->count)
@@ -188,16 +187,15 @@ static void write_line(struct line *line, int edge, int32_t begin, int32_t end, 
     append_lifted(line, way->to);
 }
 
-enum sp_status sp_way_write(const struct sp_way *way, double length, struct sp_arena *arena, struct sp_graph_answer *answer) {
-    int32_t begin = way->count, end = way->count;
+enum sp_status sp_way_write(const struct sp_way *way, struct sp_arena *arena, struct sp_graph_answer *answer) {
+    int32_t begin, end;
     int edge = find_run(way, &begin, &end), sides = edge >= 0 && way->graph->wraps[1 - edge / 2] ? 2 : 1;
-    if (edge < 0) begin = end = way->count;
     for (int side = 0; side < sides && answer->candidate_count < SP_GRAPH_MAX_CANDIDATES; side++) {
         size_t before = arena->used;
         struct line line;
         if (!take_line(&line, way, arena)) return SP_OUT_OF_MEMORY;
         write_line(&line, edge, begin, end, side);
-        emit(&line, length, answer);
+        emit(&line, answer);
         arena->used = before;
     }
     return SP_CONVERGED;

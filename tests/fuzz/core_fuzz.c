@@ -277,7 +277,6 @@ static void check_answer(const struct sp_arena *arena, const struct sp_graph_ans
     DEMAND(status == SP_CONVERGED || answer->candidate_count == 0, "candidates behind status %d", status);
     DEMAND(status != SP_CONVERGED || (answer->distance >= 0 && is_finite(answer->distance)), "distance %g", answer->distance);
     if (answer->candidate_count == 0) return;
-    demand_numbers(arena, answer->lengths, (size_t)answer->candidate_count, "lengths");
     demand_numbers(arena, answer->places, (size_t)(answer->candidate_count * answer->point_count * dimension), "places");
 }
 

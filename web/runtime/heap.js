@@ -231,7 +231,7 @@ export class Heap extends Memory {
     this.writePoint(numbers, from);
     this.writePoint(numbers + 24, to);
     const status = this.exports.sp_graph_search(surface, graph.at, numbers, points, Number(all), this.openArena(), this.#result);
-    const [places, , count, written] = this.words(this.#result + layout.sp_graph_answer_places, 4);
+    const [places, count, written] = this.words(this.#result + layout.sp_graph_answer_places, 3);
     const candidates = Array.from({ length: count }, (_, i) => this.copyDoubles(places + 8 * dimension * written * i, dimension * written));
     return { status, distance: this.allDoubles()[(this.#result + layout.sp_graph_answer_distance) >> 3], candidates };
   }

@@ -106,9 +106,8 @@ export const sp_graph_coarse = 92;
 export const sp_graph_answer_bytes = 24;
 export const sp_graph_answer_distance = 0;
 export const sp_graph_answer_places = 8;
-export const sp_graph_answer_lengths = 12;
-export const sp_graph_answer_candidate_count = 16;
-export const sp_graph_answer_point_count = 20;
+export const sp_graph_answer_candidate_count = 12;
+export const sp_graph_answer_point_count = 16;
 
 export const sp_field_request_bytes = 40;
 export const sp_field_request_places = 24;
