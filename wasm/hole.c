@@ -65,12 +65,9 @@ static int start_piece(struct sp_newton *newton, const struct near *near, int i,
     for (int32_t k = 0; k <= degree * count; k++) {
         double t = sp_sample_parameter(&system->elements, k), x = from[0] + t * along[0], y = from[1] + t * along[1],
                turned = near->rate * sp_atan2(sp_splat(y), sp_splat(x))[0];
-        sp_pair *place = system->line.nodes.places + 2 * sp_fold_pair(system->line.fold, k);
-        int lane = sp_fold_lane(system->line.fold, k);
-        place[near->across][lane] = near->middle + near->side * root(x * x + y * y);
-        place[1 - near->across][lane] = near->ends[i][1 - near->across] + (i ? -turned : turned);
+        sp_polyline_put(&system->line, k, near->across, near->middle + near->side * root(x * x + y * y));
+        sp_polyline_put(&system->line, k, 1 - near->across, near->ends[i][1 - near->across] + (i ? -turned : turned));
     }
-    sp_fold_mirror(system->line.fold, system->line.nodes.places, 2);
     piece->system = sp_storage_keep(&piece->storage, system);
     piece->first = 0, piece->last = 1;
     for (int j = 0; j < 2; j++)

@@ -21,11 +21,9 @@ static void fill(const struct sp_piece *piece, struct sp_system *start) {
             double moved =
                 place[j] + (1 - run) * (start_of(piece->joint)[j] - ends[0][j]) + run * (start_of(piece->joint + 1)[j] - ends[1][j]);
             if (i == 0 || i == last) moved = start_of(piece->joint + (i > 0))[j];
-            line->nodes.places[2 * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] = moved;
+            sp_polyline_put(line, i, j, moved);
         }
     }
-    sp_pair *middle = line->nodes.places + 2 * (sp_fold_both(line->fold) + 1);
-    middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
 /* Moves the ends of a path of elements to the joints, what is between them along. */
@@ -39,10 +37,8 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
     for (int32_t i = 0; i <= last; i++) {
         double t = sp_sample_parameter(&start->elements, i);
         for (int32_t j = 0; j < 2; j++)
-            line->nodes.places[2 * sp_fold_pair(line->fold, i) + j][sp_fold_lane(line->fold, i)] += (1 - t) * by[0][j] + t * by[1][j];
+            sp_polyline_put(line, i, j, sp_polyline_coordinate(line, i, j) + ((1 - t) * by[0][j] + t * by[1][j]));
     }
-    sp_pair *middle = line->nodes.places + 2 * (sp_fold_both(line->fold) + 1);
-    middle[0] = sp_splat(middle[0][0]), middle[1] = sp_splat(middle[1][0]);
 }
 
 /* Chords between the joints, to be solved, and their charts. Returns 0 if the arena is full. */
@@ -51,7 +47,7 @@ static int start_chords(struct sp_newton *newton, const struct sp_piece *piece, 
     newton->system.line.fold = (struct sp_fold){SP_REFINE_FIRST}, newton->system.elements.spread = NULL;
     struct sp_polyline *line = &newton->system.line;
     fill(piece, &newton->system);
-    line->touches = sp_parametric_clip(line->surface, sp_fold_unknown(line->fold), line->nodes.places + 2);
+    sp_polyline_settle(line, newton->scale);
     sp_polyline_charts(line, &line->nodes);
     return 1;
 }

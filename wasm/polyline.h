@@ -54,6 +54,12 @@ static inline double sp_polyline_coordinate(const struct sp_polyline *line, int3
     return sp_fold_get(line->fold, line->nodes.places, 2, i, j);
 }
 
+/* Writes coordinate j of node i: of the middle one, which stands alone, into both lanes. */
+void sp_polyline_put(const struct sp_polyline *line, int32_t i, int32_t j, double x);
+
+/* Puts the nodes between the ends onto the surface, or into the rectangle. Returns 0 where they do not settle. */
+int sp_polyline_settle(struct sp_polyline *line, double scale);
+
 /* Makes pair both + 1 of an array of `stride` pairs follow pair `both`, where n is even. */
 static inline void sp_fold_mirror(struct sp_fold fold, sp_pair *data, int32_t stride) {
     if (sp_fold_odd(fold)) return;

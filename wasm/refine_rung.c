@@ -38,11 +38,7 @@ enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *f
     line->fold = (struct sp_fold){newton->system.elements.reference.degree * count - 1};
     newton->system.elements.count = count;
     sp_sample_places(from, &newton->system.elements, line->nodes.places);
-    int32_t unknown = sp_fold_unknown(line->fold);
-    if (line->surface->kind == SP_PARAMETRIC)
-        line->touches = sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
-    else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, newton->scale))
-        return SP_SHEET_JUMP;
+    if (!sp_polyline_settle(line, newton->scale)) return SP_SHEET_JUMP;
     sp_polyline_charts(line, &line->nodes);
     return SP_CONVERGED;
 }

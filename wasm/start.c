@@ -138,22 +138,9 @@ static void resample(const struct sp_polyline *line, const struct sp_request *re
         for (int j = 0; j < dimension; j++) {
             double gap = (1 - t) * (from[j] - start[j]) + t * (to[j] - start[dimension * end + j]);
             double value = i == 0 ? from[j] : i == last ? to[j] : a[j] + local * (b[j] - a[j]) + gap;
-            sp_pair *place = line->nodes.places + dimension * sp_fold_pair(line->fold, i) + j;
-            (*place)[sp_fold_lane(line->fold, i)] = value;
-            if (2 * i == last) (*place)[1] = value;
+            sp_polyline_put(line, i, j, value);
         }
     }
-}
-
-/* Puts the nodes between the ends onto the surface, or into the rectangle. */
-static enum sp_status settle(struct sp_polyline *line, double scale) {
-    int32_t unknown = sp_fold_unknown(line->fold);
-    if (line->surface->kind == SP_PARAMETRIC)
-        line->touches = sp_parametric_clip(line->surface, unknown, line->nodes.places + 2);
-    else if (!sp_implicit_settle(line->surface, unknown, line->nodes.places + 3, scale))
-        return SP_SHEET_JUMP;
-    sp_fold_mirror(line->fold, line->nodes.places, line->kind->dimension);
-    return SP_CONVERGED;
 }
 
 enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
@@ -167,5 +154,5 @@ enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_reque
     } else {
         straight_line(line, from, to);
     }
-    return settle(line, scale);
+    return sp_polyline_settle(line, scale) ? SP_CONVERGED : SP_SHEET_JUMP;
 }
