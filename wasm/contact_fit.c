@@ -48,8 +48,6 @@ static int solve_moved(struct sp_newton *newton, const struct sp_options *option
     return solved;
 }
 
-static double *slide(struct sp_piece *piece, int end) { return piece->joint[end].place + 1 - piece->joint[end].across; }
-
 /* The curvature of the edge at a contact. `unit`: how long units of the coordinates along and across it are. */
 static double curvature_at(const struct sp_surface *surface, const struct sp_joint *joint, double unit[2]) {
     struct sp_arc edge = {.across = joint->across, .value = joint->place[joint->across]};
@@ -74,7 +72,7 @@ static int contact_jacobian(struct sp_newton *newton, const struct sp_options *o
         if (!piece->joint[end].slides) continue;
         struct sp_piece moved = *piece;
         double step = DIFFERENCE * reach[end];
-        *slide(&moved, end) += step;
+        *sp_piece_slide(&moved, end) += step;
         if (!solve_moved(newton, options, &moved, arena)) return 0;
         for (int i = 0; i < 2; i++)
             if (piece->joint[i].slides) jacobian[i][end] = (moved.slant[i] - piece->slant[i]) / step;
@@ -116,10 +114,10 @@ static int fit(struct sp_newton *newton, const struct sp_surface *walled, const 
             checked = fits;
             if (fits) continue;
             if (!contact_step(newton, options, walled, piece, arena, move)) return 0;
-            *slide(piece, 0) += move[0], *slide(piece, 1) += move[1];
+            *sp_piece_slide(piece, 0) += move[0], *sp_piece_slide(piece, 1) += move[1];
         } else if (moved) {
             move[0] *= 0.5, move[1] *= 0.5;
-            *slide(piece, 0) -= move[0], *slide(piece, 1) -= move[1];
+            *sp_piece_slide(piece, 0) -= move[0], *sp_piece_slide(piece, 1) -= move[1];
         } else
             return 0;
     }

@@ -1,21 +1,15 @@
 /* Finds and corrects points of a cuspidal edge, by bisection and Newton. MATH.md, "Arcs". */
 #include "crossing.h"
 #include "chart.h"
-
 #include "normal.h"
 #include "scalar.h"
 #include <stddef.h>
 
 enum { BISECTIONS = 60, CORRECTIONS = 20 };
 
-static void chart_at(const struct sp_surface *surface, const double place[2], sp_pair chart[SP_CHART]) {
-    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])};
-    sp_parametric_kind.charts(surface, 1, at, chart, NULL);
-}
-
 struct sp_curve sp_curve_at(const struct sp_surface *surface, const double place[2], double nu[3], int choose) {
-    sp_pair chart[SP_CHART];
-    chart_at(surface, place, chart);
+    sp_pair at[2] = {sp_splat(place[0]), sp_splat(place[1])}, chart[SP_CHART];
+    sp_parametric_kind.charts(surface, 1, at, chart, NULL);
     struct sp_vector u = sp_load(chart + SP_CHART_1), v = sp_load(chart + SP_CHART_2), uu = sp_load(chart + SP_CHART_11),
                      uv = sp_load(chart + SP_CHART_12), vv = sp_load(chart + SP_CHART_22), n = sp_cross(u, v);
     struct sp_vector slopes[2] = {sp_add(sp_cross(uu, v), sp_cross(u, uv)), sp_add(sp_cross(uv, v), sp_cross(u, vv))};

@@ -12,7 +12,7 @@ struct sp_curve {
 /* At a place near the curve; nu is given, or with `choose` found first. */
 struct sp_curve sp_curve_at(const struct sp_surface *surface, const double place[2], double nu[3], int choose);
 
-/* The point of the crossing, and the direction of the curve there per unit of the coordinate `along`, which parametrises it. */
+/* A point of the curve, nu there, and the coordinate by which it moves along the curve. */
 struct sp_crossing {
     double place[2], nu[3];
     int32_t along;

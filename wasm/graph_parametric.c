@@ -24,7 +24,7 @@ static const double STEEP = 6.25, MOST_STEEP = 0.1;
 static const double LEAST_RATIO = 0.3, LEAST_SPREAD = 0.05;
 
 struct grid {
-    const struct sp_builder *builder;
+    struct sp_builder *builder;
     int32_t parts;              /* of a cell in the fine grid */
     int32_t cells[2], count[2]; /* samples of the fine grid: `parts` times the cells, and one more between walls */
     double *lines[2];           /* places of its lines, parts * cells + 1 */
@@ -233,7 +233,7 @@ static int32_t list_steps(int32_t reach, struct step *steps) {
 
 /* Every vertex with those around it that a step leads to. */
 static int join_all(const struct grid *grid, int32_t reach) {
-    struct sp_builder *builder = (struct sp_builder *)grid->builder;
+    struct sp_builder *builder = grid->builder;
     const struct sp_graph *graph = builder->graph;
     struct step steps[SP_WIDE_EDGES];
     int32_t count = list_steps(reach, steps);
@@ -273,7 +273,7 @@ static int may_be_quartered(const struct grid *grid) {
 }
 
 static int take_grid(struct grid *grid) {
-    struct sp_builder *builder = (struct sp_builder *)grid->builder;
+    struct sp_builder *builder = grid->builder;
     size_t vertices = (size_t)builder->graph->vertex_count, parts = may_be_quartered(grid) ? QUARTERS : HALVES,
            samples = parts * parts * vertices;
     grid->samples = sp_arena_take(builder->arena, samples * (size_t)builder->graph->width, sizeof(double));
@@ -360,7 +360,7 @@ static void quarter(struct grid *grid) {
 
 /* All edges: wide ones where the usual ones do not resolve the surface, or on slopes, along which few of them lead. */
 static int join_fitting(struct grid *grid) {
-    struct sp_builder *builder = (struct sp_builder *)grid->builder;
+    struct sp_builder *builder = grid->builder;
     struct sp_graph *graph = builder->graph;
     int first = builder->options->level == 0, may_widen = may_be_wide(grid);
     int is_steep = !first && grid->steep > MOST_STEEP * graph->vertex_count;

@@ -103,9 +103,7 @@ static enum sp_status find_ways(struct search *search, struct sp_arena *arena, s
     return SP_CONVERGED;
 }
 
-static int32_t clamped_points(int32_t point_count) {
-    return point_count < 3 ? 3 : point_count > SP_GRAPH_MAX_POINTS ? SP_GRAPH_MAX_POINTS : point_count;
-}
+static int32_t clamped_points(int32_t point_count) { return clamp(point_count, 3, SP_GRAPH_MAX_POINTS); }
 
 double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) {
     double front = graph->vertex_count * (double)(sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t)) + 4 * 16;

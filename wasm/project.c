@@ -91,14 +91,11 @@ int32_t sp_project_point(const struct sp_surface *surface, const double point[3]
     struct distance here = distance_at(chart, target);
     if (!is_finite(here.squared)) return SP_NOT_FINITE;
     int held[2];
-    for (int i = 0; i < ROUNDS; i++) {
-        here = distance_at(chart, target);
-        find_held(surface, at, here, held);
+    for (int i = 0; find_held(surface, at, here, held), i < ROUNDS; i++) {
         newton_step(here, held, step);
         if (!go_down(surface, target, here, step, at, chart)) break;
+        here = distance_at(chart, target);
     }
-    here = distance_at(chart, target);
-    find_held(surface, at, here, held);
     for (int j = 0; j < kind->dimension; j++)
         if (!is_finite(at[j][0])) return SP_NOT_FINITE;
     for (int j = 0; j < kind->dimension; j++)

@@ -9,13 +9,6 @@ static const double FEW_ROUNDINGS = 2e-15;
 /* Not finite. */
 static inline __attribute__((always_inline)) sp_mask is_spoilt(sp_pair x) { return x - x != sp_splat(0.0); }
 
-/* Number j of node i in lane 0, of its mirror image in lane 1. */
-static sp_pair node_pair(const struct sp_system *system, int32_t i, int32_t j) {
-    int32_t dimension = system->line.kind->dimension, mirrored = system->line.fold.inner + 1 - i;
-    const sp_pair *places = system->line.nodes.places;
-    return i <= mirrored ? places[dimension * i + j] : sp_swap(places[dimension * mirrored + j]);
-}
-
 /* sum_i weights_i node_(first + i), and of the mirrored nodes. */
 static void combine(const struct sp_system *system, int32_t first, int32_t count, const double *weights, sp_pair place[3]) {
     struct sp_fold fold = system->line.fold;
@@ -145,7 +138,7 @@ void sp_sample_places(const struct sp_system *from, const struct sp_elements *to
                 place[j][1] = mirrored[j][0];
         }
         for (int32_t j = 0; j < dimension; j++)
-            places[dimension * k + j] = k == 0 ? node_pair(from, 0, j) : k > sp_fold_both(fold) ? sp_splat(place[j][0]) : place[j];
+            places[dimension * k + j] = k == 0 ? from->line.nodes.places[j] : k > sp_fold_both(fold) ? sp_splat(place[j][0]) : place[j];
     }
     sp_fold_mirror(fold, places, dimension);
 }

@@ -46,8 +46,7 @@ static enum sp_status judge(const struct sp_trace *trace, double error, struct s
     memcpy(stride->next.state, stride->end, sizeof stride->end);
     enum sp_status status = sp_flow_arrive(trace->surface, trace->scale, &stride->next, &speed);
     if (status != SP_CONVERGED) return status == SP_OFF_SURFACE ? SP_SINGULAR_METRIC : status;
-    const double *before = trace->here.normal, *after = stride->next.normal;
-    return before[0] * after[0] + before[1] * after[1] + before[2] * after[2] > 0 ? SP_CONVERGED : SP_SINGULAR_METRIC;
+    return dot(trace->here.normal, stride->next.normal) > 0 ? SP_CONVERGED : SP_SINGULAR_METRIC;
 }
 
 int sp_trace_attempt(struct sp_trace *trace, struct sp_stride *stride) {
