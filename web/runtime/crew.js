@@ -143,12 +143,12 @@ export class Crew {
       if (load?.job.settled) this.drop(load.job);
       for (const { job, chunk } of others) job.giveBack(chunk);
     } else if (error || ++this.#stillborn > MOST_STILLBORN) {
+      /* Those that can be started have to do; where none can, the next job tries again. */
+      this.#most = this.#hands.size || Infinity;
       if (this.#hands.size === 0) {
         const why = error?.message ?? 'it ends before it is ready';
         return this.#fail(new Error(`surfpath: no worker can be started: ${why}`, { cause: error }));
       }
-      /* Those that can be started have to do. */
-      this.#most = this.#hands.size;
     }
     this.#assign();
   }

@@ -234,7 +234,12 @@ describe(`calls that are aborted, seed ${SEED}`, () => {
 
 test('without its script a pool says so, every time', async () => {
   const lost = createPool({ workers: 2, worker: new URL('./nowhere.js', import.meta.url) });
-  for (let i = 0; i < 2; i++) await assert.rejects(lost.lengths(definition, pairs), /no worker can be started: .*nowhere\.js/s);
+  for (let i = 0; i < 2; i++) {
+    const before = started.count;
+    await assert.rejects(lost.lengths(definition, pairs), /no worker can be started: .*nowhere\.js/s);
+    /* It does not make do with fewer from then on. */
+    assert.equal(started.count - before, 2);
+  }
   await lost.dispose();
 });
 
