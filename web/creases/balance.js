@@ -39,11 +39,7 @@ export function rest(question, route) {
 /** Its shores with their lengths; null: one is none. @param {Question} question @param {Route} route @returns {Route | null} */
 export function surveyAll(question, { legs, joints }) {
   const places = placesOf(question, joints);
-  const surveyed = legs.map((leg, i) => {
-    if (!leg.shore) return leg;
-    const shore = survey(question, leg, places[i], places[i + 1]);
-    return shore && { ...leg, length: shore.length, line: Float64Array.from(shore.places.flat()) };
-  });
+  const surveyed = legs.map((leg, i) => (leg.shore ? survey(question, leg, places[i], places[i + 1]) : leg));
   return surveyed.includes(null) ? null : { legs: /** @type {Leg[]} */ (surveyed), joints };
 }
 

@@ -159,7 +159,7 @@ function write(question, { legs, joints }, options) {
   const { field, sides } = question;
   const places = placesOf(question, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
-    if (legs[k].shore) return writeShore(question, legs[k], places[k], places[k + 1], asked);
+    if (legs[k].shore) return writeShore(question, legs[k], asked);
     const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(legs[k].signs));
     const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
     return finish(solveLeg(asked));

@@ -14,6 +14,7 @@ import { listOf } from '../vector.js';
  * @property {Float64Array} line its polyline as it was solved last
  * @property {number} length
  * @property {import('./shores.js').Shore | null} shore the crease that it follows, if it does
+ * @property {number} [error] of the length, once a shore was surveyed
  */
 /** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
 /** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */

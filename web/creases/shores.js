@@ -3,7 +3,7 @@
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { beyond, bothWays, directions, ground, settle, slopeAt, slopeOf, walk } from './crease.js';
-import { isInside, LEG, middleOf, solveLeg } from './legs.js';
+import { isInside, LEG, middleOf, nodesOf, solveLeg } from './legs.js';
 import { ahead } from './linear.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -71,9 +71,9 @@ export function graze(question, leg, ends, end, beside, step) {
 }
 
 /**
- * How long a shore is from one place to another: legs between ever more places on it, extrapolated. null: it is not reached, leaves the rectangle, or is no shortest way, since the surface bends towards it.
- * @param {Question} question @param {Leg} leg along it @param {number[]} from @param {number[]} to
- * @returns {{ places: number[][], length: number, error: number } | null}
+ * A leg along a shore from one place to another, with the places on it and its length: of legs between ever more of them, extrapolated. null: it is not reached, leaves the rectangle, or is no
+ * shortest way, since the surface bends towards it.
+ * @param {Question} question @param {Leg} leg along it @param {number[]} from @param {number[]} to @returns {Leg | null}
  */
 export function survey(question, leg, from, to) {
   const { sides } = question;
@@ -99,7 +99,7 @@ export function survey(question, leg, from, to) {
     const [length, before] = [next[level], row[level - 1]];
     const error = Math.abs(length - before);
     row = next;
-    if (error <= EXACT * length) return { places, length, error };
+    if (error <= EXACT * length) return { ...leg, line: Float64Array.from(places.flat()), length, error };
     if (Number.isNaN(length)) return null;
   }
   return null;
@@ -128,22 +128,23 @@ export function isBulging(question, { crease, signs }, from, to) {
   return signs[crease] * measured[crease] <= LEAVES * slope * apart;
 }
 
-/** The part of a path along a shore. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Path} */
-export function writeShore(question, leg, from, to, options) {
+/** The part of a path along a shore. @param {Question} question @param {Leg} leg as it was surveyed @param {SolveOptions} options @returns {Path} */
+export function writeShore(question, leg, options) {
   const { field, sides } = question;
-  const { places, length, error } = /** @type {NonNullable<ReturnType<typeof survey>>} */ (survey(question, leg, from, to));
+  const { length, error = 0 } = leg;
+  const places = nodesOf(leg.line, question.ends[0].length);
   const on = { crease: leg.shore?.crease ?? 0, signs: leg.signs };
   const lengths = places.map((place, i) => (i ? distance(question, leg.signs, places[i - 1], place) : 0));
   const total = lengths.reduce((sum, x) => sum + x, 0);
   const pieces = options.points + 1;
-  const nodes = [from];
+  const nodes = [places[0]];
   let [piece, behind] = [1, 0];
   for (let k = 1; k < pieces; k++) {
     const wanted = (k / pieces) * total;
     while (piece < places.length - 1 && behind + lengths[piece] < wanted) behind += lengths[piece++];
     nodes.push(between(sides, on, places[piece - 1], places[piece], Math.min(1, (wanted - behind) / lengths[piece])));
   }
-  nodes.push(to);
+  nodes.push(places[places.length - 1]);
   const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(leg.signs));
   const parts = nodes.slice(1).map((node, k) => {
     const { solve, finish } = poseNear({ ...field, run }, [nodes[k], node], null);
