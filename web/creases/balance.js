@@ -1,7 +1,7 @@
 /** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
 
 import { bothWays, directions, meetEdge, settle } from './crease.js';
-import { isInside, isOnEdge, LEG, placesOf, solveLeg, span } from './legs.js';
+import { isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
 import { ahead, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { distance, graze, survey } from './shores.js';
@@ -75,12 +75,6 @@ const only = (j, x, count) => Array.from({ length: count }, (_, k) => (k === j ?
 
 /** @param {number[]} numbers */
 const largest = (numbers) => Math.max(...numbers.map(Math.abs));
-
-/** How long the free legs beside a joint are in their coordinates, the shorter one. @param {Route} route @param {number} width */
-function leastBeside({ legs, joints }, width) {
-  const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, width)));
-  return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
-}
 
 /** One step of Newton towards joints where nothing is off; null: none leads nearer. @param {Question} question @param {Balanced} now @returns {Balanced | null} */
 function rebalance(question, now) {

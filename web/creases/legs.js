@@ -83,6 +83,12 @@ export function span(line, width) {
   return sum;
 }
 
+/** How long the free legs beside each joint are in their coordinates, the shorter one. @param {Route} route @param {number} width */
+export function leastBeside({ legs, joints }, width) {
+  const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, width)));
+  return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+}
+
 /** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b */
 export const apart = (a, b) => span([...a, ...b], a.length);
 

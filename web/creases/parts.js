@@ -103,7 +103,7 @@ export function recut(question, route, line, isAtRest) {
   });
   const isKept =
     pieces.length === seen.length && pieces.every(({ shore, signs }, i) => !shore === !seen[i].shore && (shore || signs === seen[i].signs));
-  const freed = isAtRest && isKept ? free(question, route, pieces) : null;
+  const freed = isAtRest && isKept ? release(question, route, pieces) : null;
   return freed ?? (isKept ? null : pieces);
 }
 
@@ -177,7 +177,7 @@ function landOn(question, leg, shore) {
 
 /**
  * The parts of a shore that bulge, edge by edge, and between them what cuts it short; nothing where its ends have passed each other.
- * @param {Question} question @param {Piece} whole @param {number[]} from @param {number[]} to @param {number} guess how long it is @returns {Piece[]}
+ * @param {Question} question @param {Piece} piece @param {number[]} from @param {number[]} to @param {number} guess how long it is @returns {Piece[]}
  */
 function bulge(question, { signs: first, shore: given, on, isCorner }, from, to, guess) {
   const { sides } = question;
@@ -206,7 +206,7 @@ function bulge(question, { signs: first, shore: given, on, isCorner }, from, to,
 }
 
 /** The pieces without a corner that does not hold them: what goes past it shortly is on their side. null: all hold. @param {Question} question @param {Route} route @param {Piece[]} pieces @returns {Piece[] | null} */
-function free(question, { legs, joints }, pieces) {
+function release(question, { legs, joints }, pieces) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const j = joints.findIndex(({ isCorner, place, crease }, k) => {

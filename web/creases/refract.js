@@ -2,7 +2,7 @@
 
 import { dot, minus } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { isInside, LEG, lengthOf, lineOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
 import { ahead, product } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
@@ -24,8 +24,9 @@ const GONE = 1e-6;
 /** Moves the joints until the path is shortest. @param {Question} question @param {Route} route @returns {Route | null} null: that leads nowhere */
 export function refract(question, route) {
   const { isPlain } = question.field;
+  if (route.joints.length === 0) return route;
   let now = isPlain ? pull(question, route) : route;
-  for (let step = 0; route.joints.length > 0 && step < MOST_STEPS; step++) {
+  for (let step = 0; step < MOST_STEPS; step++) {
     const next = improve(question, now);
     if (!next) return null;
     if (next.isLast) return next.isMinimum ? next.route : null;
@@ -37,7 +38,7 @@ export function refract(question, route) {
       return null;
     }
   }
-  return route.joints.length > 0 ? null : route;
+  return null;
 }
 
 /**
@@ -108,8 +109,7 @@ function motion({ sides }, joints) {
  */
 function improve(question, { legs, joints }) {
   const { moved } = motion(question, joints);
-  const spans = legs.map(({ line }) => span(line, question.ends[0].length));
-  const least = joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
+  const least = leastBeside({ legs, joints }, question.ends[0].length);
   const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
   const down = descend(matrix, slope);
   if (!down) return null;

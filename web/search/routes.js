@@ -99,8 +99,7 @@ export function solveNear(field, ends, options, start) {
     near = solve(options);
     passing = pass();
   }
-  if (passing) return passing;
-  return finish(near);
+  return passing ?? finish(near);
 }
 
 /**
