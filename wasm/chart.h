@@ -45,6 +45,12 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
 int sp_implicit_halve(const struct sp_surface *surface, const double from[3], const double to[3], double scale, double at[3],
                       double normal[3]);
 
+/* Implicit: a place on f = 0 beside that part of a chord between two places on it, looked for outwards, along the mean of their unit
+ * normals: where f is the same all around the chord nothing else leads there, as inside a rounded edge of `hypot(max(abs(x) - 1, 0), …) -
+ * r`. Returns 0 if there is none near by. */
+int sp_implicit_between(const struct sp_surface *surface, const double *const ends[2], const double *const normals[2], double part,
+                        double scale, double at[3]);
+
 /* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`, or no number: sheets meet there, in a
  * node, or one ends in an apex. */
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near);

@@ -19,6 +19,7 @@ struct sp_cells {
     struct sp_cell *list;
     int32_t count, capacity;
     int32_t *slots; /* numbers of cells, -1: free. Of a box in its order; of a flood by open addressing */
+    int32_t halved; /* so many chords around rims */
 };
 
 /* Finds the cells that the options ask for: of a box, or, where `cell` is set, of a flood from the point (box[0], box[2], box[4]).

@@ -20,8 +20,12 @@ static const double LOOSE = 2;
 /* On a surface with creases no chord's middle is farther from it than this part of the chord. */
 static const double FARTHEST_MIDDLE = 0.2;
 
-/* Around a rim so many chords are halved at most; it is no longer than so many times the first. */
-enum { HALVINGS = 16 };
+/* Newton comes to a node by halves: f is less steep there by this part, and more, than beside it. */
+static const double NODE = 1e-3;
+
+/* Around a rim so many chords are halved at most, and so many altogether, of all rims there are: where there are more, cells are too
+ * coarse. It is no longer than so many times the first. */
+enum { HALVINGS = 16, MOST_HALVED = 30000 };
 static const double FARTHEST_AROUND = 3;
 
 static void centre_of(const struct sp_cells *cells, int32_t cell, double centre[3]) {
@@ -111,20 +115,44 @@ static int passes(const struct sp_cell *from, const struct sp_cell *to) {
     return away == 1 && shared && from->faces && to->faces;
 }
 
-/* The place on f = 0 in the middle of a chord; 0: it does not settle. */
+/* Whether two cells touch. */
+static int are_beside(const struct sp_cell *from, const struct sp_cell *to) {
+    int touch = 1;
+    for (int j = 0; j < 3; j++)
+        touch &= absolute(to->at[j] - from->at[j]) <= 1;
+    return touch;
+}
+
+/* |grad f| in the middle of a chord. */
+static double steepness(const struct sp_surface *surface, const double *const ends[2]) {
+    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
+    for (int j = 0; j < 3; j++)
+        middle[j] = sp_splat(0.5 * (ends[0][j] + ends[1][j]));
+    surface->value(1, middle, seen);
+    double gradient[3] = {seen[1][0], seen[2][0], seen[3][0]};
+    return norm(gradient);
+}
+
+/* The place on f = 0 in the middle of a chord; 0: it does not settle, or at a node, where sheets meet. */
 static int halve(const struct sp_graph *graph, const struct sp_surface *surface, const struct place *from, const struct place *to,
                  struct place *middle) {
-    if (!sp_implicit_halve(surface, from->sample, to->sample, graph->spacing, middle->sample, middle->normal)) return 0;
+    const double *ends[] = {from->sample, to->sample}, *normals[] = {from->normal, to->normal}, *at = middle->sample;
+    if (!sp_implicit_halve(surface, ends[0], ends[1], graph->spacing, middle->sample, middle->normal) &&
+        !(sp_implicit_between(surface, ends, normals, 0.5, graph->spacing, middle->sample) &&
+          sp_implicit_halve(surface, at, at, graph->spacing, middle->sample, middle->normal)))
+        return 0;
     if (graph->width > 3) sp_graph_sample(surface, middle->sample, middle->sample);
     double length = norm(middle->normal);
     for (int j = 0; j < 3; j++)
         middle->normal[j] /= length;
-    return length > 0;
+    return length > 0 && !(length < NODE * steepness(surface, ends));
 }
 
 /* How far it is from one vertex to another around a rim that is sharper than cells are wide: by places between them, which lie on one
  * sheet, each with the next. Infinite where they do not. */
-static double length_around(const struct sp_graph *graph, const struct sp_surface *surface, int32_t from, int32_t to) {
+static double length_around(struct sp_cells *cells, int32_t from, int32_t to) {
+    const struct sp_graph *graph = cells->builder->graph;
+    const struct sp_surface *surface = cells->builder->surface;
     struct place left, ahead[HALVINGS + 1];
     read_place(graph, from, &left), read_place(graph, to, ahead);
     double most = FARTHEST_AROUND * sp_graph_chord(surface, left.sample, ahead->sample, NULL), length = 0;
@@ -134,7 +162,8 @@ static double length_around(const struct sp_graph *graph, const struct sp_surfac
             length += part, left = ahead[next--];
             continue;
         }
-        if (halvings++ == HALVINGS || !halve(graph, surface, &left, ahead + next, ahead + next + 1)) return __builtin_inf();
+        if (halvings++ == HALVINGS || cells->halved++ >= MOST_HALVED || !halve(graph, surface, &left, ahead + next, ahead + next + 1))
+            return __builtin_inf();
         next++;
     }
     return length <= most ? length : __builtin_inf();
@@ -162,7 +191,7 @@ static int leaves_surface(const struct sp_surface *surface, const double from[3]
 
 /* How far it is from one vertex to a later one near it; infinite where they are not to be joined. Folds: whether that leads over a crease.
  */
-static double length_between(const struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3], int *folds) {
+static double length_between(struct sp_cells *cells, int32_t vertex, int32_t to, const double normal[3], int *folds) {
     const struct sp_graph *graph = cells->builder->graph;
     const struct sp_surface *surface = cells->builder->surface;
     const struct sp_graph_options *options = cells->builder->options;
@@ -171,16 +200,14 @@ static double length_between(const struct sp_cells *cells, int32_t vertex, int32
     read_vertex(graph, to, other);
     double length = sp_graph_sheet_length(surface, here, normal, there, other);
     if (is_finite(length) && options->loose > ANYHOW && leaves_surface(surface, here, there)) length = __builtin_inf();
-    if (is_finite(length) || !passes(cells->list + vertex, cells->list + to)) return length;
-    /* Within bounds that gained nothing: MATH.md, "Disconnected". */
-    if (options->cell > 0) length = length_around(graph, surface, vertex, to);
-    *folds = !is_finite(length) && options->loose &&
+    if (!is_finite(length) && are_beside(cells->list + vertex, cells->list + to)) length = length_around(cells, vertex, to);
+    *folds = !is_finite(length) && options->loose && passes(cells->list + vertex, cells->list + to) &&
              (options->loose == ANYHOW || sp_chord_spans_crease(surface, here, normal, there, other, graph->spacing));
     return *folds ? stretch_over_crease(here, normal, there, other) * sp_graph_chord(surface, here, there, NULL) : length;
 }
 
 /* A vertex with those later ones whose cells are near: in a box, which is swept by layers, none of a lower layer. */
-static int join_around(const struct sp_cells *cells, int32_t vertex) {
+static int join_around(struct sp_cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const int32_t *center = cells->list[vertex].at;
     int is_plain = cells->builder->surface->metric == SP_INDUCED;

@@ -4,6 +4,7 @@
  * The paper composes the energy with the projection, which makes its Hessian singular along the normals; two tangent coordinates a node do
  * not. */
 #include "metric.h"
+#include "scalar.h"
 #include <string.h>
 
 /* Of gradients, beside those in this direction. */
@@ -96,6 +97,10 @@ static void implicit_charts(const struct sp_surface *surface, int32_t pair_count
                      metrics + SP_METRIC_PARTS * components * (k + i));
     }
 }
+
+/* Where f is the same all around a chord's place, or nearly, its zero is looked for outwards, by these parts of the chord, and not farther
+ * from it than the last. */
+static const double OUTWARDS[] = {0.5, 0.25, 1}, FARTHEST = 1.5;
 
 /* How far a pair of points has come: lanes that still move, their last step's length, and the size of the coordinates. Of those that are
  * looked after: which have just gone to where f has no value, the last step, and how many they may still take. */
@@ -194,6 +199,24 @@ int sp_implicit_halve(const struct sp_surface *surface, const double from[3], co
     for (int j = 0; j < 3; j++)
         at[j] = middle[j][0], normal[j] = seen[1 + j][0];
     return 1;
+}
+
+int sp_implicit_between(const struct sp_surface *surface, const double *const ends[2], const double *const normals[2], double part,
+                        double scale, double at[3]) {
+    double outwards[3], chord[3], width = distance_between(ends[0], ends[1]);
+    for (int j = 0; j < 3; j++)
+        outwards[j] = normals[0][j] + normals[1][j], chord[j] = ends[0][j] + part * (ends[1][j] - ends[0][j]);
+    double rate = width / norm(outwards);
+    for (int k = 0; k < 3; k++) {
+        sp_pair place[3];
+        for (int j = 0; j < 3; j++)
+            place[j] = sp_splat(chord[j] + OUTWARDS[k] * rate * outwards[j]);
+        int settled = sp_implicit_settle(surface, 1, place, scale);
+        for (int j = 0; j < 3; j++)
+            at[j] = place[j][0];
+        if (settled && distance_between(chord, at) <= FARTHEST * width) return 1;
+    }
+    return 0;
 }
 
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near) {

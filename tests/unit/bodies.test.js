@@ -172,3 +172,41 @@ test('a cube under a density: where legs do not come to rest, that is given up i
   assert.ok(steps < 16_000, `${steps} steps`);
   body.dispose();
 });
+
+/** Boxes of these half sides, their edges rounded by so much. */
+const ROUNDED = /** @type {const} */ ([
+  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 1, form: 'clamped' },
+  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 0, form: 'clamped' },
+  { half: [0.505, 0.505, 0.505], r: 0.005, bound: 0.6, form: 'clamped' },
+  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 1, form: 'with its inside' },
+  { half: [0.82, 0.52, 0.12], r: 0, bound: 1, form: 'a power of 64' },
+]);
+
+for (const { half, r, bound, form } of ROUNDED)
+  test(`a box of ${half}, its edges rounded by ${r || 'a power'}, far less than cells of a graph, ${bound ? `within ${bound}` : 'without bounds'}, ${form}: over its edges, seed 12`, () => {
+    const q = ['x', 'y', 'z'].map((axis, k) => `abs(${axis}) - ${half[k] - r}`);
+    const clamped = `hypot(${q.map((of) => `max(${of}, 0)`)}) - ${r}`;
+    const power = ['x', 'y', 'z'].map((axis, k) => `(${axis}/${half[k]})^64`).join(' + ');
+    const f = form === 'clamped' ? clamped : r > 0 ? `${clamped} + min(max(${q}), 0)` : `${power} - 1`;
+    const body = surfpath.implicit({ f, ...(bound ? { bounds: cube(bound) } : {}) });
+    const random = createRandom(12);
+    let exact = 0;
+    for (let pair = 0; pair < 10; pair++) {
+      const [from, to] = [1, -1].map((side) => [
+        ...[0, 1].map((k) => random.between(-1, 1) * (half[k] - Math.max(r, 0.1))),
+        side * half[2],
+      ]);
+      const over = [0, 1].flatMap((k) =>
+        [1, -1].map((side) => {
+          const down = 2 * (half[k] + half[2]) - side * (from[k] + to[k]) - (4 - Math.PI) * r;
+          return Math.hypot(down, from[1 - k] - to[1 - k]);
+        }),
+      );
+      const { status, length } = body.shortestPath(from, to);
+      assert.equal(status, 'converged', `${from} to ${to}`);
+      assert.ok(length <= Math.min(...over) * (1 + 1e-9), `${from} to ${to}: ${length}, over one edge ${Math.min(...over)}`);
+      if (length >= Math.min(...over) * (1 - 1e-9)) exact++;
+    }
+    if (r > 0) assert.ok(exact >= 5, `${exact} of 10 lead over one edge`);
+    body.dispose();
+  });

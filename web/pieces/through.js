@@ -92,7 +92,7 @@ function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
   const bound = (/** @type {number} */ i, /** @type {number} */ j) =>
     isJoined(i, j) ? (field.isPlain ? gap(places[i].at, places[j].at) : 0) : Infinity;
   const { way, legsOf, solvedWay, least } = findChain(places.length, bound, (i, j) =>
-    j > 1 ? solve(i, j, { ...options, points: POINTS, record: false }) : within(),
+    j > 1 ? solve(i, j, { ...options, points: POINTS, record: false }) : weighed(within(), options),
   );
   const known = legsOf(way).flatMap((leg) => leg ?? []);
   /** Whether a way leads through nodes, one at least, as paths do. @param {number[]} over @param {Path[]} legs */
@@ -112,6 +112,9 @@ function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
   const shortest = known.reduce((sum, leg) => sum + leg.lengthError, least(isOpen));
   return isGeodesic(path) && shortest < path.length ? { ...path, status: 'stalled', converged: false } : path;
 }
+
+/** What passes a node nearer than can be told is no path by itself: a way over that which is as long stands before it. @param {Path} path @param {SolveOptions} options */
+const weighed = (path, { tolerance }) => (isGeodesic(path) ? path : { ...path, length: path.length * (1 + tolerance) });
 
 /** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */
 function leaving({ points }) {
