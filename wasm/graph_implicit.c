@@ -25,7 +25,7 @@ static const double NODE = 1e-3;
 
 /* Around a rim so many chords are halved at most, and so many altogether, of all rims there are: where there are more, cells are too
  * coarse. It is no longer than so many times the first. */
-enum { HALVINGS = 16, MOST_HALVED = 30000 };
+enum { HALVINGS = 16, MOST_HALVED = 30000, IN_VAIN = 20 };
 static const double FARTHEST_AROUND = 3;
 
 static void centre_of(const struct sp_cells *cells, int32_t cell, double centre[3]) {
