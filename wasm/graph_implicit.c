@@ -23,8 +23,8 @@ static const double FARTHEST_MIDDLE = 0.2;
 /* Newton comes to a node by halves: f is less steep there by this part, and more, than beside it. */
 static const double NODE = 1e-3;
 
-/* Around a rim so many chords are halved at most, and so many altogether, of all rims there are: where there are more, cells are too
- * coarse. It is no longer than so many times the first. */
+/* Around a rim so many chords are halved at most, it is no longer than so many times the first; and around all rims together so many, one
+ * that comes to nothing counting for so many more: where that is not enough, cells are too coarse. */
 enum { HALVINGS = 16, MOST_HALVED = 30000, IN_VAIN = 20 };
 static const double FARTHEST_AROUND = 3;
 
@@ -123,14 +123,14 @@ static int are_beside(const struct sp_cell *from, const struct sp_cell *to) {
     return touch;
 }
 
-/* |grad f| in the middle of a chord. */
-static double steepness(const struct sp_surface *surface, const double *const ends[2]) {
+/* f and |grad f| in the middle of a chord. */
+static void see_middle(const struct sp_surface *surface, const double *from, const double *to, double *value, double *steepness) {
     sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
     for (int j = 0; j < 3; j++)
-        middle[j] = sp_splat(0.5 * (ends[0][j] + ends[1][j]));
+        middle[j] = sp_splat(0.5 * (from[j] + to[j]));
     surface->value(1, middle, seen);
     double gradient[3] = {seen[1][0], seen[2][0], seen[3][0]};
-    return norm(gradient);
+    *value = seen[0][0], *steepness = norm(gradient);
 }
 
 /* The place on f = 0 in the middle of a chord; 0: it does not settle, or at a node, where sheets meet. */
@@ -142,10 +142,11 @@ static int halve(const struct sp_graph *graph, const struct sp_surface *surface,
           sp_implicit_halve(surface, at, at, graph->spacing, middle->sample, middle->normal)))
         return 0;
     if (graph->width > 3) sp_graph_sample(surface, middle->sample, middle->sample);
-    double length = norm(middle->normal);
+    double length = norm(middle->normal), value, steepness;
     for (int j = 0; j < 3; j++)
         middle->normal[j] /= length;
-    return length > 0 && !(length < NODE * steepness(surface, ends));
+    see_middle(surface, ends[0], ends[1], &value, &steepness);
+    return length > 0 && !(length < NODE * steepness);
 }
 
 /* How far it is from one vertex to another around a rim that is sharper than cells are wide: by places between them, which lie on one
@@ -163,7 +164,7 @@ static double length_around(struct sp_cells *cells, int32_t from, int32_t to) {
             continue;
         }
         if (halvings++ == HALVINGS || cells->halved++ >= MOST_HALVED || !halve(graph, surface, &left, ahead + next, ahead + next + 1))
-            return __builtin_inf();
+            return cells->halved += IN_VAIN, __builtin_inf();
         next++;
     }
     return length <= most ? length : __builtin_inf();
@@ -181,12 +182,9 @@ static double stretch_over_crease(const double from[3], const double normal[3], 
 
 /* Whether the middle of a chord is far from f = 0 beside its length: where bodies are joined, what is between may be one of them. */
 static int leaves_surface(const struct sp_surface *surface, const double from[3], const double to[3]) {
-    sp_pair middle[3], seen[SP_IMPLICIT_VALUES];
-    for (int j = 0; j < 3; j++)
-        middle[j] = sp_splat(0.5 * (from[j] + to[j]));
-    surface->value(1, middle, seen);
-    double gradient[3] = {seen[1][0], seen[2][0], seen[3][0]};
-    return !(absolute(seen[0][0]) <= FARTHEST_MIDDLE * distance_between(from, to) * norm(gradient));
+    double value, steepness;
+    see_middle(surface, from, to, &value, &steepness);
+    return !(absolute(value) <= FARTHEST_MIDDLE * distance_between(from, to) * steepness);
 }
 
 /* How far it is from one vertex to a later one near it; infinite where they are not to be joined. Folds: whether that leads over a crease.

@@ -98,9 +98,10 @@ static void implicit_charts(const struct sp_surface *surface, int32_t pair_count
     }
 }
 
-/* Where f is the same all around a chord's place, or nearly, its zero is looked for outwards, by these parts of the chord, and not farther
- * from it than the last. */
-static const double OUTWARDS[] = {0.5, 0.25, 1}, FARTHEST = 1.5;
+/* Where f is the same all around a place on a chord, or nearly, its zero is looked for outwards, by these parts of the chord, and no
+ * farther from that place than this part. */
+enum { TRIES = 3 };
+static const double OUTWARDS[TRIES] = {0.5, 0.25, 1}, FARTHEST = 1.5;
 
 /* How far a pair of points has come: lanes that still move, their last step's length, and the size of the coordinates. Of those that are
  * looked after: which have just gone to where f has no value, the last step, and how many they may still take. */
@@ -207,7 +208,7 @@ int sp_implicit_between(const struct sp_surface *surface, const double *const en
     for (int j = 0; j < 3; j++)
         outwards[j] = normals[0][j] + normals[1][j], chord[j] = ends[0][j] + part * (ends[1][j] - ends[0][j]);
     double rate = width / norm(outwards);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < TRIES; k++) {
         sp_pair place[3];
         for (int j = 0; j < 3; j++)
             place[j] = sp_splat(chord[j] + OUTWARDS[k] * rate * outwards[j]);

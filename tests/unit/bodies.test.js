@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../web/index.js';
 import { Heap } from '../../web/runtime/heap.js';
+import { FORMS, pickOver } from '../accuracy/measure/rounded.js';
 import { createRandom } from '../helpers/random.js';
 
 /** @typedef {[number, number]} Range */
@@ -173,39 +174,26 @@ test('a cube under a density: where legs do not come to rest, that is given up i
   body.dispose();
 });
 
-/** Boxes of these half sides, their edges rounded by so much. */
-const ROUNDED = /** @type {const} */ ([
-  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 1, form: 'clamped' },
-  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 0, form: 'clamped' },
-  { half: [0.505, 0.505, 0.505], r: 0.005, bound: 0.6, form: 'clamped' },
-  { half: [0.82, 0.52, 0.12], r: 0.02, bound: 1, form: 'with its inside' },
-  { half: [0.82, 0.52, 0.12], r: 0, bound: 1, form: 'a power of 64' },
-]);
+/** Form, half sides, rounding, bounds (0: none). @type {[string, import('../accuracy/measure/rounded.js').Half, number, number][]} */
+const ROUNDED = [
+  ['clamped', [0.82, 0.52, 0.12], 0.02, 1],
+  ['clamped', [0.82, 0.52, 0.12], 0.02, 0],
+  ['clamped', [0.505, 0.505, 0.505], 0.005, 0.6],
+  ['whole', [0.82, 0.52, 0.12], 0.02, 1],
+  ['power', [0.82, 0.52, 0.12], 0, 1],
+];
 
-for (const { half, r, bound, form } of ROUNDED)
-  test(`a box of ${half}, its edges rounded by ${r || 'a power'}, far less than cells of a graph, ${bound ? `within ${bound}` : 'without bounds'}, ${form}: over its edges, seed 12`, () => {
-    const q = ['x', 'y', 'z'].map((axis, k) => `abs(${axis}) - ${half[k] - r}`);
-    const clamped = `hypot(${q.map((of) => `max(${of}, 0)`)}) - ${r}`;
-    const power = ['x', 'y', 'z'].map((axis, k) => `(${axis}/${half[k]})^64`).join(' + ');
-    const f = form === 'clamped' ? clamped : r > 0 ? `${clamped} + min(max(${q}), 0)` : `${power} - 1`;
-    const body = surfpath.implicit({ f, ...(bound ? { bounds: cube(bound) } : {}) });
+for (const [form, half, r, bound] of ROUNDED)
+  test(`a box of ${half}, its edges rounded far less than cells of a graph (${form}, ${r}), ${bound ? `within ${bound}` : 'without bounds'}: over its edges, seed 12`, () => {
+    const body = surfpath.implicit({ f: FORMS[form](half, r), ...(bound ? { bounds: cube(bound) } : {}) });
     const random = createRandom(12);
     let exact = 0;
     for (let pair = 0; pair < 10; pair++) {
-      const [from, to] = [1, -1].map((side) => [
-        ...[0, 1].map((k) => random.between(-1, 1) * (half[k] - Math.max(r, 0.1))),
-        side * half[2],
-      ]);
-      const over = [0, 1].flatMap((k) =>
-        [1, -1].map((side) => {
-          const down = 2 * (half[k] + half[2]) - side * (from[k] + to[k]) - (4 - Math.PI) * r;
-          return Math.hypot(down, from[1 - k] - to[1 - k]);
-        }),
-      );
+      const { from, to, over } = pickOver(half, r, random, 0.1);
       const { status, length } = body.shortestPath(from, to);
       assert.equal(status, 'converged', `${from} to ${to}`);
-      assert.ok(length <= Math.min(...over) * (1 + 1e-9), `${from} to ${to}: ${length}, over one edge ${Math.min(...over)}`);
-      if (length >= Math.min(...over) * (1 - 1e-9)) exact++;
+      assert.ok(length <= over * (1 + 1e-9), `${from} to ${to}: ${length}, over one edge ${over}`);
+      if (length >= over * (1 - 1e-9)) exact++;
     }
     if (r > 0) assert.ok(exact >= 5, `${exact} of 10 lead over one edge`);
     body.dispose();
