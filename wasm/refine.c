@@ -38,7 +38,7 @@ static const double STILL = 1e-6;
 
 /* Why these: MATH.md, "The ladder". */
 static const double ENOUGH = 0.01, SLOWEST_TRUSTED = 1e-3, SAFETY = 100, LOOSEST = 1e-5;
-static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04, LENGTH_ALONE = 0.1;
+static const double LENGTH_GUARD = 0.02, DISPLACEMENT_GUARD = 0.04;
 /* A change of the length that happens to be small says little: MATH.md, "The ladder". */
 static const double PART_OF_MOVE = 0.01, PART_OF_CHANGE = 0.03;
 /* What agrees with chords to this part of a tolerance, or of the loosest, is enough, and wrong by the third of how far it moved. */
@@ -245,7 +245,7 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         if (!climb->astray && !elements->fixed && nodes >= least) uneven = sp_spread_elements(&newton->system, newton->step, spread);
     }
     /* At the top only positions may be left to settle: beside a singular curve they do so like square roots, the length does not. */
-    int settled = climb->follows && climb->change <= LENGTH_ALONE * climb->allowed && climb->error <= climb->allowed;
+    int settled = climb->follows && climb->error <= climb->allowed;
     if (now->outcome.status == SP_CONVERGED && !settled) now->outcome.status = SP_TOLERANCE_NOT_MET;
     return finish(climb, climb->error);
 }

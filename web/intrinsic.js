@@ -9,7 +9,7 @@ import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS } from './search/candidates.js';
 import { settleEnd } from './search/routes.js';
-import { dot, gap } from './vector.js';
+import { gap, norm } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./search/routes.js').Field} Field */
@@ -53,7 +53,7 @@ function measure({ jets }, line) {
   for (let i = 0; 2 * i < places.length; i++) {
     const [a, b] = [vector(seen, i, 3), vector(seen, i, 6)];
     const speed = a.map((x, j) => x * steps[2 * i] + b[j] * steps[2 * i + 1]);
-    length += ((i % 3 === 1 ? 8 : 5) / 18) * Math.sqrt(dot(speed, speed));
+    length += ((i % 3 === 1 ? 8 : 5) / 18) * norm(speed);
     if (i) chords += gap(vector(seen, i, 0), vector(seen, i - 1, 0));
   }
   return { length, chords };

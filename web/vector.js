@@ -3,6 +3,15 @@
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
+/** @param {ArrayLike<number>} a */
+export const norm = (a) => Math.sqrt(dot(a, a));
+
+/** @param {number[]} a */
+export function unit(a) {
+  const length = norm(a);
+  return a.map((x) => x / length);
+}
+
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 

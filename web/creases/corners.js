@@ -2,7 +2,7 @@
 
 import { meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
-import { ALIKE, isAtLeast, isBeyond, turnBetween } from './fan.js';
+import { ALIKE, isBeyond, isHalf, turnBetween } from './fan.js';
 import { apart, isInside, span } from './legs.js';
 import { product, sizeOf } from './linear.js';
 
@@ -116,8 +116,8 @@ export function passing({ sides }, corner, before, after) {
   const right = turnBetween(sides, corner, signsAlong(sides, corner, before.signs, came), came, goes);
   const left = turnBetween(sides, corner, signsAlong(sides, corner, after.signs, goes), goes, came);
   if (!right || !left) return null;
-  if (!isAtLeast(right.turn, 1)) return { isHeld: false, rays: right.rays };
-  return { isHeld: isAtLeast(left.turn, 1), rays: left.rays.reverse() };
+  if (!isHalf(right.turn)) return { isHeld: false, rays: right.rays };
+  return { isHeld: isHalf(left.turn), rays: left.rays.reverse() };
 }
 
 /** The direction of a parabola through three places, at the first. @param {number[]} place @param {number[]} next @param {number[]} second */

@@ -16,8 +16,8 @@ const MOST_SECTORS = 64;
 
 /** How far a turn is: half turns, and the rest as a unit vector. @typedef {{ halves: number, x: number, y: number }} Turn */
 
-/** Whether it is at least so many half turns, but for rounding. @param {Turn} turn @param {number} halves */
-export const isAtLeast = (turn, halves) => turn.halves >= halves || (turn.halves === halves - 1 && turn.x < 0 && turn.y <= ALIKE);
+/** Whether it is a half turn or more, but for rounding. @param {Turn} turn */
+export const isHalf = ({ halves, x, y }) => halves > 0 || (x < 0 && y <= ALIKE);
 
 /** Whether it is surely more than so many half turns. @param {Turn} turn @param {number} halves */
 export const isBeyond = (turn, halves) => turn.halves > halves || (turn.halves === halves && (turn.y > ALIKE || turn.x < 0));

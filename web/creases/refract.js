@@ -1,6 +1,6 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
-import { dot, minus } from '../vector.js';
+import { dot, minus, norm } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
 import { ahead, product } from './linear.js';
@@ -69,7 +69,7 @@ function tension(question, { legs, joints }, ways) {
   const still = places[0].map(() => 0);
   const nodes = places.map((place, i) => lift(question, legs[Math.max(0, i - 1)], place, ways[i - 1] ?? still));
   const chords = legs.map((_, i) => minus(nodes[i + 1].at, nodes[i].at));
-  const lengths = chords.map((chord) => Math.sqrt(dot(chord, chord)));
+  const lengths = chords.map((chord) => norm(chord));
   const slack = SLACK * lengths.reduce((sum, length) => sum + length, 0);
   const stiffness = lengths.map((length) => 1 / Math.max(length, slack));
   const slope = joints.map((_, j) =>

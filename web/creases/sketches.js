@@ -1,5 +1,6 @@
 /** Polylines that tell which way paths lead across creases: ways through a graph, relaxed where creases are rounded, and measured as the surface is. MATH.md, "Which way". */
 
+import { stepBy } from '../manifold/extent.js';
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
 import { measureLine, relax } from '../search/routes.js';
@@ -83,20 +84,12 @@ export function measureLength(field, line, length) {
 
 /** Places moved onto an implicit surface, to within a distance; null: one of them does not come to rest. @param {Field} field @param {Float64Array} from @param {number} near */
 function layOn({ jets }, from, near) {
-  const places = from.slice();
-  const count = places.length / 3;
+  let places = from;
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const all = jets(places);
-    const stride = all.length / count;
-    let farthest = 0;
-    for (let i = 0; i < count; i++) {
-      const [f, x, y, z] = [0, 1, 2, 3].map((k) => all[stride * i + k]);
-      const step = f / (x * x + y * y + z * z);
-      places[3 * i] -= step * x;
-      places[3 * i + 1] -= step * y;
-      places[3 * i + 2] -= step * z;
-      farthest = Math.max(farthest, Math.abs(step) * Math.sqrt(x * x + y * y + z * z));
-    }
+    const steps = nodesOf(all, (3 * all.length) / places.length).map(([f, x, y, z]) => stepBy(f, x, y, z));
+    const farthest = steps.reduce((most, step) => Math.max(most, sizeOf(step)), 0);
+    places = places.map((x, i) => x - steps[Math.trunc(i / 3)][i % 3]);
     if (farthest <= near) return places;
     if (!(farthest < Infinity)) break;
   }

@@ -40,7 +40,7 @@ function gridOf(box) {
 /** A point on its way to the surface: by `by` at the next step. @typedef {{ from: number[], at: number[], by: number[] }} Walk */
 
 /** Newton's step to f = 0. @param {number} f @param {number} x @param {number} y @param {number} z f and its derivatives */
-function stepBy(f, x, y, z) {
+export function stepBy(f, x, y, z) {
   const factor = f / (x * x + y * y + z * z);
   return [factor * x, factor * y, factor * z];
 }

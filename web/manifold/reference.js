@@ -4,7 +4,7 @@
  * have no part in it, is the same in every engine. */
 
 import { compile } from '../expression/compile.js';
-import { cross, dot } from '../vector.js';
+import { cross, dot, unit } from '../vector.js';
 
 /** @typedef {import('../definition.js').Expression} Expression */
 /** @typedef {import('../runtime/solver.js').Solver} Solver */
@@ -15,12 +15,6 @@ const STEPS = 512;
 /** The least sine of the angle between reference and curve: for the first direction that keeps it, and for any reference at all. */
 const GOOD = 0.3;
 const LEAST = 0.03;
-
-/** @param {number[]} a */
-function unit(a) {
-  const length = Math.sqrt(dot(a, a));
-  return a.map((x) => x / length);
-}
 
 const COMPONENTS = [0, 1, -1, 2, -2, 3, -3];
 /** Directions that are tried: the axes, then half of those with small whole components, so that every engine chooses the same bits. */

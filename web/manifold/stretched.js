@@ -4,7 +4,7 @@
  */
 
 import { compile } from '../expression/compile.js';
-import { diagonalOf, dot } from '../vector.js';
+import { diagonalOf, dot, unit } from '../vector.js';
 import { touches } from './extent.js';
 import { Graphs } from './graphs.js';
 import { KIND, SHAPE } from './kind.js';
@@ -62,8 +62,7 @@ export class Stretched {
     for (let k = 0; k < normals.length; k += 3) {
       const slope = this.#scale.map((scale, i) => normals[k + i] / scale);
       const normal = [0, 1, 2].map((j) => axes.reduce((sum, axis, i) => sum + axis[j] * slope[i], 0));
-      const size = Math.sqrt(dot(normal, normal));
-      for (let j = 0; j < 3; j++) normals[k + j] = normal[j] / size;
+      normals.set(unit(normal), k);
     }
     return { positions: this.back(positions), normals, indices };
   }

@@ -1,6 +1,6 @@
 /** Edges of a parameter rectangle that are one point, or almost: poles, apexes, small holes. Knows only samples of the surface. */
 
-import { dot, gap } from '../vector.js';
+import { dot, gap, listOf, norm, unit } from '../vector.js';
 import { edgeOf, FRACTIONS, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
@@ -160,7 +160,7 @@ function isFlat(sampled, direction) {
   const across = (/** @type {number} */ i) => vector(sampled, i, direction ? 6 : 3);
   /* 2 cos(2π/16), as there are 17 FRACTIONS. */
   const twice = Math.sqrt(2 + Math.SQRT2);
-  const size = Math.max(...FRACTIONS.map((_, i) => Math.sqrt(dot(across(i), across(i)))));
+  const size = Math.max(...FRACTIONS.map((_, i) => norm(across(i))));
   return (
     size > 0 &&
     FRACTIONS.slice(2).every(
@@ -185,7 +185,7 @@ export function turning(jets, places, direction) {
 
 /** The sum of the angles, radians, from each vector to the next, which are small. @param {Float64Array[]} vectors */
 export function angleAlong(vectors) {
-  const units = vectors.map((x) => x.map((part) => part / Math.sqrt(dot(x, x))));
+  const units = vectors.map((x) => unit(listOf(x)));
   return units.slice(1).reduce((sum, x, i) => {
     /* Twice the arcsine of half the chord. */
     const [chord, square] = [gap(x, units[i]), gap(x, units[i]) ** 2];

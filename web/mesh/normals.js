@@ -1,7 +1,7 @@
 /** Positions of a surface with its unit normals. */
 
 import { vector } from '../manifold/rectangle.js';
-import { cross, dot } from '../vector.js';
+import { cross, unit } from '../vector.js';
 
 /**
  * @param {import('../manifold/manifold.js').Manifold} manifold parametric @param {ArrayLike<number>} points u v a point
@@ -12,10 +12,8 @@ export function evaluateNormals(manifold, points) {
   const count = jets.length / 18;
   const result = new Float64Array(6 * count);
   for (let i = 0; i < count; i++) {
-    const normal = cross(vector(jets, i, 3), vector(jets, i, 6));
-    const length = Math.sqrt(dot(normal, normal));
     result.set(vector(jets, i, 0), 6 * i);
-    for (let k = 0; k < 3; k++) result[6 * i + 3 + k] = normal[k] / length;
+    result.set(unit(cross(vector(jets, i, 3), vector(jets, i, 6))), 6 * i + 3);
   }
   return result;
 }

@@ -1,6 +1,6 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
 
-import { dot, gap } from '../vector.js';
+import { dot, gap, norm } from '../vector.js';
 
 /**
  * @typedef {object} Node
@@ -35,7 +35,7 @@ function stepFrom(jets, i, at) {
   const [d, e, f] = [zz * xx - xz * xz, xz * xy - yz * xx, xx * yy - xy * xy];
   const determinant = xx * a + xy * b + xz * c;
   const step = [(a * x + b * y + c * z) / determinant, (b * x + d * y + e * z) / determinant, (c * x + e * y + f * z) / determinant];
-  return { size: Math.sqrt(dot(step, step)), next: [at[0] - step[0], at[1] - step[1], at[2] - step[2]], determinant };
+  return { size: norm(step), next: [at[0] - step[0], at[1] - step[1], at[2] - step[2]], determinant };
 }
 
 /** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */

@@ -5,7 +5,7 @@ import { findChain } from '../search/chain.js';
 import { joinLegs, reverse } from '../search/join.js';
 import { ROUGHLY } from '../search/rough.js';
 import { findGlobal, isAfter, solveNear } from '../search/routes.js';
-import { dot, gap } from '../vector.js';
+import { gap, unit } from '../vector.js';
 import { crosses, findNet } from './nodes.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -118,6 +118,5 @@ const weighed = (path, { tolerance }) => (isGeodesic(path) ? path : { ...path, l
 
 /** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */
 function leaving({ points }) {
-  const tangent = [0, 1, 2].map((j) => 4 * points[3 + j] - points[6 + j] - 3 * points[j]);
-  return tangent.map((x) => x / Math.sqrt(dot(tangent, tangent)));
+  return unit([0, 1, 2].map((j) => 4 * points[3 + j] - points[6 + j] - 3 * points[j]));
 }

@@ -20,8 +20,8 @@ const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
 const [AT_REST, NEAR_REST] = [1e-9, 1e-4];
 
-/** An error of this part of the length is that of nodes which do not see a metric between them. */
-const UNSEEN = 0.1;
+/** An error of this part of the length is that of nodes which do not see a metric between them; of this one, it may be. */
+const [UNSEEN, UNSURE] = [0.1, 0.01];
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 export const isTooCoarse = ({ status, length, lengthError }) =>
@@ -65,18 +65,28 @@ export function solveRoughly(problem, { to, start }, tried) {
   return more ? solveFiner(problem, one) : one;
 }
 
-/** Solves with more and more points, until it does not stall: from the start, or from what only did not see a metric between its nodes. @param {Problem} problem @param {Tried} one @returns {Tried} */
+/** Solves with more and more points, until it does not stall, nor jump over a wall: from the start, or from what only did not see a metric between its nodes. @param {Problem} problem @param {Tried} one @returns {Tried} */
 function solveFiner(problem, one) {
   let { path } = one;
   for (const points of ROUGH.slice(1)) {
-    if (!isTooCoarse(path)) break;
+    const isBehind = isBehindWall(problem, { ...one, path });
+    if (!isTooCoarse(path) && !isBehind) break;
     const finer = { ...ROUGHLY, points };
-    const mayLead = path.status !== STALLED && path.lengthError < path.length;
+    const mayLead = !isBehind && path.status !== STALLED && path.lengthError < path.length;
     path = mayLead ? solveFrom(problem, { ...one, path }, finer) : problem.solve(one.to, one.start, finer);
   }
   /* Across many waves the straight line has far to go. */
   if (path.status === ITERATION_LIMIT) path = solveFrom(problem, { ...one, path }, { ...ROUGHLY, points: innerOf(path) });
   return { ...one, path };
+}
+
+/** Whether a rough path went to where it is longer than its start: it does not see between its nodes how dear that is. @param {Problem} problem @param {Tried} one */
+function isBehindWall({ isPlain, solve }, { to, start, path }) {
+  if (isPlain || !start || !holds({ path }) || !(path.lengthError > UNSURE * path.length)) return false;
+  const measured = [start, path.parameters ?? path.points].map(
+    (line) => solve(to, line, { ...ROUGHLY, points: MOST_ROUGH, maxIterations: 0 }).length,
+  );
+  return measured[0] < measured[1];
 }
 
 /** Where no way leads through branch points: those of the starts that stalled, solved with more points. @param {Problem} problem @param {Tried[]} tried */

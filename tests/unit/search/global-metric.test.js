@@ -253,6 +253,29 @@ for (const [name, definition, from, to, length] of rapid)
     assert.ok(Math.abs(chords.length / length - 1) < 1e-5, `${chords.status} ${chords.length}`);
   });
 
+test('walls of a density, two cells of the graph wide, with doors: no longer than any way through doors and walls, seed 1', () => {
+  const random = createRandom(1);
+  for (let pair = 0; pair < 12; pair++) {
+    const walls = [0.25, 0.5, 0.75].map((at) => ({ at, door: random.between(0.1, 0.9) }));
+    const wall = ({ at = 0, door = 0 }) => `exp(-(64*(u - ${at}))^4)*(1 - exp(-((v - ${door})/0.06)^4))`;
+    const density = `1 + ${random.between(5, 15)}*(${walls.map(wall).join(' + ')})`;
+    const square = make({ kind: 'parametric', x: 'u', y: 'v', z: 0, u: [0, 1], v: [0, 1], density });
+    const from = [random.between(0.02, 0.15), random.between(0.02, 0.98)];
+    const to = [random.between(0.85, 0.98), random.between(0.02, 0.98)];
+    const path = square.shortestPath(from, to);
+    for (let ways = 0; ways < 8; ways++) {
+      const doors = walls.filter((_, i) => (ways >> i) & 1).flatMap(({ at, door }) => [at - 0.025, door, at + 0.025, door]);
+      const other = square.shortestPath(from, to, { start: [...from, ...doors, ...to] });
+      const isAsShort = !other.converged || path.length <= other.length * (1 + 1e-9);
+      assert.ok(
+        path.converged && isAsShort,
+        `${density}, ${from} to ${to}: ${path.length}, ${path.status}; by doors ${ways}: ${other.length}`,
+      );
+    }
+    square.dispose();
+  }
+});
+
 test('along a road, on which length is a tenth: no path is longer than what the road leads to, polylines are of a status', () => {
   const definition = { kind: 'graph', z: '0.7exp(-2(x^2+y^2))', x: [-2, 2], y: [-2, 2], density: '1-0.9exp(-30(y-sin(2x))^2)' };
   const hilly = make(definition);
