@@ -183,8 +183,16 @@ int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options,
     for (int32_t i = 0; fits && i < contact->made; i++)
         fits = sp_contact_fit(newton, options, 1, contact->pieces + i, arena);
     fits = fits && sp_contact_assemble(contact);
-    if (fits) *whole = sp_arcs_join(&contact->arcs, newton, slopes_of(contact->pieces, contact->made), arena);
-    return fits;
+    if (!fits) return 0;
+    *whole = sp_arcs_join(&contact->arcs, newton, slopes_of(contact->pieces, contact->made), arena);
+    for (int32_t i = 0; i < contact->made; i++) {
+        const struct sp_piece *piece = contact->pieces + i;
+        if (piece->solved.outcome.status != SP_ILL_CONDITIONED) continue;
+        /* It slides along the edges, as long as they are: 1 - cos of the angle. */
+        double slant = larger(absolute(piece->slant[0]), absolute(piece->slant[1]));
+        whole->outcome.status = SP_ILL_CONDITIONED, whole->length_error += 0.5 * slant * slant * (whole->length - piece->solved.length);
+    }
+    return 1;
 }
 
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,

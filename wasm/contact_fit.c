@@ -5,8 +5,16 @@
 #include "runs.h"
 #include "scalar.h"
 
+enum {
+    CONTACT_ROUNDS = 30,
+    MOST_VAIN = 8 /* of them come no nearer */,
+    PATIENCE = 24 /* steps of a solve that begins near where it ends */
+};
 static const double DIFFERENCE = 2e-4, RADIAN = 1, BEHIND = 0.5, LEAST_SLANT = 3e-9, LARGEST_SLANT = 1e-4, ROUGHLY = 1e-4;
-enum { CONTACT_ROUNDS = 30, PATIENCE = 24 /* steps of a solve that begins near where it ends */ };
+/* An arc between conjugate ends: the tolerance it is solved to, and how much it may slant: the more, the more rounds were in vain. */
+static const double LOOSELY = 1e-9, LOOSE_SLANTS[] = {1e-5, 1e-4, 1e-3};
+/* What is solved for is held back by this part of the squares of its derivatives, of which differences know no more. */
+static const double RIDGE = 1e-8;
 /* A path that was fitted to an edge is only as exact as this, in parts of the range. */
 static const double INSIDE = 1e-9;
 
@@ -63,24 +71,25 @@ static double reach_of(const struct sp_surface *surface, const struct sp_piece *
     return (curvature * half > RADIAN ? RADIAN / curvature : half) / piece->speed[end];
 }
 
-/* Derivatives of both slants with respect to the sliding ends, by differences. */
+/* Derivatives of both slants with respect to the sliding ends, in parts of their reaches, by differences. */
 static int contact_jacobian(struct sp_newton *newton, const struct sp_options *options, const struct sp_piece *piece, const double reach[2],
                             struct sp_arena *arena, double jacobian[2][2]) {
     for (int end = 0; end < 2; end++) {
-        jacobian[0][end] = 0, jacobian[1][end] = end == 1;
-        if (end == 0) jacobian[0][0] = 1;
+        jacobian[0][end] = jacobian[1][end] = 0;
         if (!piece->joint[end].slides) continue;
         struct sp_piece moved = *piece;
-        double step = DIFFERENCE * reach[end];
-        *sp_piece_slide(&moved, end) += step;
+        /* Shorter: a longer arc may reach beyond conjugate ends. */
+        double by = (end ? -DIFFERENCE : DIFFERENCE) * piece->joint[end].towards;
+        *sp_piece_slide(&moved, end) += by * reach[end];
         if (!solve_moved(newton, options, &moved, arena)) return 0;
         for (int i = 0; i < 2; i++)
-            if (piece->joint[i].slides) jacobian[i][end] = (moved.slant[i] - piece->slant[i]) / step;
+            if (piece->joint[i].slides) jacobian[i][end] = (moved.slant[i] - piece->slant[i]) / by;
     }
     return 1;
 }
 
-/* Newton's step of the ends that slide, each no farther than its reach. Returns 0 where there is none. */
+/* Newton's step of the ends that slide, each no farther than its reach; of many, where both slide as well together, the least. Returns 0
+ * where there is none. */
 static int contact_step(struct sp_newton *newton, const struct sp_options *options, const struct sp_surface *walled,
                         const struct sp_piece *piece, struct sp_arena *arena, double move[2]) {
     double jacobian[2][2], reach[2];
@@ -88,32 +97,41 @@ static int contact_step(struct sp_newton *newton, const struct sp_options *optio
     for (int end = 0; end < 2; end++)
         reach[end] = piece->joint[end].slides ? reach_of(walled, piece, end) : 0;
     if (!contact_jacobian(newton, options, piece, reach, arena, jacobian)) return 0;
-    double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-    move[0] = -(jacobian[1][1] * slant[0] - jacobian[0][1] * slant[1]) / determinant;
-    move[1] = -(jacobian[0][0] * slant[1] - jacobian[1][0] * slant[0]) / determinant;
+    double squares[2], mixed = jacobian[0][0] * jacobian[0][1] + jacobian[1][0] * jacobian[1][1], down[2];
     for (int end = 0; end < 2; end++) {
-        if (!(move[end] - move[end] == 0)) return 0;
-        move[end] = move[end] > reach[end] ? reach[end] : move[end] < -reach[end] ? -reach[end] : move[end];
+        squares[end] = jacobian[0][end] * jacobian[0][end] + jacobian[1][end] * jacobian[1][end];
+        down[end] = -jacobian[0][end] * slant[0] - jacobian[1][end] * slant[1];
+    }
+    double ridge = RIDGE * (squares[0] + squares[1]), determinant = (squares[0] + ridge) * (squares[1] + ridge) - mixed * mixed;
+    for (int end = 0; end < 2; end++) {
+        double part = ((squares[1 - end] + ridge) * down[end] - mixed * down[1 - end]) / determinant;
+        if (!(part - part == 0)) return 0;
+        move[end] = reach[end] * (part > 1 ? 1 : part < -1 ? -1 : part);
     }
     return 1;
 }
 
-/* Newton; first on the few elements of a rough solve, where most of the way is gone. A step to where no path leads is halved. */
+/* Newton; first on the few elements of a rough solve, where most of the way is gone. A step to where no path leads is halved. Where edges
+ * are alike, as on a band of a sphere, arcs between contacts have conjugate ends, and lie as well a little aside: what slants then says
+ * little of the length. */
 static int fit(struct sp_newton *newton, const struct sp_surface *walled, const struct sp_options *options, int wanted,
                struct sp_piece *piece, struct sp_arena *arena) {
-    double enough = smaller(LARGEST_SLANT, 0.1 * root(options->tolerance)), move[2] = {0, 0};
+    double enough = smaller(LARGEST_SLANT, 0.1 * root(options->tolerance)), best = __builtin_inf(), move[2] = {0, 0};
     if (enough < LEAST_SLANT) enough = LEAST_SLANT;
     struct sp_options now = *options;
     if (now.tolerance < ROUGHLY) now.tolerance = ROUGHLY;
-    for (int round = 0, checked = 0; round < CONTACT_ROUNDS; round++) {
+    for (int round = 0, checked = 0, vain = 0; round < CONTACT_ROUNDS && vain < MOST_VAIN; round++, vain++) {
         int moved = round > 0 && !checked;
-        if (moved ? solve_moved(newton, options, piece, arena) : solve_piece(newton, &now, checked, piece, arena)) {
-            now.tolerance = options->tolerance;
-            int fits = absolute(piece->slant[0]) <= enough && absolute(piece->slant[1]) <= enough;
+        if (moved ? solve_moved(newton, &now, piece, arena) : solve_piece(newton, &now, checked, piece, arena)) {
+            int is_loose = piece->solved.outcome.status == SP_ILL_CONDITIONED;
+            now.tolerance = is_loose ? smaller(options->tolerance, LOOSELY) : options->tolerance;
+            double slants = larger(absolute(piece->slant[0]), absolute(piece->slant[1]));
+            if (slants < best) best = slants, vain = 0;
+            int fits = slants <= (is_loose ? LOOSE_SLANTS[vain < 2 ? vain : 2] : enough);
             if (fits && (checked || !wanted)) return 1;
             checked = fits;
             if (fits) continue;
-            if (!contact_step(newton, options, walled, piece, arena, move)) return 0;
+            if (!contact_step(newton, &now, walled, piece, arena, move)) return 0;
             *sp_piece_slide(piece, 0) += move[0], *sp_piece_slide(piece, 1) += move[1];
         } else if (moved) {
             move[0] *= 0.5, move[1] *= 0.5;

@@ -90,7 +90,9 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     piece->checked = checked;
     newton->history = history;
     arena->used = bottom; /* what it used is read before anything else is taken */
-    if (!ready || piece->solved.outcome.status != SP_CONVERGED || newton->system.elements.reference.degree == 1) return 0;
+    int status = piece->solved.outcome.status, slides = piece->joint[0].slides || piece->joint[1].slides,
+        solved = status == SP_CONVERGED || (status == SP_ILL_CONDITIONED && slides && !is_graded);
+    if (!ready || !solved || newton->system.elements.reference.degree == 1) return 0;
     /* Beyond the curve on which it ends the same lengths are there for ways that are none. */
     return !is_graded || sp_normal_turns(&newton->system.line, 1) == 0;
 }

@@ -31,7 +31,7 @@ static inline double *sp_piece_slide(struct sp_piece *piece, int end) { return p
 
 /* Solves a piece between its joints as they are, from the path it was last: chords or elements, these with their ends moved. `checked`: to
  * the tolerance; else on the elements it has (if it has any), fast. newton->system then holds the path, which sp_piece_keep makes the
- * piece's own. Returns 0 where that fails, or it touches a wall. */
+ * piece's own. Returns 0 where that fails, or it touches a wall; a piece that slides may be SP_ILL_CONDITIONED. */
 int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, int checked, struct sp_piece *piece, struct sp_arena *arena);
 
 /* Makes the path just solved the piece's own. */

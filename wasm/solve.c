@@ -154,7 +154,8 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
         refined = sp_refine_run(newton, options, arena);
         newton->steps_left += kept;
         if (kept && refined.outcome.status == SP_ITERATION_LIMIT) refined.outcome.status = SP_SINGULAR_METRIC;
-        int solved = refined.outcome.status == SP_CONVERGED || refined.outcome.status == SP_TOLERANCE_NOT_MET;
+        int status = refined.outcome.status,
+            solved = status == SP_CONVERGED || status == SP_TOLERANCE_NOT_MET || status == SP_ILL_CONDITIONED;
         if (solved && (refined.outcome.active || (line->surface->kind == SP_PARAMETRIC && sp_contact_leaves(&newton->system)))) {
             start = sp_storage_keep(&storage, &newton->system), arena->used = used;
             if (start.elements.reference.degree == 1) start.elements.count = line->fold.inner + 1;

@@ -202,3 +202,57 @@ test('points along an edge on which a density falls to a fiftieth, from a corner
   }
   land.dispose();
 });
+
+/**
+ * Bands between circles of equal width, or nearly, around a surface of revolution: an arc that is tangent to both slides along them without becoming longer, as its ends are conjugate. By Clairaut, beside the
+ * wider circle a path leaves at once.
+ * @type {{ name: string, width: (v: number) => number, definition: any, height: number }[]}
+ */
+const bands = [
+  { name: 'sphere', height: 0.8, width: Math.cos, definition: { x: 'cos(v)*cos(u)', y: 'cos(v)*sin(u)', z: 'sin(v)' } },
+  {
+    name: 'torus',
+    height: 1.2,
+    width: (v) => 2 + Math.cos(v),
+    definition: { x: '(2 + cos(v))*cos(u)', y: '(2 + cos(v))*sin(u)', z: 'sin(v)' },
+  },
+];
+
+/** How far it is over an arc that is tangent to the circles at ±height, and around: Gauss's and Chebyshev's rule, as v = height sin t. @param {(v: number) => number} width @param {number} height */
+function tangentArc(width, height) {
+  const count = 200;
+  let [length, around] = [0, 0];
+  for (let k = 0; k < count; k++) {
+    const angle = ((k + 0.5) / count - 0.5) * Math.PI;
+    const [at, least] = [width(height * Math.sin(angle)), width(height)];
+    const speed = ((Math.PI / count) * height * Math.cos(angle)) / Math.sqrt((at - least) * (at + least));
+    length += at * speed;
+    around += (least / at) * speed;
+  }
+  return { length, around };
+}
+
+for (const { name, width, definition, height } of bands)
+  for (const beyond of [0, 1e-12, 1e-8])
+    test(`a band of a ${name}, from edge to edge, the upper one ${beyond} farther: as long as an arc that is tangent to both, and the edges, seed 3`, () => {
+      const band = surfpath.parametric({ ...definition, u: [0, 5.5], v: [-height, height + beyond] });
+      const random = createRandom(3);
+      const { length: least, around } = tangentArc(width, height);
+      for (let i = 0; i < 20; i++) {
+        const [u, far] = [random.between(0, 0.5), random.between(4.5, 5.5)];
+        for (const tolerance of [1e-6, 1e-9, 1e-12]) {
+          const { status, length, lengthError } = band.shortestPath([u, -height], [far, height + beyond], { tolerance });
+          const what = `${u} to ${far}, ${tolerance}: ${status}, ${length} ± ${lengthError}`;
+          assert.ok(status === 'ill-conditioned' || status === 'converged', what);
+          const onEdges = far - u - around;
+          const known = least + width(height) * onEdges;
+          const shorter = (width(height) - width(height + beyond)) * onEdges;
+          assert.ok(
+            length <= known * (1 + 1e-12) + lengthError && length >= known - 1.5 * shorter - 1e-12 * known - lengthError,
+            `${what}, not ${known}`,
+          );
+          assert.ok(lengthError <= 1e-6, what);
+        }
+      }
+      band.dispose();
+    });
