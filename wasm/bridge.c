@@ -6,7 +6,7 @@
 
 static const double SLACK = 1e-14, ASIDE = 0.1;
 static const double FIRST_STEP = 0.25, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { ROUNDS = 40 };
+enum { ROUNDS = 40, WIDER = 4 /* the next step may be so many times as long */ };
 
 /* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
  * arc's length. */
@@ -101,10 +101,13 @@ int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, 
 }
 
 void sp_bridge_start(struct sp_bridge *bridge) {
+    double most = 0;
     bridge->learnt = 0;
     for (int32_t i = 0; i < bridge->count; i++)
+        most = larger(most, absolute(bridge->slope[i]) * bridge->reach[i]);
+    for (int32_t i = 0; i < bridge->count; i++)
         for (int32_t j = 0; j < bridge->count; j++)
-            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->reach[i] / absolute(bridge->slope[i]) : 0;
+            bridge->inverse[i][j] = i == j && most > 0 ? bridge->reach[i] * bridge->reach[i] * FIRST_STEP / most : 0;
 }
 
 /* Learns from a step and what it changed of the slopes (BFGS): H <- (1 - s y'/s'y) H (1 - y s'/s'y) + s s'/s'y. */
@@ -174,7 +177,7 @@ int sp_bridge_descend(struct sp_newton *newton, const struct sp_options *options
         learn(step, change, &next);
         for (int32_t i = 0; i <= bridge->count; i++)
             spare[i] = bridge->piece[i].storage;
-        *bridge = next;
+        *bridge = next, most = smaller(WIDER * most, SP_BRIDGE_STEP);
     }
     return 0;
 }

@@ -119,6 +119,24 @@ describe('across a cusp', () => {
       else assert.ok(length >= taut * (1 - 1e-9), `${maxIterations} steps: ${status}, ${length}`);
     }
   });
+
+  test('a path across several, as the start of the same: as long, seed 9', () => {
+    // Over cycloids, with a wave: a cusp every 2 pi.
+    const waves = surfpath.parametric({ x: 'u - sin(u)', y: '1 - cos(u)', z: 'v + 0.3*sin(2u)', u: [-20, 20], v: [-3, 3] });
+    const random = createRandom(9);
+    for (let crossed = 0; crossed < 12; ) {
+      const [from, to] = [1, 2].map(() => [random.between(-20, 20), random.between(-3, 3)]);
+      const path = waves.shortestPath(from, to);
+      if (!path.converged || !path.crossesSingularity) continue;
+      crossed++;
+      const again = waves.shortestPath(from, to, { start: path });
+      assert.ok(
+        again.converged && Math.abs(again.length / path.length - 1) < 1e-9,
+        `${from} to ${to}: ${again.status}, ${again.length}, not ${path.length}`,
+      );
+    }
+    waves.dispose();
+  });
 });
 
 describe('poles', () => {
