@@ -24,7 +24,8 @@ static inline sp_pair power_of_two(sp_pair n) { return sp_pair_of((sp_word_of(n 
  */
 static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
     sp_pair clamped = sp_select(x.high > EXPONENT_HIGHEST, sp_splat(EXPONENT_HIGHEST), x.high);
-    clamped = sp_select(x.high < EXPONENT_LOWEST, sp_splat(EXPONENT_LOWEST), clamped);
+    sp_mask nothing = x.high < EXPONENT_LOWEST; /* not left to the last step: processors take many times as long where that underflows */
+    clamped = sp_select(nothing, sp_splat(0.0), clamped);
     sp_pair x_low = sp_select(x.high == clamped, x.low, sp_splat(0.0));
 
     sp_pair exponent = sp_nearest_integer(clamped * sp_constants.inverse_ln2.high);
@@ -35,7 +36,7 @@ static inline sp_pair exponential(struct sp_wide x, sp_pair shift) {
 
     exponent += shift;
     sp_pair half = sp_nearest_integer(0.5 * exponent);
-    return value * power_of_two(half) * power_of_two(exponent - half);
+    return sp_select(nothing, sp_splat(0.0), value * power_of_two(half) * power_of_two(exponent - half));
 }
 
 /* exp(x + x_low) 2^shift. Out of line, as five functions share it. */
