@@ -6,7 +6,7 @@
 
 static const double SLACK = 1e-14, ASIDE = 0.1;
 static const double FIRST_STEP = 0.25, LEAST_STEP = 1e-14; /* of a crossing's reach */
-enum { ROUNDS = 40, WIDER = 4 /* the next step may be so many times as long */ };
+enum { ROUNDS = 40, WIDER = 2 /* the next step may be so many times as long */ };
 
 /* Adds dL/ds of the arc just solved, the pull on its singular end in the direction of the curve, and lowers the crossing's reach to the
  * arc's length. */

@@ -12,8 +12,10 @@ import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
 /** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Way} Way */
 
-/** Of the rough paths that may be the shortest so many are solved finely. */
-const MOST_FINE = 8;
+/** Of the rough paths that may be the shortest so many are solved finely: in space, and in a metric, where what they are long says less. */
+const [MOST_FINE, MOST_FINE_METRIC] = [8, 16];
+/** In a metric a path may be shorter than its rough one's length and error say by so many errors, where that has many nodes and where it has few. */
+const [ERRORS, MORE_ERRORS] = [3, 8];
 /** Where more of them than so many end equally long, and none as it was asked, others will as well. */
 const MOST_ALIKE = 2;
 /** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
@@ -22,7 +24,8 @@ const SURELY = 1.02;
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
 /** In space the error of a rough path is known by its sign, in a metric by its size only, and that not well from few points. @param {Problem} problem @param {RawPath} path */
-const doubt = (problem, path) => 0.5 * MARGIN * path.length + (problem.isPlain ? 0 : (isJudged(problem, path) ? 2 : 8) * path.lengthError);
+const doubt = (problem, path) =>
+  0.5 * MARGIN * path.length + (problem.isPlain ? 0 : (isJudged(problem, path) ? ERRORS : MORE_ERRORS) * path.lengthError);
 
 /** What the path under a rough one is long at least. @param {Problem} problem @param {RawPath} path */
 export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
@@ -36,7 +39,7 @@ export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
 export function solveFinely(problem, options, most, { rough, passing, over }) {
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. In a metric it may as well be much shorter, and what it looked like says no more. */
   const mayBeShortest = (/** @type {Found} */ { path }) =>
-    begun.length < MOST_FINE &&
+    begun.length < (problem.isPlain ? MOST_FINE : MOST_FINE_METRIC) &&
     atLeast(problem, path) <=
       Math.max(
         problem.isPlain || usable.length === 0 ? estimate(rough[0].path) + doubt(problem, rough[0].path) : 0,

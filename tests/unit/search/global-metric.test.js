@@ -253,6 +253,17 @@ for (const [name, definition, from, to, length] of rapid)
     assert.ok(Math.abs(chords.length / length - 1) < 1e-5, `${chords.status} ${chords.length}`);
   });
 
+test('a density of foam, two tenths of a path apart: the shortest path is the shortest of the geodesics, seed 63', () => {
+  const foam = make({ kind: 'graph', z: 0, x: [-2, 2], y: [-2, 2], density: '1 + 0.9sin(11x + 2y)*cos(12y - 3x)' });
+  const random = createRandom(63);
+  for (let pair = 0; pair < 8; pair++) {
+    const [from, to] = [1, 2].map(() => [random.between(-2, 2), random.between(-2, 2)]);
+    const [path, [first]] = [foam.shortestPath(from, to), foam.geodesics(from, to)];
+    assert.ok(path.converged && path.length <= first.length * (1 + 1e-9), `${from} to ${to}: ${path.length}, ${first.length}`);
+  }
+  foam.dispose();
+});
+
 test('walls of a density, two cells of the graph wide, with doors: no longer than any way through doors and walls, seed 1', () => {
   const random = createRandom(1);
   for (let pair = 0; pair < 12; pair++) {
