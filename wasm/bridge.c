@@ -101,13 +101,10 @@ int sp_bridge_solve(struct sp_newton *newton, const struct sp_options *options, 
 }
 
 void sp_bridge_start(struct sp_bridge *bridge) {
-    double most = 0;
     bridge->learnt = 0;
     for (int32_t i = 0; i < bridge->count; i++)
-        most = larger(most, absolute(bridge->slope[i]) * bridge->reach[i]);
-    for (int32_t i = 0; i < bridge->count; i++)
         for (int32_t j = 0; j < bridge->count; j++)
-            bridge->inverse[i][j] = i == j && most > 0 ? bridge->reach[i] * bridge->reach[i] * FIRST_STEP / most : 0;
+            bridge->inverse[i][j] = i == j && bridge->slope[i] != 0 ? FIRST_STEP * bridge->reach[i] / absolute(bridge->slope[i]) : 0;
 }
 
 /* Learns from a step and what it changed of the slopes (BFGS): H <- (1 - s y'/s'y) H (1 - y s'/s'y) + s s'/s'y. */

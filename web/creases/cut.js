@@ -246,12 +246,14 @@ function isBent(sides, before, after, place) {
   return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
 }
 
-/** A polyline with more nodes on its first and its last chord, ever nearer to its ends. @param {Float64Array} line @param {number} width */
+/** A polyline with more nodes in place of its first and its last chord, ever nearer to its ends, by the cubics through four nodes: chords dip into a shore that what they stand for is tangent to. @param {Float64Array} line @param {number} width */
 function closeToEnds(line, width) {
   const count = line.length / width - 1;
+  const used = Array.from({ length: Math.min(4, count + 1) }, (_, k) => k);
   const nodeAt = (/** @type {number} */ at) => {
-    const i = Math.min(Math.floor(at), count - 1);
-    return Array.from({ length: width }, (_, j) => line[width * i + j] + (at - i) * (line[width * (i + 1) + j] - line[width * i + j]));
+    const first = Math.max(0, Math.min(Math.floor(at) - 1, count + 1 - used.length));
+    const weights = used.map((k) => used.reduce((product, m) => (m === k ? product : (product * (at - first - m)) / (k - m)), 1));
+    return Array.from({ length: width }, (_, j) => weights.reduce((sum, weight, k) => sum + weight * line[width * (first + k) + j], 0));
   };
   const near = Array.from({ length: HALVINGS }, (_, k) => 0.5 ** (HALVINGS - k));
   const inner = Array.from({ length: count - 1 }, (_, k) => k + 1);

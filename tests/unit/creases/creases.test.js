@@ -230,6 +230,27 @@ test('a lake is walked round: straight to the shore, along it, and straight on; 
   lake.dispose();
 });
 
+for (const height of [0.2, 0.7])
+  test(`a lake on a hill ${height} high is walked round as the wall of a ring is, seed 101`, () => {
+    const hill = (/** @type {string} */ x, /** @type {string} */ y) => `${height}*exp(-2((${x})^2 + (${y})^2))`;
+    const density = '1.5 - 0.5*sign((x - 0.5)^2 + (y - 0.2)^2 - 0.5)';
+    const lake = surfpath.graph({ z: hill('x', 'y'), x: [-2, 2], y: [-2, 2], density });
+    const [x, y] = ['0.5 + v*cos(u)', '0.2 + v*sin(u)'];
+    const ring = surfpath.parametric({ x, y, z: hill(x, y), u: [0, '2pi'], v: ['sqrt(0.5)', 4] });
+    const polar = (/** @type {number[]} */ [x, y]) => [Math.atan2(y - 0.2, x - 0.5), Math.hypot(x - 0.5, y - 0.2)];
+    const random = createRandom(101);
+    let round = 0;
+    for (let pair = 0; pair < 20; pair++) {
+      const [from, to] = [-1, 1].map((side) => [0.5 + side * random.between(0.75, 1.4), random.between(-1.4, 1.8)]);
+      const [path, around] = [lake.shortestPath(from, to), ring.shortestPath(polar(from), polar(to))];
+      assert.ok(path.converged && around.converged, `${from} to ${to}: ${path.status}, ${around.status}`);
+      assert.ok(path.length <= around.length * (1 + 1e-9), `${from} to ${to}: ${path.length}, around ${around.length}`);
+      if (around.touchesBoundary && path.length >= around.length * (1 - 1e-9)) round++;
+    }
+    assert.ok(round >= 10, `${round} lead along the shore`);
+    for (const surface of [lake, ring]) surface.dispose();
+  });
+
 test('on an implicit sphere a dear cap is walked round', () => {
   const globe = surfpath.implicit({ f: 'x^2 + y^2 + z^2 - 1', density: '3 + 2*sign(z - 0.8)' });
   const [cap, end] = [Math.acos(0.8), Math.acos(0.6)];
