@@ -32,7 +32,7 @@ int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *p
  * backwards. */
 int sp_contact_assemble(struct sp_contact *contact);
 
-/* Fits all pieces and joins the arcs: `whole`. Returns 0 where that fails. */
+/* Fits all pieces and joins the arcs: `whole`, SP_ILL_CONDITIONED where one slides along its edges. Returns 0 where that fails. */
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
                      struct sp_refined *whole);
 

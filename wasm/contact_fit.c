@@ -120,13 +120,14 @@ static int fit(struct sp_newton *newton, const struct sp_surface *walled, const 
     if (enough < LEAST_SLANT) enough = LEAST_SLANT;
     struct sp_options now = *options;
     if (now.tolerance < ROUGHLY) now.tolerance = ROUGHLY;
-    for (int round = 0, checked = 0, vain = 0; round < CONTACT_ROUNDS && vain < MOST_VAIN; round++, vain++) {
+    for (int round = 0, checked = 0, vain = 0; round < CONTACT_ROUNDS && vain < MOST_VAIN; round++) {
         int moved = round > 0 && !checked;
         if (moved ? solve_moved(newton, &now, piece, arena) : solve_piece(newton, &now, checked, piece, arena)) {
             int is_loose = piece->solved.outcome.status == SP_ILL_CONDITIONED;
             now.tolerance = is_loose ? smaller(options->tolerance, LOOSELY) : options->tolerance;
             double slants = larger(absolute(piece->slant[0]), absolute(piece->slant[1]));
-            if (slants < best) best = slants, vain = 0;
+            vain = slants < best ? 0 : vain + 1;
+            best = smaller(best, slants);
             int fits = slants <= (is_loose ? LOOSE_SLANTS[vain < 2 ? vain : 2] : enough);
             if (fits && (checked || !wanted)) return 1;
             checked = fits;

@@ -129,8 +129,9 @@ static int meet_wall(struct sp_newton *newton, const struct sp_options *options,
     for (int32_t i = 0; i < beyond->made; i++) {
         struct sp_piece *piece = beyond->pieces + i;
         if (piece == part) continue;
-        if (!sp_refine_take(&piece->storage, newton, arena) || !sp_contact_fit(newton, options, 1, piece, arena))
-            return bridge->beyond[side] = NULL, 0;
+        int fits = sp_refine_take(&piece->storage, newton, arena) && sp_contact_fit(newton, options, 1, piece, arena);
+        /* What is hardly determined there says nothing of how long the whole is. */
+        if (!fits || piece->solved.outcome.status != SP_CONVERGED) return bridge->beyond[side] = NULL, 0;
     }
     *arc = *part;
     bridge->length = not_a_number(); /* not a path before all is solved anew */

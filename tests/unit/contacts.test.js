@@ -251,6 +251,7 @@ for (const { name, width, definition, height } of bands)
             length <= known * (1 + 1e-12) + lengthError && length >= known - 1.5 * shorter - 1e-12 * known - lengthError,
             `${what}, not ${known}`,
           );
+          // It slants by 1e-3 at most, half the square of which edges may be too long by, two of them together.
           assert.ok(lengthError <= 1e-6, what);
         }
       }

@@ -253,7 +253,7 @@ for (const [name, definition, from, to, length] of rapid)
     assert.ok(Math.abs(chords.length / length - 1) < 1e-5, `${chords.status} ${chords.length}`);
   });
 
-test('a density of foam, two tenths of a path apart: the shortest path is the shortest of the geodesics, seed 63', () => {
+test('a density of foam: the shortest path is the shortest of the geodesics, seed 63', () => {
   const foam = make({ kind: 'graph', z: 0, x: [-2, 2], y: [-2, 2], density: '1 + 0.9sin(11x + 2y)*cos(12y - 3x)' });
   const random = createRandom(63);
   for (let pair = 0; pair < 8; pair++) {
