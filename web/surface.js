@@ -41,7 +41,7 @@ export class Surface {
   #manifold;
   #forget;
 
-  /** Made by the factories of an instance. @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
+  /** Made by the factories of an instance. @internal @param {import('./runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {() => void} forget called when it is disposed */
   constructor(solver, kind, definition, forget) {
     this.#manifold = new Manifold(solver, kind, definition);
     this.#forget = forget;

@@ -20,6 +20,7 @@ import { estimate } from './distinct.js';
  * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('../runtime/heap.js').Passage | null) => RawPath} solve from `from`
+ * @property {(line: Float64Array, options: SolveOptions) => RawPath} between from the first place of a line to its last one
  * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none
  * @property {import('./branches.js').Branch[]} branches branch points of the surface, and what solves globally, and near a start, between two other places
  * @property {(ends: number[][], options: SolveOptions) => import('../path.js').Path} leg

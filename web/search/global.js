@@ -5,6 +5,7 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, SHEET_JUMP, STALLED } from '../runtime/status.js';
+import { passBumps } from './bumps.js';
 import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
 import { BESIDE, distinct, firsts, isAmong } from './distinct.js';
@@ -88,6 +89,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
     tried = solveBeside(problem, tried);
     rough = holding(problem, tried);
   }
+  rough = passBumps(problem, rough);
   const poles = overPoles(problem, options, tried, rough);
   const { beside, over } = besidePoles(problem, options, poles, rough);
   const ways = [...over, ...through];

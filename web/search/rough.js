@@ -12,7 +12,7 @@ import { isSame } from './distinct.js';
 
 /** Inner points of the rough solves, until one holds; and of one that must tell what elements did not. */
 const ROUGH = [31, 63, 127, 255];
-const MOST_ROUGH = 255;
+export const MOST_ROUGH = 255;
 export const FINEST = 1023;
 export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
 /** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
@@ -94,7 +94,7 @@ export const solveBeside = (problem, tried) =>
   tried.map((one) => (one.start && stallsAtBranch(problem, one) ? solveFiner(problem, one) : one));
 
 /** Inner points. @param {RawPath} path */
-const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
+export const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
 
 /** Whether a rough path tells what lies under it, or no more points are tried. @param {Problem} problem @param {RawPath} path */
 export function isJudged({ isPlain }, path) {
@@ -106,8 +106,10 @@ export function isJudged({ isPlain }, path) {
  * The path under a rough one that is too coarse to be judged, or to be compared, with twice the points; null where no more are needed, or they lead nowhere.
  * @param {Problem} problem @param {Found} found @returns {Found | null}
  */
-export function sharpen(problem, { to, path }) {
-  if (isJudged(problem, path)) return null;
+export const sharpen = (problem, found) => (isJudged(problem, found.path) ? null : finer(problem, found));
+
+/** The path under a rough one, with twice the points; null where they lead nowhere. @param {Problem} problem @param {Found} found @returns {Found | null} */
+export function finer(problem, { to, path }) {
   const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * innerOf(path) + 1 }) };
   return holds(sharper) && !leaps(problem, sharper.path) ? sharper : null;
 }

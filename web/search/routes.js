@@ -5,7 +5,7 @@ import { copies, liftEnds, moveOnto, slide } from '../manifold/lifts.js';
 import { makePath } from '../path.js';
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, OUT_OF_MEMORY } from '../runtime/status.js';
-import { gap } from '../vector.js';
+import { gap, listOf } from '../vector.js';
 import { findBranches } from './branches.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
 import { findPaths, findPathsFrom } from './global.js';
@@ -193,6 +193,14 @@ function pose(field, [from, to], find) {
       domain,
       solve: (end, start, asked, passage = null) =>
         watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),
+      between: (line, asked) =>
+        watch(
+          heap.solve(
+            record,
+            { kind, from: listOf(line, 0, first.length), to: listOf(line, line.length - first.length), start: line },
+            asked,
+          ),
+        ),
       branches,
       isLeg: !!field.isLeg,
       leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],

@@ -1,0 +1,112 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { load } from '../../../web/index.js';
+import { SIDE, shortestBeside } from '../../accuracy/measure/waves.js';
+import { createRandom } from '../../helpers/random.js';
+import { verifyPath } from '../../helpers/verify-path.js';
+
+/** Heights, ends, and the length of a path between them that was found by bending others aside at random: a graph alone leads to longer ones, by 4e-6 to 7e-3. @type {[string, number[], number[], number][]} */
+const KNOWN = [
+  ['0.15*sin(14x)*cos(12y)', [-1.64, -0.07], [0.46, -1.61], 3.08183776125],
+  ['0.15*sin(14x)*cos(12y)', [-1.6, -0.57], [0.2, 1.97], 3.6253051992],
+  ['0.15*sin(14x)*cos(12y)', [-1.01, -1.83], [1.1, -1.13], 2.54411160091],
+  ['0.2*sin(10x)*cos(10y)', [-1.52, 1.82], [1.29, -1.81], 5.38153671786],
+  ['0.1*sin(20x)*sin(20y)', [1.67, -1.16], [0.31, 1.35], 3.32852707349],
+  ['0.1*sin(20x)*sin(20y)', [1.28, -1.75], [1.73, -0.56], 1.45760773785],
+  ['0.1*sin(20x)*sin(20y)', [-0.96, -0.18], [1.49, 0.87], 3.07951335178],
+  ['0.1*sin(20x)*sin(20y)', [0.49, -1.86], [-1.46, -1.5], 2.18997397703],
+  ['0.25*sin(12x + 3y)*cos(9y - 2x)', [1.18, 1.01], [-0.54, -1.09], 3.39408647757],
+  ['0.07*sin(16x)*cos(16y)', [-0.34, 1.87], [1.43, -1.08], 3.78178923611],
+  ['0.07*sin(16x)*cos(16y)', [0.53, -0.55], [-1.66, 1.16], 3.06318288361],
+];
+/** The same on a torus, closed both ways, and on a sphere with poles. */
+const RIPPLED = '0.6 + 0.1*sin(20u)*cos(7v)';
+const TORUS = /** @type {const} */ ({
+  x: `(2 + (${RIPPLED})*cos(v))*cos(u)`,
+  y: `(2 + (${RIPPLED})*cos(v))*sin(u)`,
+  z: `(${RIPPLED})*sin(v)`,
+  u: [0, '2pi'],
+  v: [0, '2pi'],
+});
+const BUMPY = '1 + 0.1*sin(12u)*sin(12v)';
+const SPHERE = /** @type {const} */ ({
+  x: `(${BUMPY})*sin(v)*cos(u)`,
+  y: `(${BUMPY})*sin(v)*sin(u)`,
+  z: `(${BUMPY})*cos(v)`,
+  u: [0, '2pi'],
+  v: [0, 'pi'],
+});
+/** @type {[typeof TORUS | typeof SPHERE, number[], number[], number][]} */
+const CLOSED = [
+  [TORUS, [6.19, 2.94], [3.08, 0.47], 5.53128166267],
+  [TORUS, [0.24, 1.91], [3.19, 1.3], 5.18581651255],
+  [TORUS, [5.68, 0.13], [2.35, 4.22], 5.90204509436],
+  [SPHERE, [4.83, 0.86], [2.9, 2.45], 2.5424431161],
+  [SPHERE, [1.07, 0.25], [2.48, 1.76], 1.84098076113],
+];
+const DIGITS = 1e-10;
+/** What a thousand chords are shorter by. */
+const CHORDS = 1e-3;
+
+describe('past bumps', () => {
+  /** @type {import('../../../web/index.js').Surfpath} */ let surfpath;
+  before(async () => {
+    surfpath = await load();
+  });
+  after(() => surfpath.dispose());
+
+  for (const [z, from, to, length] of KNOWN)
+    test(`the shortest path of many on ${z}, from ${from}`, () => {
+      const waves = surfpath.graph({ z, x: [-SIDE, SIDE], y: [-SIDE, SIDE] });
+      const path = waves.shortestPath(from, to, { points: 999 });
+      assert.equal(path.status, 'converged');
+      assert.ok(path.length < length * (1 + DIGITS), `${path.length}`);
+      assert.ok(waves.geodesics(from, to, { max: 3 })[0].length < length * (1 + DIGITS));
+      assert.deepEqual(
+        verifyPath(
+          { kind: 'parametric', x: 'u', y: 'v', z: z.replaceAll('x', 'u').replaceAll('y', 'v'), u: [-SIDE, SIDE], v: [-SIDE, SIDE] },
+          path,
+          { from, to, lengthTolerance: CHORDS },
+        ),
+        [],
+      );
+      waves.dispose();
+    });
+
+  for (const [definition, from, to, length] of CLOSED)
+    test(`on a closed surface, from ${from}`, () => {
+      const closed = surfpath.parametric(definition);
+      const path = closed.shortestPath(from, to);
+      assert.equal(path.status, 'converged');
+      assert.ok(path.length < length * (1 + DIGITS), `${path.length}`);
+      closed.dispose();
+    });
+
+  test('of implicit surfaces as of graphs', () => {
+    const [z, from, to, length] = KNOWN[0];
+    const waves = surfpath.implicit({
+      f: `z - ${z}`,
+      bounds: [
+        [-SIDE, SIDE],
+        [-SIDE, SIDE],
+        [-0.3, 0.3],
+      ],
+    });
+    const ends = [from, to].map(([x, y]) => [x, y, 0.15 * Math.sin(14 * x) * Math.cos(12 * y)]);
+    const path = waves.shortestPath(ends[0], ends[1]);
+    assert.equal(path.status, 'converged');
+    assert.ok(path.length < length * (1 + DIGITS), `${path.length}`);
+    waves.dispose();
+  });
+
+  test('none is longer than one that bending it aside at random leads to', () => {
+    const waves = surfpath.graph({ z: '0.25*sin(12x + 3y)*cos(9y - 2x)', x: [-SIDE, SIDE], y: [-SIDE, SIDE] });
+    const random = createRandom(1);
+    const place = () => [random.between(-SIDE, SIDE), random.between(-SIDE, SIDE)];
+    for (let i = 0; i < 12; i++) {
+      const path = waves.shortestPath(place(), place());
+      assert.ok(path.length < shortestBeside(waves, path, random, 30).length * (1 + DIGITS), `${path.length}`);
+    }
+    waves.dispose();
+  });
+});
