@@ -17,6 +17,8 @@ const [TRAIL, EACH] = [8, 4];
 const [EXACTLY, ROUGHLY] = [1e-4, 0.01];
 /** So often vertices are looked at again, if their neighbours have new paths. */
 const MOST_SWEEPS = 8;
+/** Where this many lines a vertex are followed, and of the first of them more, many ways are about as long: then searches, which know 32 at most, take less time. */
+const [CROWDED, FIRST] = [16, 64];
 /** Vertices that are one point of the surface, as at seams and poles, in parts of its size. */
 const SAME = 1e-9;
 
@@ -65,13 +67,23 @@ export function spread(mesh, rough, find) {
       for (const j of neighbours[i]) isOpen[j] = 1;
     }
   };
+  const search = (/** @type {number} */ i) => take(i, find(i, []));
+  let [lineCount, vertexCount] = [0, FIRST];
   for (let sweep = 0; sweep < MOST_SWEEPS; sweep++)
     for (const i of order) {
       if (!isOpen[i]) continue;
       isOpen[i] = 0;
+      if (sweep === 0) vertexCount++;
       /* Of those that look alike one may come to nothing where another does not. */
-      for (let lines = linesTo(i); lines.length > 0; lines = linesTo(i)) take(i, find(i, lines, lengths[i] || Infinity));
-      if (sweep === 0 && !(lengths[i] <= rough[i])) take(i, find(i, []));
+      for (let lines = linesTo(i); lines.length > 0 && !(lineCount > CROWDED * vertexCount); lines = linesTo(i)) {
+        take(i, find(i, lines, lengths[i] || Infinity));
+        lineCount += lines.length;
+      }
+      if (lineCount > CROWDED * vertexCount) {
+        order.forEach(search);
+        return lengths;
+      }
+      if (sweep === 0 && !(lengths[i] <= rough[i])) search(i);
     }
   return lengths;
 }
