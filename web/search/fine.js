@@ -3,7 +3,7 @@
 import { COMPARED_POINTS, compared, ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { distinct, estimate, isAmong, isBesideWay } from './distinct.js';
 import { refine } from './poles.js';
-import { isJudged, isOneOfMany, isTooCoarse, sharpen } from './rough.js';
+import { finer, innerOf, isJudged, isOneOfMany, isTooCoarse, MOST_ROUGH, sharpen } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -20,6 +20,8 @@ const [ERRORS, MORE_ERRORS] = [3, 8];
 const MOST_ALIKE = 2;
 /** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
 const SURELY = 1.02;
+/** What a rough path's length is wrong by, in parts of the error that it has by itself, at most. */
+const LEFT = 0.2;
 /** Of the ways that rough polylines cannot follow, the shortest first, so many are solved; if nothing holds, up to so many. */
 const [LEAST_UNFOLLOWED, MOST_UNFOLLOWED] = [2, 6];
 
@@ -51,7 +53,6 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
   const failed = [];
   /** Rough paths that were solved: what comes to one of them, with more points, leads to the same. @type {Found[]} */
   const begun = [];
-  const isFew = options.algorithm === ELEMENTS && options.points < COMPARED_POINTS;
   for (let queue = rough; queue.length > 0; ) {
     const [found, ...rest] = queue;
     queue = rest;
@@ -66,13 +67,36 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
       continue;
     }
     begun.push(found);
-    const again = (/** @type {SolveOptions} */ wanted) => refine(problem, found, wanted);
-    const refined = isFew ? { to: found.to, path: again(compared(options)), again } : { to: found.to, path: again(options) };
+    const refined = refineWell(problem, found, options);
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
     if (failed.filter(({ length }) => Math.abs(length - refined.path.length) <= MARGIN * length).length > MOST_ALIKE) break;
   }
   return [usable, failed];
+}
+
+/**
+ * A rough path as it was asked for. In space one that turns out longer than its rough one may be wrong by is another: of few nodes elements leave it where waves are many. Then
+ * the shortest of those from more.
+ * @param {Problem} problem @param {Found} found @param {SolveOptions} options @returns {Found}
+ */
+function refineWell(problem, found, options) {
+  const isFew = options.algorithm === ELEMENTS && options.points < COMPARED_POINTS;
+  const refineFrom = (/** @type {Found} */ one) => {
+    const again = (/** @type {SolveOptions} */ wanted) => refine(problem, one, wanted);
+    return isFew ? { to: one.to, path: again(compared(options)), again } : { to: one.to, path: again(options) };
+  };
+  let refined = refineFrom(found);
+  const isLeft = (/** @type {Found} */ { path }) =>
+    problem.isPlain && holds(refined) && refined.path.length - estimate(path) > LEFT * path.lengthError;
+  for (let one = found; isLeft(one) && innerOf(one.path) <= MOST_ROUGH; ) {
+    const next = finer(problem, one);
+    if (!next || !isLeft(next)) break;
+    const other = refineFrom(next);
+    if (holds(other) && other.path.length < refined.path.length) refined = other;
+    one = next;
+  }
+  return refined;
 }
 
 /**

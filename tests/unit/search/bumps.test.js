@@ -45,6 +45,22 @@ const CLOSED = [
   [SPHERE, [1.07, 0.25], [2.48, 1.76], 1.84098076113],
 ];
 const DIGITS = 1e-10;
+/** @typedef {Parameters<import('../../../web/index.js').Surfpath['parametric']>[0]} Definition */
+/** @param {number} v @returns {Definition} */
+const tube = (v) => ({
+  x: '(1 + 0.2sin(2v)*cos(3u))*cos(u)',
+  y: '(1 + 0.2sin(2v)*cos(3u))*sin(u)',
+  z: 'v',
+  u: [0, '2pi'],
+  v: [0, v],
+});
+/** Long ones, whose shortest rough paths are of few nodes for their waves: elements from there came to others, 4e-4 to 2e-3 longer. @type {[Definition, number[], number[], number][]} */
+const LONG = [
+  [{ x: 'u', y: 'v', z: '0.4sin(2u)*cos(2.5v)', u: [0, 50], v: [-3, 3] }, [3.542, 0.328], [44.647, -0.808], 41.4845849616],
+  [tube(25), [1.605, 0.737], [0.647, 18.709], 18.1428754445],
+  [tube(50), [5.063, 1.274], [3.239, 16.747], 15.7629659796],
+  [tube(100), [2.412, 17.537], [3.491, 40.057], 22.6969016555],
+];
 /** What a thousand chords are shorter by. */
 const CHORDS = 1e-3;
 
@@ -73,8 +89,8 @@ describe('past bumps', () => {
       waves.dispose();
     });
 
-  for (const [definition, from, to, length] of CLOSED)
-    test(`on a closed surface, from ${from}`, () => {
+  for (const [definition, from, to, length] of [...CLOSED, ...LONG])
+    test(`on a closed or long surface, from ${from}`, () => {
       const closed = surfpath.parametric(definition);
       const path = closed.shortestPath(from, to);
       assert.equal(path.status, 'converged');
