@@ -15,6 +15,7 @@ import { MOST_POINTS, makePath, readOptions, readStart } from './path.js';
 import { emptyPath } from './runtime/result.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 import { COMPARED_POINTS, ELEMENTS } from './search/candidates.js';
+import { settleEnd } from './search/routes.js';
 import { readTrace, readTraceOptions, traceFrom } from './trace.js';
 import { gap } from './vector.js';
 import { passThrough } from './via.js';
@@ -155,10 +156,13 @@ export class Surface {
     const point = this.#manifold.readPoint(caller, 'from', from);
     const manifold = this.#manifold;
     const mesh = meshSurface(manifold, caller, resolution);
-    const place = manifold.domain ? point : projectOnto(manifold, `${caller}: from`, point, point);
+    const field = manifold.field();
+    /* First as an end of a path is put onto the surface. */
+    const settled = manifold.domain ? point : settleEnd(field, point);
+    const place = manifold.domain ? point : projectOnto(manifold, `${caller}: from`, settled, settled);
     if (!manifold.domain && gap(place, point) > FAR * manifold.extent)
       throw new RangeError(`${caller}: from is farther from the surface than a tenth of its bounds; project it first`);
-    return { mesh, distances: measureField(manifold.field(), caller, place, mesh, exact) };
+    return { mesh, distances: measureField(field, caller, place, mesh, exact) };
   }
 
   /**

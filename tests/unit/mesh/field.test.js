@@ -177,6 +177,21 @@ test('the start is projected, and 0 from itself', () => {
   saddle.dispose();
 });
 
+test('a start beside the surface is put onto it as the end of a path is', () => {
+  const side = /** @type {const} */ ([-2.6, 2.6]);
+  const tangle = surfpath.implicit({
+    f: 'x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8',
+    bounds: [side, side, side],
+  });
+  const from = [2.1, 2.001, 1.2];
+  const { mesh, distances } = tangle.distanceField(from, { resolution: 6, exact: true });
+  for (let i = 0; i < distances.length; i += 40) {
+    const { length, converged } = tangle.shortestPath(from, mesh.positions.subarray(3 * i, 3 * i + 3));
+    if (converged) assert.ok(Math.abs(distances[i] - length) <= EXACT * length, `vertex ${i}: ${distances[i]}, ${length}`);
+  }
+  tangle.dispose();
+});
+
 test('96 cells a direction in less than half a second', (t) => {
   const surface = make('bumpy');
   const { from } = gallery.bumpy;
