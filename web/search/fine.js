@@ -89,12 +89,11 @@ function refineWell(problem, found, options) {
   let refined = refineFrom(found);
   const isLeft = (/** @type {Found} */ { path }) =>
     problem.isPlain && holds(refined) && refined.path.length - estimate(path) > LEFT * path.lengthError;
-  for (let one = found; isLeft(one) && innerOf(one.path) <= MOST_ROUGH; ) {
-    const next = finer(problem, one);
-    if (!next || !isLeft(next)) break;
-    const other = refineFrom(next);
+  let one = isLeft(found) ? finer(problem, found) : null;
+  while (one && isLeft(one)) {
+    const other = refineFrom(one);
     if (holds(other) && other.path.length < refined.path.length) refined = other;
-    one = next;
+    one = innerOf(one.path) <= MOST_ROUGH ? finer(problem, one) : null;
   }
   return refined;
 }
