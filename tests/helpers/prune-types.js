@@ -56,7 +56,7 @@ function statementsOf(file, text) {
 }
 
 /**
- * What is left of each file; '': nothing.
+ * What is left of each file; '': nothing. Throws where one uses what no file of the folder gives.
  * @param {string} folder
  */
 export async function pruned(folder) {
@@ -70,8 +70,10 @@ export async function pruned(folder) {
   const left = (await entries()).map((file) => [file, ALL]);
   for (let use = left.pop(); use; use = left.pop()) {
     const [file, name] = use;
-    for (const statement of files.get(file) ?? []) {
-      if (kept.has(statement) || !(name === ALL || statement.names.includes(name) || statement.names.includes(ALL))) continue;
+    const given = files.get(file)?.filter(({ names }) => name === ALL || names.includes(name) || names.includes(ALL));
+    if (!given?.length) throw new Error(`${file} gives no ${name}, which another file of the package uses`);
+    for (const statement of given) {
+      if (kept.has(statement)) continue;
       kept.add(statement);
       left.push(...statement.uses);
     }

@@ -69,17 +69,18 @@ export function spread(mesh, rough, find) {
   };
   const search = (/** @type {number} */ i) => take(i, find(i, []));
   let [lineCount, vertexCount] = [0, FIRST];
+  const isCrowded = () => lineCount > CROWDED * vertexCount;
   for (let sweep = 0; sweep < MOST_SWEEPS; sweep++)
     for (const i of order) {
       if (!isOpen[i]) continue;
       isOpen[i] = 0;
       if (sweep === 0) vertexCount++;
       /* Of those that look alike one may come to nothing where another does not. */
-      for (let lines = linesTo(i); lines.length > 0 && !(lineCount > CROWDED * vertexCount); lines = linesTo(i)) {
+      for (let lines = linesTo(i); lines.length > 0 && !isCrowded(); lines = linesTo(i)) {
         take(i, find(i, lines, lengths[i] || Infinity));
         lineCount += lines.length;
       }
-      if (lineCount > CROWDED * vertexCount) {
+      if (isCrowded()) {
         order.forEach(search);
         return lengths;
       }

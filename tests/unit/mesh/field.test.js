@@ -186,8 +186,9 @@ test('a start beside the surface is put onto it as the end of a path is', () => 
   const from = [2.1, 2.001, 1.2];
   const { mesh, distances } = tangle.distanceField(from, { resolution: 6, exact: true });
   for (let i = 0; i < distances.length; i += 40) {
-    const { length, converged } = tangle.shortestPath(from, mesh.positions.subarray(3 * i, 3 * i + 3));
-    if (converged) assert.ok(Math.abs(distances[i] - length) <= EXACT * length, `vertex ${i}: ${distances[i]}, ${length}`);
+    const { length, status } = tangle.shortestPath(from, mesh.positions.subarray(3 * i, 3 * i + 3));
+    assert.equal(status, 'converged', `vertex ${i}`);
+    assert.ok(Math.abs(distances[i] - length) <= EXACT * length, `vertex ${i}: ${distances[i]}, ${length}`);
   }
   tangle.dispose();
 });

@@ -44,6 +44,7 @@ const CLOSED = [
   [SPHERE, [4.83, 0.86], [2.9, 2.45], 2.5424431161],
   [SPHERE, [1.07, 0.25], [2.48, 1.76], 1.84098076113],
 ];
+/** Lengths above have twelve digits. */
 const DIGITS = 1e-10;
 /** @typedef {Parameters<import('../../../web/index.js').Surfpath['parametric']>[0]} Definition */
 /** @param {number} v @returns {Definition} */
