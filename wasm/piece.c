@@ -84,7 +84,7 @@ int sp_piece_solve(struct sp_newton *newton, const struct sp_options *options, i
     else
         ready = is_graded ? start_graded(newton, options, piece, &start, arena) : start_chords(newton, piece, arena);
     if (ready)
-        piece->solved = !has_elements && !is_graded ? sp_refine_run(newton, options, arena)
+        piece->solved = !has_elements && !is_graded ? sp_refine_run(newton, options, 0, arena)
                         : checked ? sp_refine_again(newton, options, &start, piece->checked ? piece->solved.length : 0, arena)
                                   : sp_refine_same(newton, options, &start, arena);
     piece->checked = checked;

@@ -4,7 +4,7 @@
 #include "scalar.h"
 #include <string.h>
 
-/* Degrees and counts. */
+/* Degrees and counts. The last two twice: each tells better where elements should lie. */
 static const uint8_t LADDER[][2] = {{8, 2},
                                     {8, 4},
                                     {8, 8},
@@ -15,6 +15,8 @@ static const uint8_t LADDER[][2] = {{8, 2},
                                     {24, 32},
                                     {24, 64},
                                     {16, 128},
+                                    {SP_REFINE_DEGREE, SP_REFINE_COUNT},
+                                    {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT},
                                     {SP_REFINE_DEGREE, SP_REFINE_COUNT},
                                     {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT}};
 /* Where the path ends on a singular curve. */
@@ -27,7 +29,7 @@ enum { TOUCHING_NODES = 768 };
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
 enum { LAST_RUNGS = 2 };
-enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
+enum { AGAIN = 2, RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
@@ -107,6 +109,7 @@ struct climb {
     double last, change, moved; /* length of the last rung, by how much it had changed, how far nodes had moved (0: not known) */
     double error, allowed;      /* what the length of `now` is, and may be, wrong by */
     int astray;                 /* 1: `now` is another path than the first */
+    int is_fine;                /* 1: the first path is no path at rest, but near one */
     int follows;                /* 1: it is not, and started from a path of elements */
     size_t floor, bottom;       /* bytes of arena below the reference element, and with it */
 };
@@ -213,8 +216,8 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
     double spread[SP_SPREAD + 1], *present = sp_arena_take(climb->arena, SP_SPREAD + 1, sizeof(double));
     int uneven = elements->spread != NULL, least = first->line.kind->components ? SPREAD_NODES_METRIC : SPREAD_NODES;
     if (uneven) memcpy(spread, elements->spread, sizeof spread);
-    /* A metric that changes much is what so many chords were for. */
-    if (climb->chords && first->line.kind->components && first->line.fold.inner >= SPREAD_NODES_METRIC)
+    /* A metric that changes much is what so many chords were for, or a path that turns much. */
+    if (climb->chords && (climb->is_fine || first->line.kind->components) && first->line.fold.inner >= SPREAD_NODES_METRIC)
         uneven = sp_spread_elements(first, newton->step, spread);
     climb->before = *first;
     now->length = climb->last = climb->change = climb->first_length;
@@ -302,14 +305,15 @@ static int ends_in_branch(const struct sp_polyline *line) {
     return sp_any(squares[0] < STILL * squares[1]);
 }
 
-struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena) {
+struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, int32_t is_fine, struct sp_arena *arena) {
     struct sp_storage storage;
     struct sp_climbed first = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     double error = 0;
-    if (sp_refine_take(&storage, newton, arena)) first = sp_chords_first(newton, options, &storage, &error);
+    if (sp_refine_take(&storage, newton, arena))
+        first = is_fine ? sp_chords_given(newton) : sp_chords_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
     if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return sp_rung_finish(newton, &first, error);
-    int lowest = lowest_rung(LADDER, RUNGS, newton->system.line.fold.inner);
+    int lowest = lowest_rung(LADDER, RUNGS - AGAIN, newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;
     if (ends_in_branch(&newton->system.line)) {
@@ -317,8 +321,13 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
         if (closer.outcome.status == SP_CONVERGED) return closer;
         newton->system.elements.spread = NULL, newton->system.elements.fixed = 0, arena->used = used;
     }
-    struct climb climb = {
-        .newton = newton, .options = options, .arena = arena, .first = &kept, .chords = &storage, .first_length = first.length};
+    struct climb climb = {.newton = newton,
+                          .options = options,
+                          .arena = arena,
+                          .first = &kept,
+                          .chords = &storage,
+                          .is_fine = is_fine,
+                          .first_length = is_fine ? 0 : first.length};
     struct sp_refined refined = climb_all(&climb, LADDER + lowest, RUNGS - lowest);
     double tolerance = tolerance_of(newton, options, refined.length);
     if (refined.outcome.status < 0 || !bends_aside(newton, tolerance, refined.length)) return refined;
@@ -335,7 +344,7 @@ struct sp_refined sp_refine_again(struct sp_newton *newton, const struct sp_opti
                                   struct sp_arena *arena) {
     int graded = sp_elements_graded(&newton->system.elements), rungs = graded ? GRADED_RUNGS : RUNGS;
     const uint8_t(*ladder)[2] = graded ? GRADED : LADDER;
-    int lowest = lowest_rung(ladder, rungs, from->elements.reference.degree * from->elements.count);
+    int lowest = lowest_rung(ladder, graded ? rungs : rungs - AGAIN, from->elements.reference.degree * from->elements.count);
     struct sp_system first = *from;
     newton->system.elements.spread = from->elements.spread;
     struct climb climb = {.newton = newton, .options = options, .arena = arena, .first = &first, .first_length = length};

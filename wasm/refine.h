@@ -25,8 +25,9 @@ struct sp_refined {
 
 /* Solves to `options->tolerance`, unless the path touches the walls: then outcome.active is set, and the path is one of chords (see
  * arcs.h). newton->system.line holds a start of SP_REFINE_FIRST inner nodes or more and
- * its charts; in the end, the path of the last rung. */
-struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena);
+ * its charts; in the end, the path of the last rung. is_fine: the start is nearly right, or has so many nodes that chords between fewer
+ * would lose what it knows: elements begin with it. */
+struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_options *options, int32_t is_fine, struct sp_arena *arena);
 
 /* Solves to the tolerance from a path of elements that is nearly right, of about that length (0: not known), and not in newton's own
  * arrays; newton->system.elements.singular says which of its ends lie on a singular curve. */

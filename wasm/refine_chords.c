@@ -73,6 +73,13 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
     return now;
 }
 
+struct sp_climbed sp_chords_given(struct sp_newton *newton) {
+    const struct sp_polyline *line = &newton->system.line;
+    newton->system.elements.count = line->fold.inner + 1, newton->system.elements.spread = NULL;
+    double length = sp_system_length(&newton->system, &line->nodes);
+    return (struct sp_climbed){.outcome = {.status = SP_CONVERGED, .energy = length * length}, .length = length};
+}
+
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
     struct sp_climbed chords = sp_chords_climb(newton, options, count, from, arena);

@@ -10,6 +10,9 @@
 struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                   double *error);
 
+/* A start in newton->system.line as it is, if that is a path. */
+struct sp_climbed sp_chords_given(struct sp_newton *newton);
+
 /* The path of `count` chords, from another one, which is not in newton's own arrays. */
 struct sp_climbed sp_chords_climb(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                   struct sp_arena *arena);

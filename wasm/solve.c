@@ -42,6 +42,8 @@ double sp_solve_bytes(const struct sp_surface *surface, const struct sp_options 
 /* A start of more points is thinned: on 512 chords and more projected Newton frees about one node a step from a wall that the path leaves.
  */
 enum { FINEST_START = 256 };
+/* One of more points than these is first taken as it is. */
+enum { FINE_START = 2 * FINEST_START };
 
 /* Inner nodes of the first path of chords: more than usual where a start of many points is given, which then keeps what it knows. */
 static int32_t first_inner(const struct sp_request *request) {
@@ -133,9 +135,9 @@ static int32_t way_of(const struct sp_surface *surface, const struct sp_passage 
     return surface->kind == SP_PARAMETRIC && passage->edge >= 0 && passage->edge < 4 ? passage->way : SP_FREE;
 }
 
-/* Elements; where they touch a wall or meet a singular curve, arcs of them. */
+/* Elements, from a fine start or a coarse one; where they touch a wall or meet a singular curve, arcs of them. */
 static struct sp_refined solve_elements(struct sp_newton *newton, const struct sp_options *options, const struct sp_request *request,
-                                        struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result) {
+                                        int32_t is_fine, struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result) {
     struct sp_storage storage;
     struct sp_refined refined = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     const struct sp_polyline *line = &newton->system.line;
@@ -151,7 +153,7 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
         /* Chords across two cusps may lead to a path across none, but not in many steps: as many are left for arcs. */
         int32_t kept = may && sp_normal_turns(line, 0) > 0 && sp_cusp_crosses(&start) ? newton->steps_left / 2 : 0;
         newton->steps_left -= kept;
-        refined = sp_refine_run(newton, options, arena);
+        refined = sp_refine_run(newton, options, is_fine, arena);
         newton->steps_left += kept;
         if (kept && refined.outcome.status == SP_ITERATION_LIMIT) refined.outcome.status = SP_SINGULAR_METRIC;
         int status = refined.outcome.status,
@@ -167,12 +169,12 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
-/* A start of that many inner nodes, with its charts. */
-static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
+/* A start of that many inner nodes, with its charts; `keep`: as sp_start_polyline. */
+static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner, int32_t keep,
                                  struct sp_arena *arena, struct sp_result *result) {
     struct sp_polyline *line = &newton->system.line;
     line->fold = (struct sp_fold){inner};
-    enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
+    enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, keep, arena);
     if (status != SP_CONVERGED) return status;
     sp_polyline_charts(line, &line->nodes);
     newton->size = size_of(line);
@@ -188,23 +190,32 @@ static enum sp_status start_points(struct sp_newton *newton, const struct sp_req
                                    double ends[2][3], struct sp_arena *arena, struct sp_result *result) {
     int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
     int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && newton->system.line.kind->components == 0;
-    if (climbs && start_with(newton, request, ends, coarse - 1, arena, result) == SP_CONVERGED &&
+    if (climbs && start_with(newton, request, ends, coarse - 1, 1, arena, result) == SP_CONVERGED &&
         sp_refine_polyline(newton, options, count, arena))
         return SP_CONVERGED;
-    return start_with(newton, request, ends, options->point_count, arena, result);
+    return start_with(newton, request, ends, options->point_count, 1, arena, result);
 }
 
-/* A start of few chords and elements from there. Where these jump between sheets, or a given one stalls: on twice as many. MATH.md,
- * "Starts". */
+/* Elements from a start of many points as it is; from one of few, or where that comes to nothing, from few chords. Where these jump between
+ * sheets, or a given one stalls: on twice as many. MATH.md, "Starts". */
 static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
                                      double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
                                      struct sp_refined *refined) {
     size_t used = arena->used;
     struct sp_elements chords = newton->system.elements;
+    int32_t steps = newton->steps_left;
+    if (request->start_count > FINE_START) {
+        newton->steps_left -= steps / 2;
+        enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
+        if (status == SP_CONVERGED) *refined = solve_elements(newton, options, request, 1, arena, arcs, result);
+        if (status == SP_CONVERGED && refined->outcome.status == SP_CONVERGED) return SP_CONVERGED;
+        newton->steps_left += steps / 2;
+        arcs->count = 0, arena->used = used, newton->system.elements = chords;
+    }
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {
-        enum sp_status status = start_with(newton, request, ends, inner, arena, result);
+        enum sp_status status = start_with(newton, request, ends, inner, 1, arena, result);
         if (status == SP_CONVERGED) {
-            *refined = solve_elements(newton, options, request, arena, arcs, result);
+            *refined = solve_elements(newton, options, request, 0, arena, arcs, result);
             status = refined->outcome.status;
         }
         int is_coarse = status == SP_SHEET_JUMP || (request->start && status == SP_STALLED);

@@ -8,6 +8,7 @@ import { vector } from './manifold/rectangle.js';
 import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS } from './search/candidates.js';
+import { findRaised } from './search/raised.js';
 import { settleEnd } from './search/routes.js';
 import { gap, norm } from './vector.js';
 
@@ -115,6 +116,8 @@ export function findPath(field, ends, options, start) {
 function findSmooth(field, ends, options, start) {
   if (!field.domain) return findImplicit(field, ends, options, start);
   const path = findByPieces(field, ends, options, start);
+  const raised = start === 'global' && ASTRAY.includes(path.status) ? findRaised(field, ends, options) : null;
+  if (raised?.converged && (path.status === 'stalled' || raised.length <= mostOf(path))) return raised;
   const again = instead(field, path, options);
   if (!again) return path;
   const own = findByPieces(again.field, ends, compared(again.options), start);

@@ -11,6 +11,7 @@ import { enterDomain, findDomain } from './domain.js';
 import { Graphs } from './graphs.js';
 import { Installation, writeRecords } from './installation.js';
 import { KIND, SHAPE } from './kind.js';
+import { freeName, lowerShape, steepnessOf } from './lowered.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
 import { compileShape, evaluateRanges, readShape } from './shapes.js';
@@ -40,12 +41,13 @@ export class Manifold {
   /** Of all of it, then of the pieces of its domain; and as its own E, F and G measure them. @type {Graphs[][]} */ #graphs = [[], []];
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
+  /** Its like with lower heights, once somebody asks. @type {Manifold | null} */ #low = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/mesh.js').Mesh | null} */ coarse =
     null;
 
-  /** @param {import('../runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition */
-  constructor(solver, kind, definition) {
-    this.#shape = readShape(kind, definition);
+  /** @param {import('../runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {import('./shapes.js').Shape} [shape] what it says of the shape */
+  constructor(solver, kind, definition, shape = readShape(kind, definition)) {
+    this.#shape = shape;
     this.#measure = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#solver = solver;
@@ -137,7 +139,28 @@ export class Manifold {
       own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
+      lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
     };
+  }
+
+  /** It with lower heights, and how steep it is; null: it is no steep one over x and y. @returns {import('../search/raised.js').Lowered | null} */
+  #findLowered() {
+    const steepness = steepnessOf((places) => this.evaluate('jet', places), /** @type {Domain} */ (this.domain));
+    return steepness > 0 ? { steepness, at: (height) => this.#lower(height) } : null;
+  }
+
+  /** Its like with heights multiplied by a number; null: there is no room for it. @param {number} height */
+  #lower(height) {
+    const factor = freeName(this.parameters);
+    try {
+      const definition = { periodic: this.#periodic, parameters: { ...this.parameters, [factor]: 1 } };
+      this.#low ??= new Manifold(this.#solver, this.kind, definition, lowerShape(this.#shape, factor));
+      this.#low.set(this.kind, { [factor]: height });
+      return this.#low.field();
+    } catch {
+      /* No memory, or more parameters than a module may have. */
+      return null;
+    }
   }
 
   /** What boxes hold of an implicit surface. @returns {Bodies} */
@@ -199,6 +222,7 @@ export class Manifold {
       own: null,
       sides: null,
       bodies: null,
+      lowered: null,
     };
   }
 
@@ -315,6 +339,8 @@ export class Manifold {
     const heap = this.#installation.isPresent ? this.#solver.heap : null;
     this.#bodies?.drop(heap);
     this.#bodies = null;
+    this.#low?.dispose();
+    this.#low = null;
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }
 }

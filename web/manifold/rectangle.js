@@ -32,7 +32,7 @@ export function reach(jets, point) {
 export const edgeOf = (edge) => ({ across: (edge - 1) >> 1, along: edge > 2 ? 0 : 1, side: (edge - 1) & 1 });
 
 /** 17 × 17 places. @param {Range} range */
-function gridPlaces({ lower, upper }) {
+export function gridPlaces({ lower, upper }) {
   const places = [];
   for (let i = 0; i <= GRID; i++)
     for (let j = 0; j <= GRID; j++)

@@ -103,6 +103,7 @@ export class Stretched {
       own: null,
       sides: null,
       bodies: null,
+      lowered: null,
     };
   }
 

@@ -1,0 +1,73 @@
+// Steep surfaces: test functions of optimisation as they stand, on which paths are found where heights are lower, and followed.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../../web/index.js';
+import { freeName, steepnessOf } from '../../../web/manifold/lowered.js';
+import { RIGHT, STEEP } from '../../accuracy/measure/steep.js';
+import { createRandom } from '../../helpers/random.js';
+import { verifyPath } from '../../helpers/verify-path.js';
+
+const surfpath = await load();
+/** Enough for lines between points to stay on the slopes. */
+const POINTS = 16383;
+/** Chords between so many are shorter than the path by this part at most; and where it turns within a thousandth of its length, what its places may be wrong by is this much curvature. */
+const DEMANDS = { lengthTolerance: 1e-3, tolerance: 1e-2 };
+
+for (const [name, least] of /** @type {const} */ ([
+  ['Rastrigin', 7],
+  ['Himmelblau', 8],
+  ['egg box', 8],
+])) {
+  test(`${name}'s function as it stands: ${least} of 8 paths converge, each a geodesic as long as finer elements say, seed 2`, () => {
+    const { z, side } = STEEP[name];
+    const definition = { kind: /** @type {const} */ ('parametric'), x: 'u', y: 'v', z, u: [-side, side], v: [-side, side] };
+    const surface = surfpath.surface(/** @type {any} */ (definition));
+    const random = createRandom(2);
+    const place = () => [random.between(-side, side), random.between(-side, side)];
+    let count = 0;
+    for (let i = 0; i < 8; i++) {
+      const [from, to] = [place(), place()];
+      const path = surface.shortestPath(from, to, { points: POINTS });
+      if (!path.converged) continue;
+      const finer = surface.shortestPath(from, to, { start: path, points: POINTS, tolerance: 1e-12 });
+      assert.ok(finer.converged && Math.abs(path.length / finer.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, ${finer.length}`);
+      assert.deepEqual(verifyPath(/** @type {any} */ (definition), path, { from, to, ...DEMANDS }), [], `${from} to ${to}`);
+      if (i === 0) assert.equal(surface.shortestPath(from, to).length, path.length, 'however many points are wanted');
+      count++;
+    }
+    surface.dispose();
+    assert.ok(count >= least, `${count} converge`);
+  });
+}
+
+/** Jets of a surface, given X, its two slopes, by place. @param {(u: number, v: number) => number[]} jet */
+const sampled = (jet) => (/** @type {number[]} */ places) => {
+  const jets = new Float64Array(9 * places.length);
+  for (let i = 0; 2 * i < places.length; i++) jets.set(jet(places[2 * i], places[2 * i + 1]), 18 * i);
+  return jets;
+};
+
+test('how steep a surface is over x and y: its mean slope; none where it is no height field', () => {
+  const square = { lower: [-1, -1], upper: [1, 1] };
+  const plane = sampled((u, v) => [u, v, 30 * u + 40 * v, 1, 0, 30, 0, 1, 40]);
+  assert.ok(Math.abs(steepnessOf(plane, square) - 50) < 1e-12);
+  /* Of a cone in polar coordinates, whose apex has no normal. */
+  const cone = sampled((u, v) => [
+    v * Math.cos(u),
+    v * Math.sin(u),
+    7 * v,
+    -v * Math.sin(u),
+    v * Math.cos(u),
+    0,
+    Math.cos(u),
+    Math.sin(u),
+    7,
+  ]);
+  assert.ok(Math.abs(steepnessOf(cone, { lower: [0, 0], upper: [6, 1] }) - 7) < 1e-12);
+  const cylinder = sampled((u, v) => [Math.cos(u), Math.sin(u), v, -Math.sin(u), Math.cos(u), 0, 0, 0, 1]);
+  assert.equal(steepnessOf(cylinder, square), 0);
+  const folded = sampled((u, v) => [u * u, v, u, 2 * u, 0, 1, 0, 1, 0]);
+  assert.equal(steepnessOf(folded, square), 0);
+});
+
+test('a name that no parameter has', () => assert.equal(freeName({ height: 1, height_: 2 }), 'height__'));

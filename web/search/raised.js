@@ -1,0 +1,67 @@
+/**
+ * Paths on steep surfaces. On its way from crest to crest a path turns within a thousandth of its length: chords jump, and of all ways the graph sees none along lines of equal height. With
+ * lower heights the path is found as any other; then it follows the surface, which is raised step by step. MATH.md, "Steep surfaces".
+ */
+
+import { isGeodesic } from '../path.js';
+import { compared, ELEMENTS } from './candidates.js';
+import { findGlobal, solveNear } from './routes.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('./routes.js').Field} Field */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+/**
+ * @typedef {object} Lowered
+ * @property {number} steepness root mean square of its slopes
+ * @property {(height: number) => Field | null} at it with its heights multiplied by a number; null: there is no room for it. Valid until the next one
+ */
+
+/** How steep a surface is made on which the first path is looked for: each may lead to another one. */
+const SLOPES = [12, 6, 3];
+/** By what heights are multiplied at first, at most, by how much more after each path that was found, and at least; and how often. */
+const [FIRST, MOST, FASTER, LEAST, OFTEN] = [1.5, 2, 1.3, 1.05, 16];
+/** A path is handed on by so many points: between fewer, lines straight over u and v lead over crests. */
+const POINTS = 16383;
+/** It is followed in no more steps than these: what takes more has become another one. */
+const STEPS = 100;
+
+/**
+ * The shortest of the paths between two ends of a steep surface that are found; null: this is none, or no path can be raised.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
+ */
+export function findRaised(field, ends, options) {
+  const low = options.algorithm === ELEMENTS && options.maxIterations >= STEPS ? field.lowered?.() : null;
+  if (!low) return null;
+  const roughly = { ...compared(options), points: POINTS };
+  /** @type {Path | null} */
+  let shortest = null;
+  for (const slope of SLOPES) {
+    const height = slope / low.steepness;
+    const path = height < 1 ? raise(low.at, ends, roughly, height) : null;
+    if (path && !(shortest && path.length >= shortest.length)) shortest = path;
+  }
+  return shortest && solveNear(field, ends, options, shortest.parameters);
+}
+
+/**
+ * A path found on a lower surface, followed to the height that this has; null: it cannot be.
+ * @param {(height: number) => Field | null} at @param {number[][]} ends @param {SolveOptions} options @param {number} height the first
+ */
+function raise(at, ends, options, height) {
+  const low = at(height);
+  let path = low && findGlobal(low, ends, options, 1)[0];
+  if (!path || !isGeodesic(path)) return null;
+  let factor = FIRST;
+  for (let tries = 0; height < 1; tries++) {
+    if (tries === OFTEN || factor < LEAST) return null;
+    const higher = Math.min(factor * height, 1);
+    const field = at(higher);
+    /** @type {Path | null} */
+    const next = field && solveNear(field, ends, { ...options, maxIterations: STEPS }, path.parameters);
+    if (next && isGeodesic(next)) {
+      [path, height] = [next, higher];
+      factor = Math.min(factor * FASTER, MOST);
+    } else factor = Math.sqrt(factor);
+  }
+  return path;
+}
