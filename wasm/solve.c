@@ -208,8 +208,8 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
         newton->steps_left -= steps / 2;
         enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
         if (status == SP_CONVERGED) *refined = solve_elements(newton, options, request, 1, arena, arcs, result);
-        if (status == SP_CONVERGED && refined->outcome.status == SP_CONVERGED) return SP_CONVERGED;
         newton->steps_left += steps / 2;
+        if (status == SP_CONVERGED && refined->outcome.status == SP_CONVERGED) return status;
         arcs->count = 0, arena->used = used, newton->system.elements = chords;
     }
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {

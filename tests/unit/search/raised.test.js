@@ -8,6 +8,8 @@ import { createRandom } from '../../helpers/random.js';
 import { verifyPath } from '../../helpers/verify-path.js';
 
 const surfpath = await load();
+/** A start of many points is taken as it is, and is nearly right. */
+const STEPS = 60;
 /** Enough for lines between points to stay on the slopes. */
 const POINTS = 16383;
 /** Chords between so many are shorter than the path by this part at most; and where it turns within a thousandth of its length, what its places may be wrong by is this much curvature. */
@@ -30,6 +32,7 @@ for (const [name, least] of /** @type {const} */ ([
       const path = surface.shortestPath(from, to, { points: POINTS });
       if (!path.converged) continue;
       const finer = surface.shortestPath(from, to, { start: path, points: POINTS, tolerance: 1e-12 });
+      assert.ok(finer.iterations <= STEPS, `${from} to ${to}: ${finer.iterations} steps from many points of the path itself`);
       assert.ok(finer.converged && Math.abs(path.length / finer.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, ${finer.length}`);
       assert.deepEqual(verifyPath(/** @type {any} */ (definition), path, { from, to, ...DEMANDS }), [], `${from} to ${to}`);
       if (i === 0) assert.equal(surface.shortestPath(from, to).length, path.length, 'however many points are wanted');
