@@ -79,6 +79,9 @@ function isGood(field, path, { tolerance }) {
   return path.converged && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
 }
 
+/** Whether there is a path, or may be one, that was not solved. @param {Path} path */
+const isUnsolved = ({ status }) => status === 'stalled' || ON_SURFACE.includes(status);
+
 /** Whether a path is one, if not to the tolerance. @param {Path} path */
 const isRoughlyKnown = ({ status, length, lengthError }) => ON_SURFACE.includes(status) && lengthError < length;
 
@@ -116,7 +119,7 @@ export function findPath(field, ends, options, start) {
 function findSmooth(field, ends, options, start) {
   if (!field.domain) return findImplicit(field, ends, options, start);
   const path = findByPieces(field, ends, options, start);
-  const raised = start === 'global' && ASTRAY.includes(path.status) ? findRaised(field, ends, options) : null;
+  const raised = start === 'global' && isUnsolved(path) ? findRaised(field, ends, options) : null;
   if (raised?.converged && (path.status === 'stalled' || raised.length <= mostOf(path))) return raised;
   const again = instead(field, path, options);
   if (!again) return path;
