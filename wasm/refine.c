@@ -29,7 +29,9 @@ enum { TOUCHING_NODES = 768 };
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
 enum { LAST_RUNGS = 2 };
-enum { AGAIN = 2, RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
+/* So many are climbed a second time. */
+enum { AGAIN = 2 };
+enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
@@ -101,6 +103,7 @@ struct climb {
     const struct sp_options *options;
     struct sp_arena *arena;
     struct sp_system *first;         /* a path that all must be near to */
+    int is_fine;                     /* 1: it is a start, not at rest */
     const struct sp_storage *chords; /* its storage, if it is one of chords that may be more; else NULL */
     double first_length;             /* 0: not known */
     struct sp_system before;         /* the path that the next rung starts from */
@@ -109,7 +112,6 @@ struct climb {
     double last, change, moved; /* length of the last rung, by how much it had changed, how far nodes had moved (0: not known) */
     double error, allowed;      /* what the length of `now` is, and may be, wrong by */
     int astray;                 /* 1: `now` is another path than the first */
-    int is_fine;                /* 1: the first path is no path at rest, but near one */
     int follows;                /* 1: it is not, and started from a path of elements */
     size_t floor, bottom;       /* bytes of arena below the reference element, and with it */
 };

@@ -10,7 +10,7 @@
 struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_options *options, const struct sp_storage *storage,
                                   double *error);
 
-/* A start in newton->system.line as it is, if that is a path. */
+/* The start in newton->system.line as it is, as if it were a path at rest. */
 struct sp_climbed sp_chords_given(struct sp_newton *newton);
 
 /* The path of `count` chords, from another one, which is not in newton's own arrays. */

@@ -196,8 +196,8 @@ static enum sp_status start_points(struct sp_newton *newton, const struct sp_req
     return start_with(newton, request, ends, options->point_count, 1, arena, result);
 }
 
-/* Elements from a start of many points as it is; from one of few, or where that comes to nothing, from few chords. Where these jump between
- * sheets, or a given one stalls: on twice as many. MATH.md, "Starts". */
+/* Elements from a start of many points as it is, in half of the steps; from one of few, or where that comes to nothing, from few chords.
+ * Where these jump between sheets, or a given one stalls: on twice as many. MATH.md, "Starts". */
 static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
                                      double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
                                      struct sp_refined *refined) {
