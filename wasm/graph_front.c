@@ -58,29 +58,21 @@ void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, doub
     rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
 }
 
-static int leads_nowhere(const struct sp_front *front, int32_t vertex) {
-    return front->through[0] && front->through[0][vertex] + front->through[1][vertex] > front->most;
-}
-
-/* Whether an offer would count, and be visited. Most would not: asked before the call. */
-static inline __attribute__((always_inline)) int is_of_interest(const struct sp_front *front, int32_t vertex, double distance) {
-    if (!(distance < front->distance[vertex]) || distance >= front->farthest) return 0;
-    if (!front->through[0]) return 1;
-    double other = front->through[1] == front->distance ? distance : front->through[1][vertex];
-    return front->through[0][vertex] + other <= front->most;
-}
-
 void sp_front_advance(struct sp_front *front, double limit) {
     const struct sp_graph *graph = front->graph;
+    const double *distances = front->distance, *other = front->other, most = front->most, farthest = front->farthest;
     while (front->count > 0 && front->heap[0].key < limit) {
         int32_t vertex = front->heap[0].vertex;
         struct sp_queued last = front->heap[--front->count];
         front->slot[vertex] = front->target ? CLOSED : -1;
         if (front->count > 0) sink(front, 0, last);
-        if (leads_nowhere(front, vertex)) continue;
-        for (int32_t e = graph->first[vertex]; e < graph->first[vertex + 1]; e++) {
-            double distance = front->distance[vertex] + (double)graph->edges[e].length;
-            if (is_of_interest(front, graph->edges[e].to, distance)) sp_front_offer(front, graph->edges[e].to, vertex, distance);
+        double so_far = distances[vertex];
+        /* Most edges lead to no shorter way: asked before the call. */
+        for (const struct sp_graph_edge *edge = graph->edges + graph->first[vertex], *end = graph->edges + graph->first[vertex + 1];
+             edge < end; edge++) {
+            double distance = so_far + (double)edge->length;
+            if (!(distance < distances[edge->to]) || distance >= farthest || (other && other[edge->to] + distance > most)) continue;
+            sp_front_offer(front, edge->to, vertex, distance);
         }
     }
 }

@@ -27,12 +27,10 @@ static enum sp_status attach(struct search *search) {
     return status;
 }
 
-/* From now on only the vertices of ways of interest are visited. */
-static void bound(struct search *search, double most) {
-    struct sp_front *front = search->front, *others[2] = {front + 1, &search->taken};
-    front[0].farthest = front[1].farthest = search->longest * search->best, search->taken.farthest = APART[0] * search->best;
-    for (int i = 0; i < 2; i++)
-        others[i]->through[0] = front[0].distance, others[i]->through[1] = front[1].distance, others[i]->most = most;
+/* Leaves the vertices that no way of interest leads over out of the distances from ways: as near as can be, they are never offered. */
+static void leave_out(struct search *search, double most) {
+    for (int32_t i = 0; i < search->graph->vertex_count; i++)
+        if (!(search->front[0].distance[i] + search->front[1].distance[i] <= most)) search->taken.distance[i] = -__builtin_inf();
 }
 
 /* Distances from both ends as far as ways of interest go. In space no way is shorter than its chord. */
@@ -56,9 +54,11 @@ static enum sp_status measure(struct search *search) {
         sp_front_advance(front, limit);
     }
     double most = (search->longest + ROUNDING) * search->best;
-    bound(search, most);
+    front[0].farthest = front[1].farthest = search->longest * search->best;
+    front[1].other = front[0].distance, front[1].most = most;
     sp_front_advance(front, most);
     sp_front_advance(front + 1, front[1].farthest);
+    leave_out(search, most);
     return SP_CONVERGED;
 }
 
@@ -93,6 +93,7 @@ static enum sp_status find_ways(struct search *search, struct sp_arena *arena, s
         while (via < 0 && ++round < rounds)
             via = best_via(search, APART[round]);
         if (via < 0) break;
+        search->taken.farthest = APART[round] * search->best; /* what is farther is not asked for */
         struct sp_way way = {search->surface, search->graph, search->ends[0], search->ends[1], search->vertices, trace(search, via)};
         enum sp_status status = sp_way_write(&way, arena, answer);
         if (status != SP_CONVERGED) return status;

@@ -52,9 +52,9 @@ struct sp_front {
     /* The sample to which ways lead, where no way is shorter than its chord: a key is the distance and the chord from there (A*). NULL: the
      * distance alone. */
     const double *target;
-    /* Vertices that no way of interest leads over are not visited: those where the sum of two distances is more than `most`. NULL: none are
-     * left out. */
-    const double *through[2];
+    /* Distances from where ways lead: vertices are left out where they and those from the seeds add up to more than `most`. NULL: none is.
+     */
+    const double *other;
     double most, farthest; /* nor are those that are as far as `farthest` */
 };
 
