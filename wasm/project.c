@@ -4,6 +4,9 @@
 #include "surfpath.h"
 #include <string.h>
 
+/* From far away a step leads the n-th part of the way to where a form of degree n vanishes: so often as many as one at hand takes. */
+enum { FAR = 30 };
+
 enum { ROUNDS = 100, HALVINGS = 40 };
 static const double STATIONARY = 1e-10, ROUNDING = 1e-15;
 
@@ -77,6 +80,13 @@ static int is_stationary(struct distance at, const int held[2], struct sp_vector
     return u * u + v * v <= STATIONARY * STATIONARY * at.squared || root(u * u + v * v) <= 1e-14 * (size + root(at.squared));
 }
 
+static int settle_from_afar(const struct sp_surface *surface, sp_pair at[3]) {
+    int settled = 0;
+    for (int i = 0; i < FAR && !settled; i++)
+        settled = sp_implicit_settle(surface, 1, at, surface->extent);
+    return settled;
+}
+
 int32_t sp_project_point(const struct sp_surface *surface, const double point[3], double place[3]) {
     const struct sp_kind *kind = sp_kind_of(surface);
     struct sp_vector target = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(point[2])};
@@ -85,7 +95,7 @@ int32_t sp_project_point(const struct sp_surface *surface, const double point[3]
         at[j] = sp_splat(place[j]);
     if (surface->kind == SP_PARAMETRIC)
         sp_parametric_clip(surface, 1, at);
-    else if (!sp_implicit_settle(surface, 1, at, surface->extent))
+    else if (!settle_from_afar(surface, at))
         return SP_OFF_SURFACE;
     kind->charts(surface, 1, at, chart, NULL);
     struct distance here = distance_at(chart, target);

@@ -14,6 +14,8 @@ static const double NORMAL = 1e-10;
 static const double ROUNDING = 1e-15;
 /* Nearer than this part of the length to where it ended the first time, a path may end again. */
 static const double CLOSE = 1e-13;
+/* An end that may be farther off, in parts of the length, and not only by rounding of the coordinates, is within no tolerance. */
+static const double MOST_ERROR = 1e-2, MOST_ROUNDING = 1e-12;
 
 void sp_default_trace_options(struct sp_trace_options *options) { *options = (struct sp_trace_options){1e-12, 64, 200000}; }
 
@@ -198,7 +200,8 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     result->length = trace.length, result->length_error = sp_trace_error(&trace);
     if (surface->kind == SP_PARAMETRIC || surface->metric != SP_TENSOR) result->conjugate = trace.conjugate;
     result->steps = trace.accepted;
-    return status;
+    int is_known = result->length_error <= larger(MOST_ERROR * trace.length, MOST_ROUNDING * trace.scale);
+    return status == SP_CONVERGED && !is_known ? SP_TOLERANCE_NOT_MET : status;
 }
 
 int32_t sp_trace_path(const struct sp_surface *surface, const struct sp_trace_request *request, const struct sp_trace_options *options,

@@ -11,7 +11,7 @@ import { measureField, readFieldOptions } from './mesh/field.js';
 import { meshSurface } from './mesh/mesh.js';
 import { evaluateNormals } from './mesh/normals.js';
 import { projectOnto } from './mesh/projection.js';
-import { MOST_POINTS, makePath, readOptions, readStart } from './path.js';
+import { isGeodesic, MOST_POINTS, makePath, readOptions, readStart } from './path.js';
 import { emptyPath } from './runtime/result.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 import { COMPARED_POINTS, ELEMENTS } from './search/candidates.js';
@@ -118,9 +118,9 @@ export class Surface {
     );
     // The shortest is looked for in more ways than all of them are.
     const shortest = findPath(field, ends, solve, 'global');
-    const isNew =
-      shortest.converged && !found.some(({ length, lengthError }) => length - lengthError <= shortest.length + shortest.lengthError);
-    return isNew ? [shortest, ...found].slice(0, max) : found;
+    const mayBeIt = (/** @type {Path} */ { length, lengthError }) => length - lengthError <= shortest.length + shortest.lengthError;
+    const isKnown = !shortest.converged || found.some((path) => isGeodesic(path) && mayBeIt(path));
+    return isKnown ? found : [shortest, ...found.filter((path) => !mayBeIt(path))].slice(0, max);
   }
 
   /**

@@ -154,6 +154,19 @@ test('a mug: paths from inside to outside lead over its rim, not through the wal
   mug.dispose();
 });
 
+test('geodesics of a cube: the shortest is the shortest path, which leads over edges as unfolded', () => {
+  const body = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1', bounds: cube(1.2) });
+  const random = createRandom(15);
+  for (let i = 0; i < 8; i++) {
+    const [x, y, z] = [random.between(0, 0.9), random.between(-0.4, 0.4), random.between(-0.9, 0.9)];
+    const [first, ...others] = body.geodesics([x, 0, 1], [1, y, z]);
+    assert.equal(first.status, 'converged');
+    assert.ok(Math.abs(first.length - Math.hypot(2 - x - z, y)) < RIGHT * first.length, `${first.length}`);
+    for (const { length, lengthError } of others) assert.ok(length - lengthError > first.length, `${length} ± ${lengthError}`);
+  }
+  body.dispose();
+});
+
 test('a cube under a density: where legs do not come to rest, that is given up in time', () => {
   const { solve } = Heap.prototype;
   let steps = 0;

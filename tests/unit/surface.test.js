@@ -255,6 +255,54 @@ describe('project', () => {
     allClose(sphere.project([0, 0, 0], [0, 0, 2]), [0, 0, 1]);
   });
 
+  for (const { title, surface, u, v } of [
+    {
+      title: 'Rosenbrock’s function, steep and folded',
+      surface: surfpath.graph({ z: '(1 - x)^2 + 100(y - x^2)^2', x: [-2, 2], y: [-1, 3] }),
+      u: [-2, 2],
+      v: [-1, 3],
+    },
+    {
+      title: 'an egg box',
+      surface: surfpath.graph({ z: 'sin(12x)*sin(12y)', x: [-2, 2], y: [-2, 2] }),
+      u: [-2, 2],
+      v: [-2, 2],
+    },
+    {
+      title: 'turns close above each other',
+      surface: surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: '0.05u', u: [0, 40], v: [-1, 1] }),
+      u: [0, 40],
+      v: [-1, 1],
+    },
+  ])
+    test(`finds points of the surface where they are: ${title}`, () => {
+      const random = createRandom(5);
+      for (let i = 0; i < 100; i++) {
+        const place = [random.between(u[0], u[1]), random.between(v[0], v[1])];
+        const point = Array.from(surface.evaluate(place).slice(0, 3));
+        const found = surface.evaluate(surface.project(point)).slice(0, 3);
+        assert.ok(Math.hypot(...point.map((x, j) => x - found[j])) < 1e-7 * (1 + Math.hypot(...point)), `${place}`);
+      }
+      surface.dispose();
+    });
+
+  test('implicit, without bounds: from far away and from deep inside, whatever the degree', () => {
+    for (const degree of [2, 4, 8]) {
+      const surface = surfpath.implicit({ f: `x^${degree} + y^${degree} + z^${degree} - 1` });
+      for (const size of [0.1, 10, 1e4]) {
+        const found = surface.project([size, 0.3 * size, 0.01 * size]);
+        close(surface.evaluate(found)[0], 0, 1e-12);
+        if (degree === 2)
+          close(
+            Math.hypot(...found.map((x, j) => x - [1, 0.3, 0.01][j] * size)),
+            Math.abs(size * Math.hypot(1, 0.3, 0.01) - 1),
+            1e-9 * size,
+          );
+      }
+      surface.dispose();
+    }
+  });
+
   test('finds the closest point of what a parameter was changed to, on which turn of a strip it may be', () => {
     const strip = surfpath.parametric({ x: 'cos(u) + v/10', y: 'sin(u)', z: 'k*u', u: [0, 60], v: [-1, 1], parameters: { k: 0.1 } });
     const turn = () => Math.round(strip.project([2, 0, 6])[0] / (2 * Math.PI));

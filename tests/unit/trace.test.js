@@ -137,6 +137,14 @@ test('across a curve where the gradient vanishes: at once, within the error that
   for (const surface of [ball, heart]) surface.dispose();
 });
 
+test('past the rim of its formula it does not know where it is, and says so', () => {
+  const dome = surfpath.graph({ z: 'sqrt(1 - x^2 - y^2)', x: [-1, 1], y: [-1, 1] });
+  for (const aside of [0.001, 0.01, 0.3]) assert.equal(dome.trace([0.5, 0], [-1, aside], 3).status, 'tolerance-not-met');
+  const within = dome.trace([0.5, 0], [-1, 0.01], 2);
+  assert.ok(within.converged && within.lengthError < 1e-8, `${within.lengthError}`);
+  dome.dispose();
+});
+
 test('what cannot be traced has a status and no path', () => {
   const [cone, blunt] = ['z^2', '25*z^2'].map((square) => surfpath.implicit({ f: `x^2+y^2-${square}` }));
   const root = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(u)', u: [-1, 1], v: [-1, 1] });

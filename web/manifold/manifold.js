@@ -42,7 +42,7 @@ export class Manifold {
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
   /** Its like with lower heights, once somebody asks. @type {Manifold | null} */ #low = null;
-  /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/mesh.js').Mesh | null} */ coarse =
+  /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/projection.js').Coarse | null} */ coarse =
     null;
 
   /** @param {import('../runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {import('./shapes.js').Shape} [shape] what it says of the shape */

@@ -43,6 +43,8 @@ function nodeAt(jet, { next, determinant }, size) {
   const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
   const largest = Math.max(...jet.subarray(4).map(Math.abs));
   if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2 && Math.abs(determinant) > SINGULAR * largest ** 3)) return null;
+  /* A form that is definite: nothing of the surface is near. */
+  if (xx * yy > xy * xy && xx * determinant > 0) return null;
   const second = [
     [xx, xy, xz],
     [xy, yy, yz],

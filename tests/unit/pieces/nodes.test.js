@@ -254,6 +254,15 @@ for (const { name, definition, nodes, places } of [
     }
   });
 
+test('a point by itself is no node: paths around a tooth, in whose middle ∇f = 0', () => {
+  const tooth = surfpath.implicit({ f: 'x^4 + y^4 + z^4 - x^2 - y^2 - z^2', bounds: within(1.3) });
+  const random = createRandom(58);
+  const place = () => tooth.project([2, random.between(-2, 2), random.between(-2, 2)]);
+  for (let i = 0; i < PAIRS; i++) assert.equal(tooth.shortestPath(place(), place()).status, 'converged');
+  assert.equal(tooth.shortestPath([1, 0, 0], [0, 0.999, 0.05]).status, 'converged');
+  tooth.dispose();
+});
+
 describe('where little tells which nodes hang together', () => {
   const [kummer13, cayley2] = [{ ...kummer, parameters: { m: 1.3 } }, { f: 'x^2 + y^2 - x^2*z + y^2*z + z^2 - 1' }];
   /* Lengths are those that other bounds give, to 1e-9, and polylines on a mesh, to 1e-3. */
