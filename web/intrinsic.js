@@ -33,6 +33,8 @@ const TORN = 1e-9;
 const NO_LONGER = 2e-3;
 /** So much of the coordinates is what they leave open of a length. */
 const ROUNDING = 1e-15;
+/** Finer graphs than the first that may tell ways over creases. */
+const FINER = 2;
 
 /**
  * How long a line is in space that is straight over u and v from node to node: by derivatives, and by chords between the parts, which are shorter, unless it is torn.
@@ -108,6 +110,12 @@ export function findPath(field, ends, options, start) {
   const maxIterations = field.domain ? options.maxIterations : Math.min(options.maxIterations, STEPS);
   const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
   if (path.converged && path.length <= creased.most) return path;
+  /* Cells that are wider than a wall lead through it. */
+  const mayBeThin = start === 'global' && !field.domain && field.isPlain && !isGeodesic(path) && !creased.path;
+  for (let finer = 1; mayBeThin && finer <= FINER; finer++) {
+    const other = findCreased(field, ends, options, start, finer);
+    if (other?.path && other.path.length <= other.most) return other.path;
+  }
   const rough = creased.rough();
   const mayBeShort = !field.domain && field.isPlain && !isGeodesic(path);
   if (rough && (mayBeShort || !(path.length <= rough.length * (1 + NO_LONGER)))) return rough;

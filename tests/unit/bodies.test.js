@@ -154,6 +154,41 @@ test('a mug: paths from inside to outside lead over its rim, not through the wal
   mug.dispose();
 });
 
+test('where two pipes meet, whose walls are thinner than cells of the first graph: from inside to outside over their rims', () => {
+  const outer = 'min(x^2 + y^2 - 0.25, max(x^2 + z^2 - 0.16, -y))';
+  const inner = 'min(x^2 + y^2 - 0.2, max(x^2 + z^2 - 0.11, -y))';
+  const tee = surfpath.implicit({
+    f: `max(${outer}, -${inner}, abs(z) - 1.5, y - 1.5)`,
+    bounds: [
+      [-0.7, 0.7],
+      [-0.7, 1.7],
+      [-1.7, 1.7],
+    ],
+  });
+  /* In a wall of a pipe along z, or of the one along y. */
+  const random = createRandom(16);
+  for (let i = 0; i < 6; i++) {
+    const [angle, z] = [random.between(-2, -1), random.between(-1.2, 1.2)];
+    const [around, y] = [random.between(0, 6), random.between(0.7, 1.3)];
+    const on = (/** @type {number} */ r) => [r * Math.cos(angle), r * Math.sin(angle), z];
+    const beside = (/** @type {number} */ r) => [r * Math.cos(around), y, r * Math.sin(around)];
+    for (const [from, to] of [
+      [on(0.5), on(Math.sqrt(0.2))],
+      [beside(0.4), on(Math.sqrt(0.2))],
+      [on(0.5), beside(Math.sqrt(0.11))],
+    ]) {
+      const path = tee.shortestPath(from, to);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      const rim = Math.min(1.5 - Math.max(from[1], to[1]), 1.5 - Math.abs(from[2]), 1.5 - Math.abs(to[2]));
+      assert.ok(path.length > rim, `${path.length}`);
+    }
+  }
+  /* As a path begun along a fine mesh is. */
+  const known = tee.shortestPath([0.145498817, 0.793571429, 0.298043777], [0.175162824, -0.468313981, 0.269875]);
+  assert.ok(known.converged && Math.abs(known.length - 2.93777) < 1e-5, `${known.length}`);
+  tee.dispose();
+});
+
 test('geodesics of a cube: the shortest is the shortest path, which leads over edges as unfolded', () => {
   const body = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1', bounds: cube(1.2) });
   const random = createRandom(15);

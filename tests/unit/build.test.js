@@ -17,11 +17,11 @@ test('surfpath.wasm is at most 144.7 KB', () => {
   assert.ok(wasm.length <= 144.7 * 1024, `${wasm.length} bytes`);
 });
 
-test('the JavaScript without the wasm is at most 60.7 KB gzipped', () => {
+test('the JavaScript without the wasm is at most 60.8 KB gzipped', () => {
   const text = readFileSync(`${root}/dist/index.js`, 'utf8');
   assert.ok(text.includes(inlined));
   const bytes = gzipSync(text.replace(inlined, ''), { level: 9 }).length;
-  assert.ok(bytes <= 60.7 * 1024, `${bytes} bytes`);
+  assert.ok(bytes <= 60.8 * 1024, `${bytes} bytes`);
 });
 
 test('surfpath.wasm imports nothing', () => {

@@ -43,9 +43,10 @@ const [APART, ALIKE] = [0.02, 0.1];
 
 /**
  * The shortest path near a start, or of all that are found.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('../pieces/pieces.js').Start} start @returns {Creased | null} null: there are no creases
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('../pieces/pieces.js').Start} start @param {number} [finer] as findWays takes it
+ * @returns {Creased | null} null: there are no creases
  */
-export function findCreased(field, ends, options, start) {
+export function findCreased(field, ends, options, start, finer = 0) {
   const { domain, pieces } = field;
   const isWhole = pieces.length === 0 && !domain?.turn;
   if (!field.sides || !isWhole || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations)
@@ -58,16 +59,19 @@ export function findCreased(field, ends, options, start) {
   const settled = field.domain ? ends : ends.map((end) => settleEnd(field, end));
   const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
-  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, start);
+  const { best, least, most } = findRoute(
+    { field, sides, ends: asked, budget: { steps: MOST_NEWTON } },
+    findWays(field, asked, start, finer),
+    start,
+  );
   const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
   return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
 }
 
-/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Way | null, most: number }} */
-function findRoute(question, start) {
+/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Way | null, most: number }} */
+function findRoute(question, { ways, distance }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
-  const { ways, distance } = findWays(field, ends, start);
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
     .map((line) => ({ line, measured: measureLine(field, ends, line) }))

@@ -114,10 +114,10 @@ export function findGlobal(field, ends, options, most) {
 
 /**
  * Polylines along which paths between two ends may lead, as a graph has them.
- * @param {Field} field @param {number[][]} ends @param {import('../pieces/pieces.js').Start} start
+ * @param {Field} field @param {number[][]} ends @param {import('../pieces/pieces.js').Start} start @param {number} [finer] so many graphs are passed over that join the ends
  * @returns {{ ways: Float64Array[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
-export function findWays(field, ends, start) {
+export function findWays(field, ends, start, finer = 0) {
   if (start !== 'global') return { ways: [start ?? Float64Array.from(ends.flat())], distance: Infinity };
   /** @type {Float64Array[]} */
   let ways = [];
@@ -126,8 +126,10 @@ export function findWays(field, ends, start) {
     const { from, to, domain, solve } = problem;
     const straight = { to, start: null };
     const path = domain ? null : solve(to, null, SKETCH);
-    const [found] = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
-    const starts = [...(path ? [straight] : []), ...(found?.starts ?? [])];
+    const graphs = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
+    for (let i = 0; i < finer; i++) graphs.next();
+    const found = graphs.next().value;
+    const starts = [...(path && !finer ? [straight] : []), ...(found?.starts ?? [])];
     ways = starts.map(({ to: end, start: given }) => Float64Array.from(given ?? [...from, ...end]));
     distance = found?.distance ?? Infinity;
     return [];
