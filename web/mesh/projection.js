@@ -43,14 +43,19 @@ export function projectOnto(manifold, caller, target, near) {
 function nearVertices(manifold, caller, target) {
   manifold.coarse ??= withEdges(meshSurface(manifold, caller, SEARCH));
   const { positions, parameters, edges, longest } = manifold.coarse;
-  const away = Float64Array.from(longest, (_, i) => gap([positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]], target));
+  const [x, y, z] = target;
+  const away = new Float64Array(longest.length);
+  for (let i = 0, k = 0; i < away.length; i++)
+    away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
   const isNear = longest.map(Math.sign);
   for (let k = 0; k < edges.length; k += 2) {
-    const [i, j] = [edges[k], edges[k + 1]];
-    if (away[i] !== away[j]) isNear[away[i] < away[j] ? j : i] = 0;
+    const between = away[edges[k]] - away[edges[k + 1]];
+    if (between !== 0) isNear[edges[between < 0 ? k + 1 : k]] = 0;
   }
   const [numbers, width] = parameters ? [parameters, 2] : [positions, 3];
-  const found = Array.from(isNear.keys()).filter((i) => isNear[i]);
+  /** @type {number[]} */
+  const found = [];
+  for (let i = 0; i < isNear.length; i++) if (isNear[i]) found.push(i);
   if (found.length === 0) return [{ place: target, least: 0 }];
   return found
     .sort((i, j) => away[i] - away[j])
