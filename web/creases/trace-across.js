@@ -2,6 +2,7 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
+import { diagonalOf, minus } from '../vector.js';
 import { bend, isTorn, traceOn, velocityOn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
 import { isSame } from './cut.js';
@@ -21,8 +22,8 @@ import { endOf, look, vanishes } from './meeting.js';
 const UNKNOWN = 0.01;
 /** Two ways of one length from a place end no farther apart than so many times that. */
 const FARTHEST = 2;
-/** After so many legs a trace ends. */
-const MOST_LEGS = 1000;
+/** After so many creases, or steps, a trace ends. */
+const [MOST_CREASES, MOST_STEPS] = [1000, 200_000];
 /** Where a side ends beyond a crease, so many times half as far is looked. */
 const MOST_HALVINGS = 12;
 /** Creases nearer to a place than this part of the coordinates meet there; of these, cosines of directions that are one. */
@@ -39,13 +40,15 @@ const ALONG = 1e-7;
  */
 export function traceAcross(field, sides, { place, direction, length, reach }, { points, tolerance }) {
   sides.begin();
+  const { domain, box } = field;
+  const span = domain ? Math.max(...minus(domain.upper, domain.lower)) : box ? diagonalOf(box) : reach;
   const tracing = { field, sides, tolerance, size: Math.max(...place.map(Math.abs), reach) };
   const here = enter(tracing, place, direction);
   if (!here) return null;
-  const { legs, status, spread } = walk(tracing, here, length);
+  const { legs, status, spread, hasCrossed } = walk(tracing, here, length, length * Math.min(1, span / reach || 1));
   const [first] = legs;
-  if (!first || status < CONVERGED) return emptyPath(status);
-  if (legs.length === 1 && status === first.raw.status) return traceOn(tracing, first.side, place, direction, length, points);
+  if (!first || status < CONVERGED) return status < CONVERGED ? emptyPath(status) : null;
+  if (!hasCrossed) return traceOn(tracing, first.side, place, direction, length, points);
   const total = legs.reduce((sum, { raw }) => sum + raw.length, 0);
   const drawn = sample(tracing, legs, total, points);
   if (!drawn) return emptyPath(NOT_FINITE);
@@ -102,48 +105,52 @@ function leads({ sides }, signs, place, velocity, crease) {
   return isSame(sides, signs, beyond(signs, crease), place);
 }
 
-/** Legs, from crease to crease, and how the last one ended. @param {Tracing} tracing @param {Here} here @param {number} length @returns {{ legs: Leg[], status: number, spread: Spread }} */
-function walk(tracing, here, length) {
+/**
+ * Legs, from crease to crease, and how the last one ended.
+ * @param {Tracing} tracing @param {Here} here @param {number} length @param {number} most length of one, which is looked at in so many points
+ * @returns {{ legs: Leg[], status: number, spread: Spread, hasCrossed: boolean }}
+ */
+function walk(tracing, here, length, most) {
   /** @type {Leg[]} */
   const legs = [];
   /** @type {Spread} */
   let spread = { position: 0, turn: 0 };
-  let [rest, hasCrossed] = [length, false];
-  for (let count = 0; count < MOST_LEGS; count++) {
+  let [rest, crossed, steps] = [length, 0, 0];
+  const ended = (/** @type {number} */ status) => ({ legs, status, spread, hasCrossed: crossed > 0 });
+  while (crossed < MOST_CREASES && steps < MOST_STEPS) {
     const side = tracing.sides.on(here.signs);
-    const { raw, crease, isWhole } = stride(tracing, side, here, rest);
-    if (!side || !raw?.end || raw.status < CONVERGED) {
-      /* What ends beyond a crease says nothing of the way to it. */
-      const status = hasCrossed || !raw ? TOLERANCE_NOT_MET : raw.status;
-      return { legs, status, spread };
-    }
-    hasCrossed ||= crease !== null;
+    const { raw, crease } = stride(tracing, side, here, Math.min(rest, most));
+    /* What ends beyond a crease says nothing of the way to it. */
+    if (!side || !raw?.end || raw.status < CONVERGED) return ended(crossed > 0 || !raw ? TOLERANCE_NOT_MET : raw.status);
     legs.push({ side, here, raw });
     spread = carry(spread, raw);
     rest -= raw.length;
-    if (crease === null && (isWhole || raw.status !== CONVERGED)) return { legs, status: raw.status, spread };
+    steps += raw.iterations;
+    if (crease === null && (rest <= 0 || raw.status !== CONVERGED)) return ended(raw.status);
     const end = { ...here, place: endOf(raw), velocity: raw.end.velocity };
+    if (crease !== null) crossed++;
     const next = crease === null ? { here: { ...end, on: [] }, spread } : cross(tracing, end, crease, spread);
-    if (!next) return { legs, status: TOLERANCE_NOT_MET, spread };
+    if (!next) return ended(TOLERANCE_NOT_MET);
     ({ here, spread } = next);
   }
-  return { legs, status: ITERATION_LIMIT, spread };
+  return ended(ITERATION_LIMIT);
 }
 
 /**
  * A leg: to the first crease, or as far as it goes.
- * @param {Tracing} tracing @param {Side | null} side @param {Here} here @param {number} rest
- * @returns {{ raw: RawPath | null, crease: number | null, isWhole: boolean }} crease: −1: it is not clear what is met; null: none is
+ * @param {Tracing} tracing @param {Side | null} side @param {Here} here @param {number} length at most
+ * @returns {{ raw: RawPath | null, crease: number | null }} crease: −1: it is not clear what is met; null: none is
  */
-function stride(tracing, side, here, rest) {
-  const failed = { raw: side && emptyPath(SINGULAR_METRIC), crease: null, isWhole: true };
+function stride(tracing, side, here, length) {
+  /** @type {RawPath | null} */
+  let failed = side && emptyPath(SINGULAR_METRIC);
   for (let halving = 0; side && halving <= MOST_HALVINGS; halving++) {
-    const { raw, met } = look(tracing, side, here, rest * 0.5 ** halving);
-    if (met) return { raw: traceOn(tracing, side, here.place, here.velocity, met.at), crease: met.crease, isWhole: false };
-    if (raw && raw.status >= CONVERGED) return { raw, crease: null, isWhole: halving === 0 };
-    failed.raw = halving === 0 && raw ? raw : failed.raw;
+    const { raw, met } = look(tracing, side, here, length * 0.5 ** halving);
+    if (met) return { raw: traceOn(tracing, side, here.place, here.velocity, met.at), crease: met.crease };
+    if (raw && raw.status >= CONVERGED) return { raw, crease: null };
+    if (halving === 0 && raw) failed = raw;
   }
-  return failed;
+  return { raw: failed, crease: null };
 }
 
 /** Errors, carried along a leg, which adds its own. @param {Spread} spread @param {RawPath} raw @returns {Spread} */

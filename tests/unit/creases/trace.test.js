@@ -298,3 +298,56 @@ test('points are equally spaced over all sides, on the surface, and begin where 
   }
   roof.dispose();
 });
+
+const TORUS = { x: '(4+1.5*cos(v))*cos(u)', y: '(4+1.5*cos(v))*sin(u)', z: '1.5*sin(v)', u: [0, '2pi'], v: [0, '2pi'] };
+
+test('a crease that is never met changes nothing, however long the trace', () => {
+  const [plain, creased] = [{}, { density: 'max(1, 0.5 + 0.1*cos(u))' }].map((more) =>
+    surfpath.parametric(/** @type {any} */ ({ ...TORUS, ...more })),
+  );
+  const [one, other] = [plain, creased].map((surface) => surface.trace([0.3, 0.4], [1, 0.37], 300));
+  assert.equal(other.status, 'converged');
+  assert.ok(Math.hypot(...subtract(placeOf(one, -1), placeOf(other, -1))) <= one.lengthError);
+  assert.ok(Math.abs(Number(one.conjugate) - Number(other.conjugate)) < 1e-9);
+  plain.dispose();
+  creased.dispose();
+});
+
+test('a crease that is met seldom is not stepped over: the ends of what was traced in parts are the same', () => {
+  const bump = '1 + max(0, exp(-300*((cos(u)-cos(1))^2 + (sin(u)-sin(1))^2 + (v-0.2)^2)) - 0.5)';
+  const surface = surfpath.parametric(/** @type {any} */ ({ ...TORUS, v: [-1, 1], density: bump }));
+  const long = surface.trace([0.3, 0.4], [1, 0.37], 200, { points: 39_999 });
+  assert.equal(long.status, 'converged');
+  const plain = surfpath.parametric(/** @type {any} */ ({ ...TORUS, v: [-1, 1] }));
+  const missed = plain.trace([0.3, 0.4], [1, 0.37], 200);
+  assert.ok(Math.hypot(...subtract(placeOf(missed, -1), placeOf(long, -1))) > 0.01, 'it is met');
+  for (let k = 0; k < 40; k++) {
+    const [from, next, third, end] = [0, 1, 2, 1000].map((i) => placeOf(long, 1000 * k + i));
+    /* Of chords of a two-hundredth, to the second power of that. */
+    const part = surface.trace(
+      from,
+      from.map((x, j) => -3 * x + 4 * next[j] - third[j]),
+      5,
+    );
+    assert.ok(Math.hypot(...subtract(placeOf(part, -1), end)) < 1e-3, `part ${k}`);
+  }
+  plain.dispose();
+  surface.dispose();
+});
+
+test('along a bank, thrown back again and again: no end of which nothing is known is converged', () => {
+  const lake = surfpath.graph({ z: '0', density: '1.5 + 0.5*sign(1 - x^2 - y^2)', ...SQUARE });
+  assert.equal(lake.trace([0.9, 0], [0, 1], 10).status, 'converged');
+  assert.equal(lake.trace([0.9999, 0], [0, 1], 20).status, 'tolerance-not-met');
+  const most = lake.trace([0.999999, 0], [0, 1], 20);
+  assert.ok(most.status === 'iteration-limit' && most.length < 20);
+  lake.dispose();
+});
+
+test('where a surface hangs together in a point traces hold as far as they meet no crease', () => {
+  const cone = surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: 'v', u: [0, '2pi'], v: [-2, 2], density: '1.5 + 0.5*sign(y)' });
+  assert.equal(cone.trace([1, 1], [1, 0], 0.5).status, 'converged');
+  const across = cone.trace([3, 1], [1, 0], 0.5);
+  assert.deepEqual([across.status, across.lengthError], ['tolerance-not-met', 0.5]);
+  cone.dispose();
+});
