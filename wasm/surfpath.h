@@ -125,6 +125,9 @@ struct sp_trace_result {
     double length_error; /* estimate of the distance between the end and that of the geodesic, never below 4e-15 length */
     double conjugate;    /* length at which the first point conjugate to the start lies, NaN if it is not on the path; not looked for on
                             implicit surfaces with a tensor */
+    double velocity[3];  /* du, dv, 0 or dx, dy, dz by length, at the end */
+    double turn_error;   /* estimate of the angle between it and that of the geodesic */
+    double field[2];     /* at the end, the Jacobi field that vanishes at the start with slope 1, and its slope; below 1e100 lengths */
     double *points;      /* 3 (K + 2): x y z, equally spaced by length, ends included; in the arena; NULL without a path or positions */
     double *parameters;  /* 2 (K + 2): u v, continuous across seams, in the rectangle; NULL for an implicit surface */
     int32_t status;      /* enum sp_status */
@@ -209,16 +212,19 @@ SP_SIZE(sp_trace_options, 16);
 SP_AT(sp_trace_options, tolerance, 0);
 SP_AT(sp_trace_options, point_count, 8);
 SP_AT(sp_trace_options, max_steps, 12);
-SP_SIZE(sp_trace_result, 48);
+SP_SIZE(sp_trace_result, 96);
 SP_AT(sp_trace_result, length, 0);
 SP_AT(sp_trace_result, length_error, 8);
 SP_AT(sp_trace_result, conjugate, 16);
-SP_AT(sp_trace_result, points, 24);
-SP_AT(sp_trace_result, parameters, 28);
-SP_AT(sp_trace_result, status, 32);
-SP_AT(sp_trace_result, steps, 36);
-SP_AT(sp_trace_result, touches_boundary, 40);
-SP_AT(sp_trace_result, normal, 44);
+SP_AT(sp_trace_result, velocity, 24);
+SP_AT(sp_trace_result, turn_error, 48);
+SP_AT(sp_trace_result, field, 56);
+SP_AT(sp_trace_result, points, 72);
+SP_AT(sp_trace_result, parameters, 76);
+SP_AT(sp_trace_result, status, 80);
+SP_AT(sp_trace_result, steps, 84);
+SP_AT(sp_trace_result, touches_boundary, 88);
+SP_AT(sp_trace_result, normal, 92);
 SP_SIZE(sp_arena, 12);
 SP_AT(sp_arena, base, 0);
 SP_AT(sp_arena, size, 4);

@@ -177,6 +177,15 @@ static int take(const struct sp_surface *surface, struct sp_arena *arena, struct
     return samples->places && (!located || (*positions && result->points)) && (result->parameters || !parametric);
 }
 
+/* What a trace that goes on from there needs. */
+static void write_end(const struct sp_trace *trace, struct sp_trace_result *result) {
+    for (int32_t j = 0; j < 3; j++)
+        result->velocity[j] = trace->here.state[SP_VELOCITY + j];
+    for (int32_t j = 0; j < 2; j++)
+        result->field[j] = trace->jacobi[j];
+    result->turn_error = root(trace->accepted * trace->spread[2]);
+}
+
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_trace_request *request,
                             const struct sp_trace_options *options, struct sp_arena *arena, struct sp_trace_result *result) {
     struct sp_trace trace = {.surface = surface, .tolerance = options->tolerance, .max_steps = options->max_steps, .walls = 1};
@@ -200,6 +209,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     result->length = trace.length, result->length_error = sp_trace_error(&trace);
     if (surface->kind == SP_PARAMETRIC || surface->metric != SP_TENSOR) result->conjugate = trace.conjugate;
     result->steps = trace.accepted;
+    write_end(&trace, result);
     int is_known = result->length_error <= larger(MOST_ERROR * trace.length, MOST_ROUNDING * trace.scale);
     return status == SP_CONVERGED && !is_known ? SP_TOLERANCE_NOT_MET : status;
 }

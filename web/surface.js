@@ -172,7 +172,7 @@ export class Surface {
    * @param {number} length how far, ≥ 0
    * @param {TraceOptions} [options]
    * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest
-   *   (null also where that is not computed: on an implicit surface with a `metric`)
+   *   (null also where that is not computed: on an implicit surface with a `metric`, and beyond a crease)
    */
   trace(from, direction, length, options) {
     const caller = Surface.#enter(this, 'trace');

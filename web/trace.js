@@ -1,11 +1,15 @@
 /** A geodesic from a point in a direction: what a caller may ask of it, checked, and its trace. */
 
 import { checkOptions, readTolerance, refuseNumber, wholeNumber } from './arguments.js';
+import { changesSides, traceAcross } from './creases/trace-across.js';
+import { sizeOf } from './creases/linear.js';
+import { endOf } from './creases/meeting.js';
 import { readNumbers } from './definition.js';
 import { KIND } from './manifold/kind.js';
 import { MOST_POINTS, makePath } from './path.js';
 import { placed, placeIn } from './pieces/pieces.js';
 import { CONVERGED, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
+import { settleEnd } from './search/routes.js';
 
 /** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
 const MAY_CROSS = [TOLERANCE_NOT_MET, SINGULAR_METRIC];
@@ -41,18 +45,48 @@ export function readTraceOptions(caller, given) {
  * @returns {import('./path.js').Path}
  */
 export function traceFrom(manifold, caller, start, asked, wanted) {
-  const { domain, place } = placeIn(manifold.field(), start);
-  const request = { kind: KIND[manifold.kind], from: place, ...asked };
+  const field = manifold.field();
+  const { domain, place } = placeIn(field, start);
+  const run = (/** @type {number} */ length, /** @type {number} */ tolerance) =>
+    manifold.run(
+      (heap, record) => heap.trace(record, { kind: KIND[manifold.kind], from: place, ...asked, length }, { ...wanted, tolerance }),
+      domain,
+    );
+  const path = field.jumps ? traceCreased(field, place, asked, wanted, run) : traceSmooth(manifold, asked, wanted, run);
+  if (path) return place === start ? makePath(path) : placed(manifold.domain, makePath(path), start);
+  throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
+}
+
+/** @typedef {(length: number, tolerance: number) => import('./runtime/result.js').RawPath | null} Run a trace on the surface as it is; null: the direction is normal to it */
+
+/** @param {import('./manifold/manifold.js').Manifold} manifold @param {ReturnType<typeof readTrace>} asked @param {ReturnType<typeof readTraceOptions>} wanted @param {Run} run */
+function traceSmooth({ kind }, { length }, wanted, run) {
   let { tolerance } = wanted;
-  const run = () => manifold.run((heap, record) => heap.trace(record, request, { ...wanted, tolerance }), domain);
-  let path = run();
+  let path = run(length, tolerance);
   /* Near a curve where an implicit surface's gradient vanishes rounding keeps steps short, and turns them: longer ones lead across. */
-  while (manifold.kind === 'implicit' && path && MAY_CROSS.includes(path.status) && tolerance < LOOSEST) {
+  while (kind === 'implicit' && path && MAY_CROSS.includes(path.status) && tolerance < LOOSEST) {
     tolerance *= LOOSER;
-    const next = run();
+    const next = run(length, tolerance);
     if (next && next.status >= CONVERGED) path = next;
   }
   if (path?.status === CONVERGED && tolerance > wanted.tolerance) path.status = TOLERANCE_NOT_MET;
-  if (path) return place === start ? makePath(path) : placed(manifold.domain, makePath(path), start);
-  throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
+  return path;
+}
+
+/**
+ * Where formulas have creases: on their sides, one after the other. Within a piece, whose edges sides do not know, only as far as none is crossed.
+ * @param {import('./search/routes.js').Field} field @param {number[]} place @param {ReturnType<typeof readTrace>} asked @param {ReturnType<typeof readTraceOptions>} wanted @param {Run} run
+ */
+function traceCreased(field, place, { direction, length }, wanted, run) {
+  const still = run(0, wanted.tolerance);
+  if (still && !still.end) return still;
+  const sides = field.jumps?.() ?? null;
+  const isWhole = sides && field.pieces.length === 0;
+  /* What is normal to one side of a crease may lead into the other. */
+  const from = field.domain ? place : still ? endOf(still) : settleEnd(field, place);
+  const reach = still?.end ? sizeOf(still.end.velocity) * length : length;
+  const path = isWhole ? traceAcross(field, sides, { place: from, direction, length, reach }, wanted) : run(length, wanted.tolerance);
+  if (!path) return still && { ...still, status: TOLERANCE_NOT_MET, lengthError: length };
+  const isKnown = isWhole || (sides && !changesSides(sides, path));
+  return isKnown || path.status !== CONVERGED ? path : { ...path, status: TOLERANCE_NOT_MET, lengthError: length };
 }

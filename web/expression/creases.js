@@ -11,6 +11,7 @@
 export class Creases {
   /** What vanishes on each crease: its node, one for each `abs`, `sign` and pair of `min` or `max`, in the order in which formulas are read. @type {number[]} */ nodes =
     [];
+  /** What jumps wherever it changes: the node of each `floor`. @type {number[]} */ floors = [];
   /** @type {readonly number[] | undefined} */ #sides;
   /** @type {readonly number[] | undefined} */ #widths;
 
@@ -34,6 +35,11 @@ export class Creases {
       if (!side) return calculus.call(name, operands);
       if (name === 'sign') return calculus.constant(graph.constant(side));
       return side > 0 ? a : calculus.call('negate', [a]);
+    }
+    if (name === 'floor') {
+      const floor = calculus.call(name, operands);
+      this.floors.push(floor.value);
+      return floor;
     }
     if (name !== 'min' && name !== 'max') return calculus.call(name, operands);
     return operands.reduce((one, other) => {

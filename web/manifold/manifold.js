@@ -31,7 +31,7 @@ export class Manifold {
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /**
    * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
-   * @type {ReturnType<typeof compileShape> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean }}
+   * @type {ReturnType<typeof compileShape> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean, hasFloors: boolean }}
    */
   #compiled;
   /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
@@ -138,6 +138,7 @@ export class Manifold {
       ...this.#fieldOf(this.domain, 0, false),
       own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
+      jumps: this.#compiled.isCreased || this.#compiled.hasFloors ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
       lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
     };
@@ -221,6 +222,7 @@ export class Manifold {
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,
       sides: null,
+      jumps: null,
       bodies: null,
       lowered: null,
     };
@@ -232,7 +234,8 @@ export class Manifold {
     const [creases, measured] = [new Creases(), new Creases()];
     const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, apply, measured);
     const compiled = compileShape(this.kind, this.#shape, reference, this.parameters, apply, creases);
-    return { ...compiled, metric, own: null, reference, isCreased: creases.nodes.length + measured.nodes.length > 0 };
+    const isCreased = creases.nodes.length + measured.nodes.length > 0;
+    return { ...compiled, metric, own: null, reference, isCreased, hasFloors: creases.floors.length + measured.floors.length > 0 };
   }
 
   /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */

@@ -38,6 +38,8 @@ export class Sides {
   #given;
   /** Which crease each of those that formulas name is. @type {number[]} */ #which = [];
   /** What vanishes on the creases, with its derivatives. @type {Installed} */ #vanishing;
+  /** The floors of its formulas, if it has any. @type {Installed | null} */ #floors = null;
+  #floorCount = 0;
   /** @type {Map<string, { side: Side, installed: Installed[] }>} */ #known = new Map();
   /** What was installed, by what it is: formulas on many sides are the same. @type {Map<string, Installed[]>} */ #installed = new Map();
   /** Which sides the present question has asked for. @type {Set<string>} */ #asked = new Set();
@@ -45,16 +47,22 @@ export class Sides {
 
   /** @param {Given} given */
   constructor(given) {
-    const { solver } = given;
     this.#given = given;
     const creases = new Creases();
-    const { module, data, dataBytes } = this.#compileVanishing(creases, () => {
+    const install = (/** @type {() => number[]} */ nodes) => {
+      const { module, data, dataBytes } = this.#compileVanishing(creases, nodes);
+      return given.solver.install(module, data, dataBytes);
+    };
+    this.#vanishing = install(() => {
       const nodes = [...new Set(creases.nodes)];
       this.#which = creases.nodes.map((node) => nodes.indexOf(node));
       this.count = nodes.length;
       return nodes;
     });
-    this.#vanishing = solver.install(module, data, dataBytes);
+    if (creases.floors.length === 0) return;
+    creases.floors = [];
+    this.#floors = install(() => creases.floors);
+    this.#floorCount = creases.floors.length;
   }
 
   /** @param {Creases} creases that take down or choose @param {() => number[]} nodes what vanishes, once formulas are read */
@@ -88,6 +96,16 @@ export class Sides {
   /** As {@link measure}, one place after the other. @param {ArrayLike<number>} places @returns {Float64Array} */
   measureAll(places) {
     return this.#evaluate(this.#vanishing, places);
+  }
+
+  /** Of each place, the floors of its formulas: where one of them changes, the surface, or what measures length, may jump. @param {ArrayLike<number>} places @returns {number[][]} */
+  floors(places) {
+    if (!this.#floors) return [];
+    const width = SHAPE[this.#given.kind].variables.length;
+    return split(
+      this.#given.solver.evaluate(this.#floors.call.value, places, width, this.#floorCount * (1 + width)),
+      places.length / width,
+    );
   }
 
   /** @param {Installed} vanishing @param {ArrayLike<number>} places */
@@ -194,7 +212,7 @@ export class Sides {
   /** Gives back what the solver holds of it. */
   drop() {
     this.#forget();
-    this.#given.solver.remove(this.#vanishing);
+    for (const installed of [this.#vanishing, this.#floors]) if (installed) this.#given.solver.remove(installed);
   }
 }
 

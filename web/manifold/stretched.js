@@ -102,6 +102,7 @@ export class Stretched {
       pieces: [],
       own: null,
       sides: null,
+      jumps: null,
       bodies: null,
       lowered: null,
     };

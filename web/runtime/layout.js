@@ -64,16 +64,19 @@ export const sp_trace_options_tolerance = 0;
 export const sp_trace_options_point_count = 8;
 export const sp_trace_options_max_steps = 12;
 
-export const sp_trace_result_bytes = 48;
+export const sp_trace_result_bytes = 96;
 export const sp_trace_result_length = 0;
 export const sp_trace_result_length_error = 8;
 export const sp_trace_result_conjugate = 16;
-export const sp_trace_result_points = 24;
-export const sp_trace_result_parameters = 28;
-export const sp_trace_result_status = 32;
-export const sp_trace_result_steps = 36;
-export const sp_trace_result_touches_boundary = 40;
-export const sp_trace_result_normal = 44;
+export const sp_trace_result_velocity = 24;
+export const sp_trace_result_turn_error = 48;
+export const sp_trace_result_field = 56;
+export const sp_trace_result_points = 72;
+export const sp_trace_result_parameters = 76;
+export const sp_trace_result_status = 80;
+export const sp_trace_result_steps = 84;
+export const sp_trace_result_touches_boundary = 88;
+export const sp_trace_result_normal = 92;
 
 export const sp_arena_bytes = 12;
 export const sp_arena_base = 0;

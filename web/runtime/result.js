@@ -40,6 +40,7 @@ import {
  * @property {Float64Array} points
  * @property {Float64Array | null} parameters
  * @property {Iterate[]} history
+ * @property {{ velocity: number[], turn: number, field: number, slope: number }} [end] of a trace: turn: error of the velocity's direction; field, slope: of the Jacobi field that vanishes at the start
  */
 
 /** @param {number} status @returns {RawPath} */
@@ -102,7 +103,7 @@ function readHistory(memory, at, recordAt, entries, count) {
 
 /** Copies a struct sp_trace_result and its arrays. @param {Memory} memory @param {number} at its address @param {number} count points of the path @returns {RawPath | null} null: the direction is normal to the surface */
 export function readTrace(memory, at, count) {
-  const [length, lengthError, conjugate] = memory.doubles(at + sp_trace_result_length, 3);
+  const [length, lengthError, conjugate, x, y, z, turn, field, slope] = memory.doubles(at + sp_trace_result_length, 9);
   const [pointsAt, parametersAt, status, steps, touches, normal] = memory.words(at + sp_trace_result_points, 6);
   if (normal) return null;
   if (!pointsAt && !parametersAt) return emptyPath(status);
@@ -115,5 +116,6 @@ export function readTrace(memory, at, count) {
     conjugate: Number.isNaN(conjugate) ? null : conjugate,
     points: pointsAt ? memory.copyDoubles(pointsAt, 3 * count) : new Float64Array(0),
     parameters: parametersAt ? memory.copyDoubles(parametersAt, 2 * count) : null,
+    end: { velocity: parametersAt ? [x, y] : [x, y, z], turn, field, slope },
   };
 }

@@ -1,0 +1,93 @@
+/** Which way a geodesic goes on beyond a crease: what its length changes by along that is the same on both sides. MATH.md, "Traces across creases". */
+
+import { CONVERGED } from '../runtime/status.js';
+import { minus } from '../vector.js';
+import { directions, settle } from './crease.js';
+import { ahead, product, sizeOf } from './linear.js';
+
+/** @typedef {import('../runtime/result.js').RawPath} RawPath */
+/** @typedef {import('../manifold/sides.js').Side} Side */
+/** @typedef {{ field: import('../search/routes.js').Field, sides: import('../manifold/sides.js').Sides, tolerance: number, size: number }} Tracing size: of the coordinates that rounding is a part of */
+/** @typedef {{ position: number, turn: number }} Spread errors of a place, and of the direction there */
+/** @typedef {{ velocity: number[], isReflected: boolean, spread: Spread }} Bend */
+
+/** Squares of sines that are less graze the crease. */
+const GRAZING = 1e-10;
+/** Sides fit together where they are no farther apart than this part of the coordinates, and cosines of what is along the crease on both. */
+const TORN = 1e-9;
+/** The curvature of a crease is told by places so far apart, in parts of the coordinates. */
+const BESIDE = 1e-4;
+
+/** A geodesic on one side, from a place. @param {Tracing} tracing @param {Side} side @param {number[]} from @param {number[]} direction @param {number} length @param {number} [points] @returns {RawPath | null} */
+export function traceOn({ field, tolerance }, side, from, direction, length, points = 1) {
+  return side.run((heap, record) => heap.trace(record, { kind: field.kind, from, direction, length }, { points, tolerance }));
+}
+
+/** A direction as a velocity, as a side measures it, of which the tangent part counts; null: it has none. @param {Tracing} tracing @param {number[]} signs @param {number[]} place @param {number[]} direction */
+export function velocityOn(tracing, signs, place, direction) {
+  const side = tracing.sides.on(signs);
+  const still = side && traceOn(tracing, side, place, direction, 0);
+  return (still?.status === CONVERGED && still.end?.velocity) || null;
+}
+
+/** Whether two sides are not joined at a place: the surface jumps. @param {Tracing} tracing @param {number[]} before @param {number[]} after @param {number[]} place */
+export function isTorn({ field, sides, size }, before, after, place) {
+  const [[one], [other]] = [before, after].map((signs) => sides.on(signs)?.jets(place) ?? [[Number.NaN]]);
+  if (!field.domain) return !(Math.abs(other[0]) <= TORN * size * sizeOf(other.slice(1, 4)));
+  if (!field.positions) return false;
+  return ![0, 1, 2].every((j) => Math.abs(one[j] - other[j]) <= TORN * Math.max(size, sizeOf(one.slice(0, 3))));
+}
+
+/**
+ * How a side measures what is along a crease, a unit vector of the coordinates, and what is across, at right angles as it measures.
+ * @param {Tracing} tracing @param {import('./crease.js').On} on @param {number[]} place @param {number[]} along @param {number[]} across
+ */
+function frameOn(tracing, { signs }, place, along, across) {
+  const [t, n, both] = [along, across, ahead(along, across, 1)].map((vector) => {
+    const velocity = velocityOn(tracing, signs, place, vector);
+    return velocity ? (product(vector, vector) / product(vector, velocity)) ** 2 : Number.NaN;
+  });
+  const skew = (both - t - n) / (2 * t);
+  return { t, n: n - skew * skew * t, skew, across: ahead(across, along, -skew) };
+}
+
+/**
+ * Where a geodesic leads that comes to a crease: beyond it or, where what it would change by along the crease is more than the length there is, back.
+ * @param {Tracing} tracing @param {number} crease @param {number[]} before signs of the side from which @param {number[]} after @param {number[]} place @param {number[]} velocity
+ * @param {Spread} spread as it comes there @returns {Bend | null} null: it grazes the crease, or the sides do not fit together there
+ */
+export function bend(tracing, crease, before, after, place, velocity, spread) {
+  const [on, beyond] = [before, after].map((signs) => ({ crease, signs }));
+  const [here, there] = [on, beyond].map((side) => directions(tracing.sides, side, place));
+  if (!(Math.abs(product(here.along, there.along)) >= 1 - TORN)) return null;
+  const one = frameOn(tracing, on, place, here.along, here.across);
+  const other = frameOn(tracing, beyond, place, here.along, there.across);
+  const y = product(velocity, here.across);
+  const x = product(velocity, here.along) + one.skew * y;
+  const momentum = x * one.t;
+  const [squared, refracted] = [y * y * one.n, 1 - (momentum * momentum) / other.t];
+  if (!(squared > GRAZING && Math.abs(refracted) > GRAZING)) return null;
+  const isReflected = refracted < 0;
+  const turned = isReflected
+    ? ahead(scaled(here.along, x), one.across, -y)
+    : ahead(scaled(here.along, momentum / other.t), other.across, Math.sign(y) * Math.sqrt(refracted / other.n));
+  const sines = [squared, isReflected ? squared : refracted].map(Math.sqrt);
+  const ratio = isReflected ? 1 : Math.sqrt(one.t / other.t);
+  return { velocity: turned, isReflected, spread: bentBy(sines, ratio, curvatureOf(tracing, on, place, here.along, one.t), spread) };
+}
+
+/** @param {number[]} vector @param {number} by */
+const scaled = (vector, by) => vector.map((x) => by * x);
+
+/** How much a crease turns by length, about. @param {Tracing} tracing @param {import('./crease.js').On} on @param {number[]} place @param {number[]} along @param {number} squared length of that */
+function curvatureOf({ sides, field: { domain } }, on, place, along, squared) {
+  const reach = domain ? Math.max(...minus(domain.upper, domain.lower)) : sizeOf(place) || 1;
+  const next = settle(sides, on, ahead(place, along, BESIDE * reach));
+  return sizeOf(minus(directions(sides, on, next).along, along)) / (Math.sqrt(squared) * sizeOf(minus(next, place)));
+}
+
+/** Errors beyond a crease: a place beside the right one lies farther along the crease, which has turned there. @param {number[]} sines of the angles before and after @param {number} ratio of cosines @param {number} curvature @param {Spread} spread @returns {Spread} */
+function bentBy([before, after], ratio, curvature, { position, turn }) {
+  const refraction = Math.max(1, (ratio * before) / after);
+  return { position: Math.max(1, after / before) * position, turn: refraction * turn + ((1 + refraction) * curvature * position) / before };
+}
