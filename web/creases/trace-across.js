@@ -66,10 +66,11 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
   };
 }
 
-/** Whether a trace comes to another side of a crease. @param {import('../manifold/sides.js').Sides} sides @param {RawPath} path in the rectangle */
+/** Whether a trace comes to another side of a crease, or to where a floor changes. @param {import('../manifold/sides.js').Sides} sides @param {RawPath} path in the rectangle */
 export function changesSides(sides, { parameters }) {
-  const measured = sides.measure(parameters ?? []);
-  return measured[0].slice(0, sides.count).some((value, k) => measured.some((seen) => seen[k] * value <= 0));
+  const places = parameters ?? [];
+  const [signs, floors] = [sides.measure(places).map((seen) => seen.slice(0, sides.count).map(Math.sign)), sides.floors(places)];
+  return [signs, floors].some((lists) => lists.some((list) => list.some((x, k) => x !== lists[0][k])));
 }
 
 /** On which side a trace begins: on a crease, on the one that it leads to. @param {Tracing} tracing @param {number[]} place @param {number[]} direction @returns {Here | null} null: on none, or on several */

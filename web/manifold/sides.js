@@ -61,7 +61,12 @@ export class Sides {
     });
     if (creases.floors.length === 0) return;
     creases.floors = [];
-    this.#floors = install(() => creases.floors);
+    try {
+      this.#floors = install(() => creases.floors);
+    } catch (error) {
+      given.solver.remove(this.#vanishing);
+      throw error;
+    }
     this.#floorCount = creases.floors.length;
   }
 

@@ -350,4 +350,10 @@ test('where a surface hangs together in a point traces hold as far as they meet 
   const across = cone.trace([3, 1], [1, 0], 0.5);
   assert.deepEqual([across.status, across.lengthError], ['tolerance-not-met', 0.5]);
   cone.dispose();
+  const stepped = surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: 'v', u: [0, '2pi'], v: [-2, 2], density: '1 + floor(2v)^2' });
+  assert.deepEqual(
+    [0.4, 0.6].map((v) => stepped.trace([1, v], [0, 1], 0.2).status),
+    ['tolerance-not-met', 'converged'],
+  );
+  stepped.dispose();
 });
