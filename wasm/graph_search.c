@@ -3,9 +3,11 @@
 #include "graph_search.h"
 #include "scalar.h"
 
-/* Ways up to a quarter longer than the shortest are looked at, or less far where the graph's lengths are nearly the surface's; one that
- * keeps within a fifth of it is taken for the same at first, then within a tenth. */
-static const double LONGEST = 1.25, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05, ROUNDING = 1e-6;
+/* Ways up to a quarter longer than the shortest are looked at; of those that may lead to the shortest path fewer where length is that of
+ * space, or where the graph's lengths are nearly the surface's. One that keeps within a fifth of the shortest is taken for the same at
+ * first, then within a tenth. */
+static const double LONGEST = 1.25, LONGEST_IN_SPACE = 1.12, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05,
+                    ROUNDING = 1e-6;
 
 /* At first, and where the graph does not resolve the surface. */
 enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
@@ -115,7 +117,8 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) 
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
                         int32_t all, struct sp_arena *arena, struct sp_graph_answer *answer) {
     struct search search = {.surface = surface, .graph = graph, .ends = {ends, ends + 3}};
-    search.longest = graph->resolved && !all ? LONGEST_RESOLVED : LONGEST;
+    double longest = surface->metric == SP_INDUCED ? LONGEST_IN_SPACE : LONGEST;
+    search.longest = all ? LONGEST : graph->resolved ? LONGEST_RESOLVED : longest;
     size_t places = SP_GRAPH_MAX_CANDIDATES * (size_t)clamped_points(point_count);
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = not_a_number(), .point_count = clamped_points(point_count)};

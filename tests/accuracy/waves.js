@@ -1,8 +1,8 @@
-// Random pairs on fields of waves, whose shortest paths are as many as there are ways past bumps, against what these paths become when they are bent aside at random
+// Random pairs on fields of waves, long sheets and pipes with bends, whose shortest paths are as many as there are ways past bumps, against what these paths become when they are bent aside at random
 // (tests/accuracy/measure/waves.js). Prints a table. `node tests/accuracy/waves.js [pairs on a field [bends a pair [seed]]]`.
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
-import { SIDE, shortestBeside, WAVES } from './measure/waves.js';
+import { LONG, SIDE, shortestBeside, WAVES } from './measure/waves.js';
 
 const [pairs = 60, bends = 100, seed = 1] = process.argv.slice(2).map(Number);
 /** Longer by less is what the tolerance explains, and what nobody will miss. */
@@ -12,12 +12,15 @@ const MOST = 0.1;
 
 const surfpath = await load();
 console.log(
-  `seed ${seed}; longer than a path beside it by 1e-8, 1e-5, 1e-4\nheight                            pairs  refused  1e-8  1e-5  1e-4     most  mean ms`,
+  `seed ${seed}; longer than a path beside it by 1e-8, 1e-5, 1e-4\nsurface                           pairs  refused  1e-8  1e-5  1e-4     most  mean ms`,
 );
-for (const z of WAVES) {
-  const surface = surfpath.graph({ z, x: [-SIDE, SIDE], y: [-SIDE, SIDE] });
+/** @type {typeof LONG} */
+const fields = WAVES.map((z) => [z, { kind: 'graph', z, x: [-SIDE, SIDE], y: [-SIDE, SIDE] }]);
+for (const [name, definition] of [...fields, ...LONG]) {
+  const surface = surfpath.surface(definition);
+  const { u, v } = /** @type {NonNullable<typeof surface.domain>} */ (surface.domain);
   const random = createRandom(seed);
-  const place = () => [random.between(-SIDE, SIDE), random.between(-SIDE, SIDE)];
+  const place = () => [random.between(u[0], u[1]), random.between(v[0], v[1])];
   surface.shortestPath(place(), place());
   let milliseconds = 0;
   const over = Array.from({ length: pairs }, () => {
@@ -32,7 +35,7 @@ for (const z of WAVES) {
   const counts = SHORTER.map((least) => over.filter((by) => by > least).length);
   const most = Math.max(...over.filter((by) => by >= 0), 0);
   const columns = [pairs, refused, ...counts, most.toExponential(1), (milliseconds / pairs).toFixed(1)];
-  console.log(z.padEnd(33) + columns.map((text, i) => String(text).padStart([6, 9, 6, 6, 6, 9, 9][i])).join(''));
+  console.log(name.padEnd(33) + columns.map((text, i) => String(text).padStart([6, 9, 6, 6, 6, 9, 9][i])).join(''));
   if (refused + counts[1] > MOST * pairs) process.exitCode = 1;
 }
 surfpath.dispose();

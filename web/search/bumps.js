@@ -1,92 +1,159 @@
 /**
  * Paths on other sides of bumps. Across waves many lead side by side, as long to a thousandth: a graph's lengths are wrong by more, and it tells few of them apart. So the shortest rough
- * path is pushed aside at one place after the other, and compared with what it comes to rest at there.
+ * path is pushed aside at one place after the other, and wound once more around a tube there, and compared with what it comes to rest at.
  */
 
 import { cross, dot, gap, minus, norm, unit } from '../vector.js';
-import { holds, leaps } from './candidates.js';
+import { holds, leaps, solveFrom } from './candidates.js';
 import { distinct, estimate } from './distinct.js';
 import { finer, innerOf, MOST_ROUGH, ROUGHLY } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./candidates.js').RawPath} RawPath */
-/** @typedef {{ numbers: Float64Array, width: number, places: number[][], along: number[], halfWave: number }} Line nodes of a rough path as the solver takes them, so many numbers each, and in space; how long it is up to each; and half a wave */
+/** @typedef {{ to: number[], numbers: Float64Array, width: number, places: number[][], along: number[], halfWave: number }} Line nodes of a rough path as the solver takes them, so many numbers each, and in space; where its end is lifted to; how long it is up to each; and half a wave */
+/** @typedef {{ far: number, turn: number[] }} Push to the side, and by how much all that follows is moved: by a turn of the rectangle, or nothing */
+/** @typedef {{ gain: number, to: number[], numbers: Float64Array }} Pushed the line that results, and by how much it is shorter */
 
 /** A path bends to one side and the other so often, at least; bends count that are so large, in parts of the largest, and in radians. */
 const [LEAST_BENDS, LARGE, LEAST_BEND] = [3, 0.1, 0.01];
-/** Of half a wave: how far apart are the places at which it is pushed; how far it is pushed there, what is moved, to either side, and solved; and how far apart are paths on two sides of a bump. */
-const [STEP, FAR, MOVED, SOLVED, APART] = [0.7, 1.5, 1.7, 6, 0.2];
+/** Of half a wave: how far apart are the places at which it is pushed; how far it is pushed there, what is moved, to either side, and solved; how far apart are paths on two sides of a bump; and how wide around is what it is wound around, at most. */
+const [STEP, FAR, MOVED, SOLVED, APART, WIDEST] = [0.7, 1.5, 1.7, 6, 0.2, 3];
 /** What is pushed comes to rest within so many steps, mostly. */
 const STEPS = 40;
-/** What is longer by this part of the path may turn out to be shorter: so many, the shortest first, are solved whole. */
-const [LONGER, SHORTER, MOST_SOLVED] = [2e-4, 1e-7, 4];
+/** What is longer by this part of the path may turn out to be shorter, and what is as long to this part is the same: so many, the shortest first, are solved whole. */
+const [LONGER, SAME, MOST_SOLVED] = [2e-4, 1e-9, 4];
 /** Rough paths that are longer than the shortest by up to this part of it are compared, with nodes enough for an error of this part of them. */
 const [COMPARED, COARSE] = [5e-3, 1e-3];
-/** The shortest path is pushed until none is shorter, but no more often. */
-const MOST_ROUNDS = 6;
+/** Of what was not pushed yet the shortest is, if longer by no more than this part, until so many in a row lead to none that is shorter than all; and so many at most. */
+const [NEAR, IN_VAIN, MOST_ROUNDS] = [5e-5, 3, 7];
+/** Of equally many nodes, a path is shorter for sure if by this part of its error; of those that are not, so many get more nodes, if half a wave has fewer than so many. */
+const [UNSURE, MOST_UNSURE, FEW] = [0.01, 2, 7];
 
 /**
- * The rough paths, and those beside the shortest of them, sorted by length.
- * @param {Problem} problem @param {Found[]} rough
+ * The rough paths, and those beside the shortest of them; the shortest first.
+ * @param {Problem} problem @param {Found[]} rough @returns {Found[]}
  */
 export function passBumps(problem, rough) {
-  if (rough.length < 2 || problem.branches.length > 0 || !lineOf(rough[0].path)) return rough;
+  if (rough.length === 0 || problem.branches.length > 0 || !lineOf(rough[0])) return rough;
   const most = (1 + COMPARED) * estimate(rough[0].path);
   let found = distinct(rough.map((one) => (estimate(one.path) < most ? sharpened(problem, one) : one)));
-  for (let round = 0; round < MOST_ROUNDS; round++) {
-    const [best] = found;
-    const beside = pushed(problem, best.path).map((line) => ({
-      to: best.to,
-      path: problem.solve(best.to, line, { ...ROUGHLY, points: innerOf(best.path) }),
-    }));
-    found = distinct([...found, ...beside.filter((one) => holds(one) && !leaps(problem, one.path))]);
-    if (found[0] === best) break;
-  }
-  return found;
+  /* Few nodes are too short. */
+  for (let first = sharpened(problem, found[0]); first !== found[0]; first = sharpened(problem, found[0]))
+    found = distinct([first, ...found.slice(1)]);
+  return ranked(problem, besides(problem, found[0]), found);
 }
 
 /** A rough path with nodes enough to be compared. @param {Problem} problem @param {Found} found @returns {Found} */
 function sharpened(problem, found) {
-  const { path } = found;
-  const isCoarse = path.lengthError > COARSE * path.length && innerOf(path) < MOST_ROUGH;
-  const next = isCoarse && finer(problem, found);
-  return next ? sharpened(problem, next) : found;
+  const { to, path } = found;
+  if (!(path.lengthError > COARSE * path.length)) return found;
+  for (let points = 2 * innerOf(path) + 1; points <= MOST_ROUGH; points = 2 * points + 1) {
+    const next = { to, path: solveFrom(problem, found, { ...ROUGHLY, points }) };
+    if (holds(next) && !leaps(problem, next.path)) return sharpened(problem, next);
+  }
+  return found;
 }
 
-/** Lines beside a path that lead along others, maybe shorter ones, the shortest first. @param {Problem} problem @param {RawPath} path */
-function pushed(problem, path) {
-  const line = lineOf(path);
-  /** @type {{ gain: number, numbers: Float64Array }[]} */
-  const found = [];
-  if (!line) return [];
+/** A path and those that pushing it, and the shortest of these, leads to, of as many nodes; the shortest first. @param {Problem} problem @param {Found} first */
+function besides(problem, first) {
+  const found = [first];
+  /** @type {Set<Found>} */
+  const done = new Set();
+  for (let inVain = 0; inVain < IN_VAIN && done.size < MOST_ROUNDS; inVain++) {
+    const [best] = found;
+    const next = found.find((one) => !done.has(one));
+    if (!next || estimate(next.path) > (1 + NEAR) * estimate(best.path)) break;
+    done.add(next);
+    for (const { to, numbers } of pushed(problem, next)) {
+      const one = { to, path: problem.solve(to, numbers, { ...ROUGHLY, points: innerOf(first.path) }) };
+      const length = estimate(one.path);
+      const isNew = holds(one) && !leaps(problem, one.path) && !found.some(({ path }) => Math.abs(estimate(path) - length) < SAME * length);
+      if (isNew) found.push(one);
+    }
+    found.sort((a, b) => estimate(a.path) - estimate(b.path));
+    if (found[0] !== best) inVain = -1;
+  }
+  return found;
+}
+
+/**
+ * Rough paths in the order in which they are to be solved finely. The shortest get many nodes, else elements may leave them for others.
+ * @param {Problem} problem @param {Found[]} found of as many nodes, the shortest first @param {Found[]} known those known before
+ * @returns {Found[]}
+ */
+function ranked(problem, found, known) {
+  const [{ path }] = found;
+  const unsure = UNSURE * path.lengthError;
+  const nearest = found.filter((one) => estimate(one.path) <= estimate(path) + unsure).slice(0, MOST_UNSURE);
+  const doubtful = (/** @type {Found} */ one, /** @type {number} */ doubt) => (problem.isPlain ? { ...one, doubt } : one);
+  const inHalfWave = (innerOf(path) * (lineOf(found[0])?.halfWave ?? 0)) / path.length;
+  const isCoarse = innerOf(path) < MOST_ROUGH && inHalfWave < FEW;
+  const sharp = nearest.map((one) => doubtful((isCoarse && finer(problem, one)) || one, unsure));
+  sharp.sort((a, b) => estimate(a.path) - estimate(b.path));
+  /* Of fewer nodes the others look shorter, or longer, by as much as these did. */
+  const off = estimate(sharp[0].path) - estimate(path);
+  const others = [...found, ...known].filter((one) => !nearest.includes(one));
+  const rest = others.map((one) => (innerOf(one.path) < innerOf(path) ? one : doubtful(one, unsure - off)));
+  return [...sharp, ...distinct(rest)];
+}
+
+/** Lines beside a path that lead along others, maybe shorter ones, the shortest first. @param {Problem} problem @param {Found} found */
+function pushed(problem, found) {
+  const line = lineOf(found);
+  /** @type {Pushed[]} */
+  const lines = [];
+  if (!line) return lines;
   const { along, halfWave } = line;
   const [length] = along.slice(-1);
   for (let middle = STEP * halfWave; middle < length; middle += STEP * halfWave) {
-    const push = pushAt(problem, line, middle);
-    for (const far of [-FAR, FAR]) {
-      const { gain, numbers } = push(far);
-      const isNew = !found.some((one) => Math.abs(one.gain - gain) < SHORTER * length);
-      if (isNew && gain > -LONGER * length) found.push({ gain, numbers });
+    const girths = [0, 1].map((k) => girthAt(problem, line, middle, k));
+    const push = pushAt(problem, line, middle, Math.min(...girths));
+    for (const one of pushesOf(problem, line, girths).map(push)) {
+      const isNew = !lines.some(({ gain }) => Math.abs(gain - one.gain) < SAME * length);
+      if (isNew && one.gain > -LONGER * length) lines.push(one);
     }
   }
-  return found
-    .sort((a, b) => b.gain - a.gain)
-    .slice(0, MOST_SOLVED)
-    .map(({ numbers }) => numbers);
+  return lines.sort((a, b) => b.gain - a.gain).slice(0, MOST_SOLVED);
 }
 
-/** A rough path, if it crosses waves. @param {RawPath} path @returns {Line | null} */
-function lineOf(path) {
+/** To either side and, where the surface is thin, once more around it. @param {Problem} problem @param {Line} line @param {number[]} girths @returns {Push[]} */
+function pushesOf({ domain }, { to, halfWave }, girths) {
+  const far = Math.min(FAR * halfWave, ...girths);
+  const around = [0, 1].filter((k) => girths[k] < WIDEST * halfWave);
+  const turns = around.map((k) => to.map((_, j) => (domain && j === k ? domain.upper[k] - domain.lower[k] : 0)));
+  const none = to.map(() => 0);
+  const aside = [-far, far].map((one) => ({ far: one, turn: none }));
+  return [...aside, ...turns.flatMap((turn) => [turn.map((x) => -x), turn]).map((turn) => ({ far: 0, turn }))];
+}
+
+/** How long it is around the surface along a coordinate, at a place of a line. @param {Problem} problem @param {Line} line @param {number} middle @param {number} k */
+function girthAt({ domain, between }, { numbers, along }, middle, k) {
+  if (!domain?.periodic[k]) return Infinity;
+  const place = numbers.subarray(2 * nearestTo(along, middle)).slice(0, 2);
+  const around = Float64Array.of(...place, ...place);
+  around[2 + k] += domain.upper[k] - domain.lower[k];
+  return between(around, { ...ROUGHLY, maxIterations: 0, points: 31 }).length;
+}
+
+/** An inner node near a place. @param {number[]} along @param {number} middle */
+function nearestTo(along, middle) {
+  const after = along.findIndex((length) => length >= middle);
+  return Math.min(along.length - 2, Math.max(1, after));
+}
+
+/** A rough path, if it crosses waves. @param {Found} found @returns {Line | null} */
+function lineOf({ to, path }) {
   if (path.crossesSingularity) return null;
   const places = placesOf(path);
   const along = [0];
   for (let i = 1; i < places.length; i++) along.push(along[i - 1] + gap(places[i], places[i - 1]));
   const bends = bendsOf(places);
-  const width = path.parameters ? 2 : 3;
-  return bends < LEAST_BENDS
-    ? null
-    : { numbers: path.parameters ?? path.points, width, places, along, halfWave: along[places.length - 1] / (bends + 1) };
+  if (bends.length < LEAST_BENDS) return null;
+  /* Between waves it may be straight for long. */
+  const apart = bends.slice(1).map((i, k) => along[i] - along[bends[k]]);
+  const halfWave = apart.sort((a, b) => a - b)[apart.length >> 1];
+  return { to, numbers: path.parameters ?? path.points, width: path.parameters ? 2 : 3, places, along, halfWave };
 }
 
 /** Nodes of a path in space or, where it has no positions, u v 0. @param {RawPath} path */
@@ -99,12 +166,12 @@ function placesOf({ points, parameters }) {
   ]);
 }
 
-/** How often a line bends to one side after it bent to the other. @param {number[][]} places */
+/** Nodes at which a line bends to one side after it bent to the other. @param {number[][]} places */
 function bendsOf(places) {
   const turns = turnsOf(places);
   const least = Math.max(LEAST_BEND, LARGE * Math.max(...turns.map(norm)));
-  const large = turns.filter((turn) => norm(turn) >= least);
-  return large.filter((turn, i) => i > 0 && dot(turn, large[i - 1]) < 0).length;
+  const large = Array.from(turns.keys()).filter((i) => norm(turns[i]) >= least);
+  return large.filter((i, k) => k > 0 && dot(turns[i], turns[large[k - 1]]) < 0).map((i) => i + 1);
 }
 
 /** By what the direction of a line changes at each inner node. @param {number[][]} places */
@@ -115,34 +182,43 @@ function turnsOf(places) {
 
 /**
  * What pushes a path aside at a place: the line that results, and by how much it is shorter, -Infinity where it is the path itself.
- * @param {Problem} problem @param {Line} line @param {number} middle how far along the path that is
+ * @param {Problem} problem @param {Line} line @param {number} middle how far along the path that is @param {number} girth of the surface there
+ * @returns {(push: Push) => Pushed}
  */
-function pushAt(problem, line, middle) {
-  const { numbers, width, places, along, halfWave } = line;
+function pushAt(problem, line, middle, girth) {
+  const { to, numbers, width, places, along, halfWave } = line;
   const { domain } = problem;
   const inReach = Array.from(along.keys()).filter((i) => Math.abs(along[i] - middle) <= SOLVED * halfWave);
   const [begin, end] = [inReach[0], inReach[inReach.length - 1]];
   const section = numbers.slice(width * begin, width * (end + 1));
-  const solve = (/** @type {Float64Array} */ start, /** @type {number} */ steps) =>
-    problem.between(start, { ...ROUGHLY, points: end - begin - 1, maxIterations: steps });
-  const { length } = solve(section, 0);
+  const solve = (/** @type {Float64Array} */ start) =>
+    problem.between(start, { ...ROUGHLY, points: end - begin - 1, maxIterations: STEPS });
+  const length = estimate(solve(section));
   const across = acrossAt(problem, line, middle);
-  return (/** @type {number} */ far) => {
-    const start = section.slice();
+  const apart = APART * Math.min(halfWave, girth / 2);
+  const least = -LONGER * along[along.length - 1];
+  return ({ far, turn }) => {
+    const whole = numbers.slice();
+    const start = whole.subarray(width * begin, width * (end + 1));
     for (let i = begin + 1; i < end; i++) {
       const away = (along[i] - middle) / (MOVED * halfWave);
-      const bent = Math.abs(away) < 1 ? far * halfWave * (1 - away * away) ** 2 : 0;
+      const bent = Math.abs(away) < 1 ? far * (1 - away * away) ** 2 : 0;
       if (bent)
         across(i).forEach((x, k) => {
-          start[width * (i - begin) + k] += bent * x;
+          whole[width * i + k] += bent * x;
         });
     }
     if (domain) confine(domain, start);
-    const path = solve(start, STEPS);
-    const isOther = placesOf(path).some((place, i) => gap(place, places[begin + i]) > APART * halfWave);
-    const whole = numbers.slice();
+    const isTurned = turn.some((x) => x !== 0);
+    for (let i = begin + 1; isTurned && i < places.length; i++) {
+      const part = i < end ? Math.min(Math.max((along[i] - middle) / (2 * halfWave) + 0.5, 0), 1) : 1;
+      for (let k = 0; k < width; k++) whole[width * i + k] += part * turn[k];
+    }
+    const path = solve(start);
+    const gain = length - estimate(path);
+    const isOther = isTurned || !(gain > least) || placesOf(path).some((place, i) => gap(place, places[begin + i]) > apart);
     whole.set(path.parameters ?? path.points, width * begin);
-    return { gain: isOther ? length - path.length : -Infinity, numbers: whole };
+    return { gain: isOther ? gain : -Infinity, to: to.map((x, k) => x + turn[k]), numbers: whole };
   };
 }
 
@@ -158,14 +234,7 @@ function acrossAt({ between, domain }, { numbers, places, along, halfWave }, mid
     return (i) => unit(cross(normal, minus(places[i + 1], places[i - 1])));
   }
   const turned = (/** @type {number} */ i) => [numbers[2 * i - 1] - numbers[2 * i + 3], numbers[2 * i + 2] - numbers[2 * i - 2]];
-  const last = places.length - 2;
-  const nearest = Math.min(
-    last,
-    Math.max(
-      1,
-      along.findIndex((length) => length >= middle),
-    ),
-  );
+  const nearest = nearestTo(along, middle);
   const [u, v] = numbers.subarray(2 * nearest);
   const [du, dv] = turned(nearest);
   const across = Float64Array.of(u - du / 2, v - dv / 2, u + du / 2, v + dv / 2);

@@ -39,12 +39,13 @@ export const atLeast = (problem, path) => estimate(path) - doubt(problem, path);
  * @returns {[usable: Found[], failed: RawPath[]]}
  */
 export function solveFinely(problem, options, most, { rough, passing, over }) {
+  const doubtOf = (/** @type {Found} */ found) => found.doubt ?? doubt(problem, found.path);
   /* What is found finely may be longer than it looked: then so may what looked longer be the shortest. In a metric it may as well be much shorter, and what it looked like says no more. */
-  const mayBeShortest = (/** @type {Found} */ { path }) =>
+  const mayBeShortest = (/** @type {Found} */ found) =>
     begun.length < (problem.isPlain ? MOST_FINE : MOST_FINE_METRIC) &&
-    atLeast(problem, path) <=
+    estimate(found.path) - doubtOf(found) <=
       Math.max(
-        problem.isPlain || usable.length === 0 ? estimate(rough[0].path) + doubt(problem, rough[0].path) : 0,
+        problem.isPlain || usable.length === 0 ? estimate(rough[0].path) + doubtOf(rough[0]) : 0,
         Math.min(lengthOfShortest(usable), SURELY * Math.min(...failed.filter(isOnSurface).map(estimate))),
       );
   /** @type {Found[]} */
