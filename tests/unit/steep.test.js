@@ -263,7 +263,8 @@ test('where rough lengths are wrong by more than paths differ, it is the shortes
     const path = surface.shortestPath(from, to);
     assert.equal(path.status, 'converged');
     assert.ok(path.length < length + 1e-8, `${from} to ${to}: ${path.length}, there is one of ${length}`);
-    assert.equal(path.length, surface.geodesics(from, to)[0].length);
+    /* From other starts, so not to the bit. */
+    assert.ok(path.length <= surface.geodesics(from, to)[0].length * (1 + 1e-12), `${path.length}`);
     surface.dispose();
   }
 });
