@@ -8,7 +8,7 @@ import { readNumbers } from './definition.js';
 import { KIND } from './manifold/kind.js';
 import { MOST_POINTS, makePath } from './path.js';
 import { placed, placeIn } from './pieces/pieces.js';
-import { CONVERGED, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
+import { CONVERGED, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
 import { settleEnd } from './search/routes.js';
 
 /** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
@@ -86,6 +86,9 @@ function traceCreased(field, place, { direction, length }, wanted, run) {
   const from = field.domain ? place : still ? endOf(still) : settleEnd(field, place);
   const reach = still?.end ? sizeOf(still.end.velocity) * length : length;
   const path = isWhole ? traceAcross(field, sides, { place: from, direction, length, reach }, wanted) : run(length, wanted.tolerance);
+  /* A side may end where its crease does, as that of max(0, x)^2.5. */
+  const whole = path?.status === NOT_FINITE ? run(length, wanted.tolerance) : null;
+  if (whole && whole.status >= CONVERGED) return { ...whole, status: TOLERANCE_NOT_MET, lengthError: length };
   if (!path) return still && { ...still, status: TOLERANCE_NOT_MET, lengthError: length };
   const isKnown = isWhole || (sides && !changesSides(sides, path));
   return isKnown || path.status !== CONVERGED ? path : { ...path, status: TOLERANCE_NOT_MET, lengthError: length };

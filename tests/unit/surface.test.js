@@ -286,6 +286,19 @@ describe('project', () => {
       surface.dispose();
     });
 
+  test('beside the rim of a formula, beyond which the grid has no place', () => {
+    const dome = surfpath.graph({ z: 'sqrt(4 - x^2 - y^2)', x: [-3, 3], y: [-3, 3] });
+    const random = createRandom(6);
+    for (let i = 0; i < 60; i++) {
+      const point = [random.between(-3, 3), random.between(-3, 3), random.between(0.1, 3)];
+      const far = Math.hypot(...point);
+      const found = dome.project(point);
+      assert.equal(found.length, 2);
+      for (const j of [0, 1]) close(found[j], (2 * point[j]) / far, 1e-6);
+    }
+    dome.dispose();
+  });
+
   test('implicit, without bounds: from far away and from deep inside, whatever the degree', () => {
     for (const degree of [2, 4, 8]) {
       const surface = surfpath.implicit({ f: `x^${degree} + y^${degree} + z^${degree} - 1` });

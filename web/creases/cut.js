@@ -14,8 +14,8 @@ const [PARTS, MOST_JOINTS] = [4, 12];
 const TOGETHER = 1e-6;
 /** The chords at a leg's ends are halved so often towards these: beyond a corner near by a leg may leave its side just before it ends on another crease. */
 const HALVINGS = 10;
-/** Sides are the same surface where derivatives are, to this part of them. */
-const SAME = 1e-9;
+/** Sides are the same surface where derivatives are, to this part of those of the same order, or to this part of all, which is rounding. */
+const [SAME, NOISE] = [1e-9, 1e-14];
 /** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
 const LONG = 0.08;
 
@@ -242,8 +242,18 @@ function isBent(sides, before, after, place) {
   const [a, b] = [sides.on(before), sides.on(after)];
   if (!a || !b) return null;
   const [[one], [other]] = [a.jets(place), b.jets(place)];
-  const size = Math.max(...one.map(Math.abs), ...other.map(Math.abs));
-  return one.some((x, i) => Math.abs(x - other[i]) > SAME * size);
+  return differ(a.groups, one, other, SAME, NOISE);
+}
+
+/**
+ * Whether two jets differ by more than this part of their numbers of the same unit, and by more than the second of all of the shape, or of what measures length: these may be of very different sizes.
+ * @param {number[]} groups as {@link import('../manifold/sides.js').Side} has them @param {number[]} one @param {number[]} other @param {number} part @param {number} ofAll
+ */
+export function differ(groups, one, other, part, ofAll) {
+  const sizes = new Float64Array(6);
+  for (const [i, group] of groups.entries()) sizes[group] = Math.max(sizes[group], Math.abs(one[i]), Math.abs(other[i]));
+  const least = [sizes.subarray(0, 3), sizes.subarray(3)].map((orders) => ofAll * Math.max(...orders));
+  return one.some((x, i) => Math.abs(x - other[i]) > Math.max(part * sizes[groups[i]], least[Math.trunc(groups[i] / 3)]));
 }
 
 /** A polyline with more nodes in place of its first and its last chord, ever nearer to its ends, by the cubics through four nodes: chords dip into a shore that what they stand for is tangent to. @param {Float64Array} line @param {number} width */

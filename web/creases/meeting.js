@@ -3,7 +3,7 @@
 import { CONVERGED } from '../runtime/status.js';
 import { traceOn } from './bend.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
-import { isSame } from './cut.js';
+import { differ, isSame } from './cut.js';
 import { nodesOf } from './legs.js';
 import { product } from './linear.js';
 
@@ -75,8 +75,7 @@ function lookCloser(tracing, side, here, [from, length], depth) {
 /** Whether a side is smooth between two places next to each other. @param {Side} side @param {number[]} a @param {number[]} b */
 function isSmooth(side, a, b) {
   const [[one], [other]] = [a, b].map((place) => side.jets(place));
-  const size = Math.max(...one.map(Math.abs));
-  return one.every((x, j) => Math.abs(x - other[j]) <= FITTING * size);
+  return !differ(side.groups, one, other, FITTING, FITTING);
 }
 
 /** Whether a crease is met between two nodes. @param {Tracing} tracing @param {number[]} signs @param {Node} a @param {Node} b @param {number} crease */
@@ -91,10 +90,11 @@ function judge(tracing, signs, a, b, crease) {
   const isZero = [a, b].map((node) => vanishes(tracing, node, crease));
   if (isZero[0] && isZero[1] && a.place.some((x, j) => x !== b.place[j]))
     return isSame(sides, signs, beyond(signs, crease), a.place) ? CLEAR : FOLLOWED;
-  const isPlain = Math.abs(up - down) <= BENT * Math.max(Math.abs(up), Math.abs(down));
+  const isRight = Math.abs(q - p - (down + up) / 2) <= ROUGH * reach;
+  const isPlain = isRight && Math.abs(up - down) <= BENT * Math.max(Math.abs(up), Math.abs(down));
   if (q < 0 && !isZero[1]) return isPlain ? CROSSED : UNCLEAR;
   if (isPlain || reach === 0) return CLEAR;
-  if (!(Math.abs(q - p - (down + up) / 2) <= ROUGH * reach)) return UNCLEAR;
+  if (!isRight) return UNCLEAR;
   if (down >= 0 || up <= 0) return CLEAR;
   /* In a valley, what is convex lies above both tangents. */
   const least = (p * up - q * down + down * up) / (up - down);

@@ -28,6 +28,8 @@ const [MOST_CREASES, MOST_STEPS] = [1000, 200_000];
 const MOST_HALVINGS = 12;
 /** Creases nearer to a place than this part of the coordinates meet there; of these, cosines of directions that are one. */
 const [NEAR, ALIKE] = [1e-9, 1e-9];
+/** A crease is where a leg came to it, to this part of the coordinates. */
+const AWAY = 1e-7;
 /** A trace begins where so many creases meet, at most. */
 const MOST_MEETING = 5;
 /** Directions are along a crease whose sines are less. */
@@ -45,7 +47,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
   const tracing = { field, sides, tolerance, size: Math.max(...place.map(Math.abs), reach) };
   const here = enter(tracing, place, direction);
   if (!here) return null;
-  const { legs, status, spread, hasCrossed } = walk(tracing, here, length, length * Math.min(1, span / reach || 1));
+  const { legs, status, spread, smooth, hasCrossed } = walk(tracing, here, length, length * Math.min(1, span / reach || 1));
   const [first] = legs;
   if (!first || status < CONVERGED) return status < CONVERGED ? emptyPath(status) : null;
   if (!hasCrossed) return traceOn(tracing, first.side, place, direction, length, points);
@@ -61,7 +63,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
       (spread.position <= FARTHEST * total ? spread.position : FARTHEST * total) + (status === TOLERANCE_NOT_MET ? length - total : 0),
     iterations: legs.reduce((sum, { raw }) => sum + raw.iterations, 0),
     touchesBoundary: legs.some(({ raw }) => raw.touchesBoundary),
-    conjugate: first.raw.conjugate,
+    conjugate: (smooth > first.raw.length && traceOn(tracing, first.side, place, direction, smooth)?.conjugate) || first.raw.conjugate,
     ...drawn,
   };
 }
@@ -109,15 +111,15 @@ function leads({ sides }, signs, place, velocity, crease) {
 /**
  * Legs, from crease to crease, and how the last one ended.
  * @param {Tracing} tracing @param {Here} here @param {number} length @param {number} most length of one, which is looked at in so many points
- * @returns {{ legs: Leg[], status: number, spread: Spread, hasCrossed: boolean }}
+ * @returns {{ legs: Leg[], status: number, spread: Spread, smooth: number, hasCrossed: boolean }} smooth: length before the first crease
  */
 function walk(tracing, here, length, most) {
   /** @type {Leg[]} */
   const legs = [];
   /** @type {Spread} */
   let spread = { position: 0, turn: 0 };
-  let [rest, crossed, steps] = [length, 0, 0];
-  const ended = (/** @type {number} */ status) => ({ legs, status, spread, hasCrossed: crossed > 0 });
+  let [rest, smooth, crossed, steps] = [length, 0, 0, 0];
+  const ended = (/** @type {number} */ status) => ({ legs, status, spread, smooth, hasCrossed: crossed > 0 });
   while (crossed < MOST_CREASES && steps < MOST_STEPS) {
     const side = tracing.sides.on(here.signs);
     const { raw, crease } = stride(tracing, side, here, Math.min(rest, most));
@@ -126,6 +128,7 @@ function walk(tracing, here, length, most) {
     legs.push({ side, here, raw });
     spread = carry(spread, raw);
     rest -= raw.length;
+    if (crossed === 0) smooth += raw.length;
     steps += raw.iterations;
     if (crease === null && (rest <= 0 || raw.status !== CONVERGED)) return ended(raw.status);
     const end = { ...here, place: endOf(raw), velocity: raw.end.velocity };
@@ -167,6 +170,8 @@ function cross(tracing, { place: end, velocity, signs }, crease, spread) {
   const { sides } = tracing;
   if (crease < 0) return null;
   const place = settle(sides, { crease, signs }, end);
+  /* What vanishes jumps there, as atan2 does: Newton's method led elsewhere. */
+  if (!(sizeOf(minus(place, end)) <= AWAY * tracing.size)) return null;
   const measured = sides.on(signs)?.measure(place)[0] ?? [];
   const on = signs.flatMap((_, k) => (k === crease || vanishes(tracing, { place, measured }, k, NEAR) ? [k] : []));
   const alike = likeness(tracing, on, crease, signs, place);
@@ -224,7 +229,7 @@ function sample(tracing, legs, total, points) {
     if (last >= next) {
       const parts = spaced(tracing, leg, offset, isLast ? length - offset : (last - next) * step, last - next);
       if (!parts) return null;
-      for (const part of parts) for (const [which, numbers] of written.entries()) numbers.push(...part[which]);
+      for (const part of parts) for (const [which, numbers] of written.entries()) for (const x of part[which]) numbers.push(x);
     }
     next = Math.max(next, last + 1);
     behind += length;

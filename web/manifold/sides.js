@@ -25,6 +25,7 @@ import { compileShape } from './shapes.js';
 /**
  * @typedef {object} Side
  * @property {<T>(call: import('../search/routes.js').Call<T>) => T} run
+ * @property {number[]} groups of the numbers of a jet that have the same unit: 0, 1, 2 of the shape, by the order of derivatives, 3, 4, 5 of what measures length
  * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
  * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
  */
@@ -173,6 +174,7 @@ export class Sides {
     };
     /** @type {Side} */
     const side = {
+      groups: groupsOf(modules, variables.length),
       run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
       jets: (places) => {
         const count = places.length / variables.length;
@@ -232,6 +234,19 @@ function keyOf(signs) {
     bits = 1;
   }
   return key + bits;
+}
+
+/**
+ * Of each number that modules give of a place, all values first, then all first derivatives, then all second: of which of them it is, and what of. A module that measures length may begin with the shape.
+ * @param {{ jet: { length: number } }[]} modules the shape's, and what measures length, if it is another @param {number} variables
+ */
+function groupsOf(modules, variables) {
+  const orders = [1, variables, (variables * (variables + 1)) / 2].flatMap((count, order) => Array.from({ length: count }, () => order));
+  const widths = modules.map(({ jet }) => jet.length / orders.length);
+  return widths.flatMap((width, which) => {
+    const shaped = which === 0 ? width : width > widths[0] ? widths[0] : 0;
+    return orders.flatMap((order) => Array.from({ length: width }, (_, i) => (i < shaped ? order : 3 + order)));
+  });
 }
 
 /** @param {Float64Array} numbers @param {number} count lists */

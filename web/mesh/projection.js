@@ -36,7 +36,7 @@ export function projectOnto(manifold, caller, target, near) {
 }
 
 /**
- * The vertices of a mesh that are nearer to a point of space than all beside them, the nearest first, as u v or x y z, each with how near the surface beside it may be; without any, the point.
+ * The vertices of a mesh that are nearer to a point of space than all beside them, the nearest first, as u v or x y z, each with how near the surface beside it may be.
  * @param {Manifold} manifold @param {string} caller @param {number[]} target
  * @returns {{ place: number[], least: number }[]}
  */
@@ -50,13 +50,12 @@ function nearVertices(manifold, caller, target) {
   const isNear = longest.map(Math.sign);
   for (let k = 0; k < edges.length; k += 2) {
     const between = away[edges[k]] - away[edges[k + 1]];
-    if (between !== 0) isNear[edges[between < 0 ? k + 1 : k]] = 0;
+    if (between < 0 || between > 0) isNear[edges[between < 0 ? k + 1 : k]] = 0;
   }
   const [numbers, width] = parameters ? [parameters, 2] : [positions, 3];
   /** @type {number[]} */
   const found = [];
   for (let i = 0; i < isNear.length; i++) if (isNear[i]) found.push(i);
-  if (found.length === 0) return [{ place: target, least: 0 }];
   return found
     .sort((i, j) => away[i] - away[j])
     .slice(0, MOST)
@@ -70,7 +69,9 @@ function withEdges({ positions, parameters, indices }) {
   const longest = new Float64Array(positions.length / 3);
   for (let k = 0; k < edges.length; k++) {
     const [from, to] = [edges[k & ~1], edges[k | 1]].map((i) => positions.subarray(3 * i, 3 * i + 3));
-    longest[edges[k]] = Math.max(longest[edges[k]], gap(from, to));
+    const length = gap(from, to);
+    /* Beside a vertex where the formula has no value the others are as they are. */
+    if (length < Infinity) longest[edges[k]] = Math.max(longest[edges[k]], length);
   }
   return { positions, parameters, edges, longest };
 }

@@ -357,3 +357,91 @@ test('where a surface hangs together in a point traces hold as far as they meet 
   );
   stepped.dispose();
 });
+
+for (const [name, x0, size, unit] of /** @type {[string, number, number, number][]} */ ([
+  ['slowness of ten kilometres', 0, 5000, 1 / 6000],
+  ['a density of 1e-5', 0, 3, 1e-5],
+  ['the same in metres of a map', 4e6, 5000, 1e-5],
+]))
+  test(`in units of any size a jump is seen, by traces and by paths: ${name}`, () => {
+    const surface = surfpath.graph({
+      z: 0,
+      x: [x0 - size, x0 + size],
+      y: [-size, size],
+      density: 'slow*(1.5 + 0.5*sign(x - at))',
+      parameters: { slow: unit, at: x0 },
+    });
+    /* From a density of 1 to one of 2: sines are halved. */
+    const random = createRandom(8);
+    for (let i = 0; i < 8; i++) {
+      const [before, after, angle] = [random.between(0.1, 0.6) * size, random.between(0.1, 0.6) * size, random.between(-0.6, 0.6)];
+      const [sine, refracted] = [Math.sin(angle), Math.sin(angle) / 2];
+      const [one, two] = [before / Math.cos(angle), after / Math.sqrt(1 - refracted * refracted)];
+      const [from, to] = [
+        [x0 - before, 0],
+        [x0 + after, one * sine + two * refracted],
+      ];
+      const length = unit * (one + 2 * two);
+      const path = surface.shortestPath(from, to);
+      assert.equal(path.status, 'converged');
+      assert.ok(Math.abs(path.length / length - 1) < 2e-9, `${path.length}, not ${length}`);
+      const trace = surface.trace(from, [Math.cos(angle), sine], length);
+      assert.equal(trace.status, 'converged');
+      assert.ok(Math.hypot(...subtract(placeOf(trace, -1), to)) < 1e-8 * size, `${placeOf(trace, -1)}, not ${to}`);
+    }
+    surface.dispose();
+  });
+
+test('where what vanishes jumps itself, as an angle does, a trace ends', () => {
+  const surface = surfpath.graph({ z: 0, x: [-30, 30], y: [-30, 30], density: '1.5 - 0.5*sign(atan2(y, x))' });
+  const random = createRandom(9);
+  for (let i = 0; i < 20; i++) {
+    const from = [random.between(-5, -1), random.between(-0.5, -0.1)];
+    const path = surface.trace(from, [random.between(-0.3, 0.3), 1], 3);
+    assert.equal(path.status, 'tolerance-not-met');
+    assert.ok(
+      Math.hypot(...subtract(placeOf(path, -1), from)) <= path.length && path.length + path.lengthError >= 3,
+      `${path.lengthError}`,
+    );
+  }
+  surface.dispose();
+});
+
+test('creases that follow each other closely are not stepped over in a long rectangle', () => {
+  const surface = surfpath.graph({ z: 0, x: [0, 1000], y: [-1000, 1000], density: '1 + 0.1*sign(sin(3x + 0.5))' });
+  const densityAt = (/** @type {number} */ at) => 1 + 0.1 * Math.sign(Math.sin(3 * at + 0.5));
+  const edges = Array.from({ length: 1000 }, (_, k) => (k * Math.PI - 0.5) / 3);
+  const random = createRandom(10);
+  for (let i = 0; i < 4; i++) {
+    let [at, across, left] = [random.between(0, 1), 0, random.between(150, 400)];
+    const direction = unit([1, random.between(-0.5, 0.5)]);
+    const path = surface.trace([at, 0], direction, left);
+    /* By Snell's law from stripe to stripe. */
+    const momentum = densityAt(at) * direction[1];
+    for (const edge of edges.filter((one) => one > at)) {
+      const density = densityAt((at + edge) / 2);
+      const [sine, cosine] = [momentum / density, Math.sqrt(1 - (momentum / density) ** 2)];
+      const reach = Math.min((edge - at) / cosine, left / density);
+      [at, across, left] = [at + reach * cosine, across + reach * sine, left - reach * density];
+      if (left <= 0) break;
+    }
+    const [x, y] = placeOf(path, -1);
+    const miss = Math.hypot(x - at, y - across);
+    assert.ok(miss <= path.lengthError + 1e-10, `${path.status}: ${miss}, ${path.lengthError}`);
+  }
+  surface.dispose();
+});
+
+test('as many points as can be asked for', () => {
+  const roof = surfpath.graph({ z: 'abs(x)', ...SQUARE });
+  assert.equal(roof.trace([-1, 0], [1, 0.5], 3, { points: 100_000 }).points.length, 3 * 100_002);
+  roof.dispose();
+});
+
+test('a side that ends where its crease does: where the path leads is not known, but there is one', () => {
+  const ramp = surfpath.graph({ z: 'max(0, x)^2.5', ...SQUARE });
+  const path = ramp.trace([1, 0], [-1, 0.2], 2);
+  assert.equal(path.status, 'tolerance-not-met');
+  assert.ok(path.points.length > 0 && path.lengthError >= 1);
+  ramp.dispose();
+});
