@@ -47,7 +47,7 @@ function nearVertices(manifold, caller, target) {
   const away = new Float64Array(longest.length);
   for (let i = 0, k = 0; i < away.length; i++)
     away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
-  const isNear = longest.map(Math.sign);
+  const isNear = longest.map((edge) => Number(edge >= 0));
   for (let k = 0; k < edges.length; k += 2) {
     const between = away[edges[k]] - away[edges[k + 1]];
     if (between < 0 || between > 0) isNear[edges[between < 0 ? k + 1 : k]] = 0;
@@ -62,11 +62,11 @@ function nearVertices(manifold, caller, target) {
     .map((i) => ({ place: Array.from(numbers.subarray(width * i, width * i + width)), least: away[i] - longest[i] }));
 }
 
-/** A mesh with the edges of its triangles, two vertices each, and the longest edge of each vertex, 0 without any. @param {import('./mesh.js').Mesh} mesh */
+/** A mesh with the edges of its triangles, two vertices each, and the longest edge of each vertex, −1 without any. @param {import('./mesh.js').Mesh} mesh */
 function withEdges({ positions, parameters, indices }) {
   const after = (/** @type {number} */ k) => (k % 3 < 2 ? k + 1 : k - 2);
   const edges = Uint32Array.from({ length: 2 * indices.length }, (_, k) => indices[k & 1 ? after(k >> 1) : k >> 1]);
-  const longest = new Float64Array(positions.length / 3);
+  const longest = new Float64Array(positions.length / 3).fill(-1);
   for (let k = 0; k < edges.length; k++) {
     const [from, to] = [edges[k & ~1], edges[k | 1]].map((i) => positions.subarray(3 * i, 3 * i + 3));
     const length = gap(from, to);
