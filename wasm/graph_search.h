@@ -52,8 +52,7 @@ struct sp_front {
     /* The sample to which ways lead, where no way is shorter than its chord: a key is the distance and the chord from there (A*). NULL: the
      * distance alone. */
     const double *target;
-    /* Distances from where ways lead: vertices are left out where they and those from the seeds add up to more than `most`. NULL: none is.
-     */
+    /* Distances from where ways lead. Where they and those from the seeds add up to more than `most`, none is visited. NULL: all are. */
     const double *other;
     double most, farthest; /* nor are those that are as far as `farthest` */
 };

@@ -87,7 +87,7 @@ function traceCreased(field, place, { direction, length }, wanted, run) {
   const reach = still?.end ? sizeOf(still.end.velocity) * length : length;
   const path = isWhole ? traceAcross(field, sides, { place: from, direction, length, reach }, wanted) : run(length, wanted.tolerance);
   /* A side may end where its crease does, as that of max(0, x)^2.5. */
-  const whole = path?.status === NOT_FINITE ? run(length, wanted.tolerance) : null;
+  const whole = isWhole && path?.status === NOT_FINITE ? run(length, wanted.tolerance) : null;
   if (whole && whole.status >= CONVERGED) return { ...whole, status: TOLERANCE_NOT_MET, lengthError: length };
   if (!path) return still && { ...still, status: TOLERANCE_NOT_MET, lengthError: length };
   const isKnown = isWhole || (sides && !changesSides(sides, path));
