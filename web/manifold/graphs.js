@@ -27,6 +27,8 @@ export class Graphs {
     null;
   /** The branch points of a parametric surface, once they are known. @type {import('../search/branches.js').Branch[] | null} */ branches =
     null;
+  /** Legs between branch points, and from these to ends, by what was asked. @type {Map<string, import('../path.js').Path>} */ legs =
+    new Map();
   #kind;
   /** How cells on both sides of a crease are joined. */ #creases;
   /** @type {Graph[]} by level */ #graphs = [];
@@ -86,6 +88,7 @@ export class Graphs {
     this.#graphs = [];
     this.#flood = null;
     this.net = this.branches = null;
+    this.legs.clear();
   }
 }
 

@@ -8,7 +8,7 @@ import { estimate } from './distinct.js';
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
 /** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath, doubt?: number }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with; doubt: by how much it may be shorter than it looks, where that is known better than from it alone */
-/** @typedef {Found & { start: Start['start'], coarse: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points */
+/** @typedef {Found & { start: Start['start'], coarse: RawPath, followed?: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points; followed: what it led to as it was asked */
 /** @typedef {Found & import('../manifold/domain.js').Tip & { bound: number, again: (options: SolveOptions) => RawPath }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
 
 /**
@@ -33,6 +33,9 @@ import { estimate } from './distinct.js';
 /** As sp_algorithm in wasm/surfpath.h. */
 export const ELEMENTS = 0;
 export const POLYLINE = 1;
+
+/** Where more than so many end equally long, and none as it was asked, others will as well. */
+const MOST_ALIKE = 2;
 
 /** Rough lengths this much longer than the best may still turn out to be the shortest. */
 export const MARGIN = 1e-3;
@@ -76,3 +79,7 @@ export function leaps({ domain }, { parameters }) {
     parameters.some((x, i) => i > 1 && (i & 1) === along && Math.abs(x - parameters[i - 2]) > most),
   );
 }
+
+/** Whether paths that do not hold end as long as the last of them too often. @param {RawPath[]} failed */
+export const endAlike = (failed) =>
+  failed.filter(({ length }) => Math.abs(length - /** @type {RawPath} */ (failed.at(-1)).length) <= MARGIN * length).length > MOST_ALIKE;

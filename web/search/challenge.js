@@ -2,7 +2,7 @@
 
 import { STALLED } from '../runtime/status.js';
 import { gap } from '../vector.js';
-import { holds, leaps, MARGIN, within } from './candidates.js';
+import { endAlike, holds, leaps, MARGIN, within } from './candidates.js';
 import { estimate } from './distinct.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
@@ -28,15 +28,19 @@ export function challenge(problem, options, best, tried) {
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
-  for (const { to, start } of isSpatial && positions ? open.slice(0, MOST_MEASURED) : []) {
+  /** @type {RawPath[]} */
+  const failed = [];
+  for (const { to, start, followed } of isSpatial && positions ? open.slice(0, MOST_MEASURED) : []) {
     let length = 0;
     // Fewer chords are shorter.
     for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)
       length = lengthOf(problem, /** @type {Float64Array} */ (start), parts);
     if (!isShorter(length)) continue;
     least = Math.min(least, length);
-    const shorter = solve(to, start, options);
-    if (holds({ path: shorter }) && shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
+    if (endAlike(failed)) continue;
+    const shorter = followed ?? solve(to, start, options);
+    if (!holds({ path: shorter })) failed.push(shorter);
+    else if (shorter.length < path.length && !leaps(problem, shorter)) path = shorter;
   }
   return isShorter(least) ? { ...path, status: STALLED } : path;
 }

@@ -1,6 +1,6 @@
 /** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
 
-import { COMPARED_POINTS, compared, ELEMENTS, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
+import { COMPARED_POINTS, compared, ELEMENTS, endAlike, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { distinct, estimate, isAmong, isBesideWay } from './distinct.js';
 import { refine } from './poles.js';
 import { finer, innerOf, isJudged, isOneOfMany, isTooCoarse, MOST_ROUGH, sharpen } from './rough.js';
@@ -16,8 +16,6 @@ import { finer, innerOf, isJudged, isOneOfMany, isTooCoarse, MOST_ROUGH, sharpen
 const [MOST_FINE, MOST_FINE_METRIC] = [8, 16];
 /** In a metric a path may be shorter than its rough one's length and error say by so many errors, where that has many nodes and where it has few. */
 const [ERRORS, MORE_ERRORS] = [3, 8];
-/** Where more of them than so many end equally long, and none as it was asked, others will as well. */
-const MOST_ALIKE = 2;
 /** Where a path is not solved to the tolerance, another start may lead to it: a rough one that looks longer by no more than this. One not at rest is shorter only if by more. */
 const SURELY = 1.02;
 /** What a rough path's length is wrong by, in parts of the error that it has by itself, at most. */
@@ -71,7 +69,7 @@ export function solveFinely(problem, options, most, { rough, passing, over }) {
     const refined = refineWell(problem, found, options);
     if (holds(refined)) usable = distinct([...usable, refined]);
     else failed.push(refined.path);
-    if (failed.filter(({ length }) => Math.abs(length - refined.path.length) <= MARGIN * length).length > MOST_ALIKE) break;
+    if (endAlike(failed)) break;
   }
   return [usable, failed];
 }
@@ -125,9 +123,12 @@ export function followAsTheyAre({ solve }, options, unfollowed, isFound) {
   const able = options.algorithm === ELEMENTS ? unfollowed : unfollowed.filter(({ path }) => isOnSurface(path));
   const isLonger = (/** @type {RawPath} */ path) =>
     !path.crossesSingularity && found.some((one) => holds(one) && path.length > one.path.length);
-  for (const { to, start, path } of able.slice(0, most))
-    if (!isLonger(path) && (found.length < LEAST_UNFOLLOWED || (path.crossesSingularity && !found.some(holds))))
-      found.push({ to, path: solve(to, start, options) });
+  for (const one of able.slice(0, most)) {
+    const { to, start, path } = one;
+    if (isLonger(path) || (found.length >= LEAST_UNFOLLOWED && (!path.crossesSingularity || found.some(holds)))) continue;
+    one.followed = solve(to, start, options);
+    found.push({ to, path: one.followed });
+  }
   return found;
 }
 

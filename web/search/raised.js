@@ -5,7 +5,7 @@
 
 import { isGeodesic } from '../path.js';
 import { compared, ELEMENTS } from './candidates.js';
-import { findGlobal, solveNear } from './routes.js';
+import { branchesOf, findGlobal, solveNear } from './routes.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */
@@ -49,7 +49,8 @@ export function findRaised(field, ends, options) {
  */
 function raise(at, ends, options, height) {
   const low = at(height);
-  let path = low && findGlobal(low, ends, options, 1)[0];
+  /* With branch points it stands upright somewhere: it lies over no plane. */
+  let path = low && branchesOf(low).length === 0 ? findGlobal(low, ends, options, 1)[0] : null;
   if (!path || !isGeodesic(path)) return null;
   let factor = FIRST;
   for (let tries = 0; height < 1; tries++) {

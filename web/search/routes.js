@@ -53,6 +53,8 @@ const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
 const BESIDE = 1e-6;
 /** What a polyline is relaxed with that is only to tell which way a path leads. */
 const SKETCH = { ...ROUGHLY, points: 63 };
+/** So many legs between branch points are kept: more than there are between as many as are looked for. */
+const MOST_KNOWN = 1024;
 /** What only measures a polyline. */
 const MEASURED = { ...AT_ONCE, points: 999 };
 
@@ -207,7 +209,7 @@ function pose(field, [from, to], find) {
         ),
       branches,
       isLeg: !!field.isLeg,
-      leg: (places, asked) => findGlobal(legs, places, asked, 1)[0],
+      leg: (places, asked) => remember(graphs.legs, JSON.stringify([places, asked]), () => findGlobal(legs, places, asked, 1)[0]),
       near: (places, asked, start) => solveNear(legs, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, field, level)),
       flood: (level, length, wide) => watch(graphs.flood(heap, record, first, last, level, length, wide)),
@@ -241,8 +243,19 @@ function ontoSurface(heap, record, kind, end) {
 /** @param {Field} field an implicit surface @param {number[]} end of a path on it @returns {number[]} where it lies on the surface */
 export const settleEnd = ({ kind, run }, end) => run((heap, record) => ontoSurface(heap, record, kind, end));
 
+/**
+ * What was found before, or is found now. Wherever a way fails, ways through branch points are looked for, and they share most of their legs.
+ * @param {Map<string, Path>} known @param {string} key @param {() => Path} find
+ */
+function remember(known, key, find) {
+  const path = known.get(key) ?? find();
+  if (known.size >= MOST_KNOWN) known.clear();
+  if (path.status !== 'out-of-memory') known.set(key, path);
+  return path;
+}
+
 /** Branch points that paths may lead through, where length is that of space. @param {Field} field @returns {import('./branches.js').Branch[]} */
-function branchesOf({ domain, graphs, isPlain, jets }) {
+export function branchesOf({ domain, graphs, isPlain, jets }) {
   if (!domain || !isPlain) return [];
   graphs.branches ??= findBranches(jets, domain);
   return graphs.branches;
