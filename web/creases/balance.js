@@ -4,7 +4,8 @@ import { bothWays, directions, meetEdge, settle } from './crease.js';
 import { isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
 import { ahead, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
-import { distance, graze, survey } from './shores.js';
+import { graze, survey } from './shores.js';
+import { speedOn } from './tangent.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -165,5 +166,8 @@ function snell(question, [before, after], [from, place, to], joint, step) {
   const [back, on] = bothWays(question.sides, joint, place, step);
   const lengthAt = (/** @type {number[]} */ at) =>
     (solveLeg(question, before, from, at, LEG)?.length ?? Number.NaN) + (solveLeg(question, after, at, to, LEG)?.length ?? Number.NaN);
-  return (lengthAt(on) - lengthAt(back)) / Math.max(...[before, after].map(({ signs }) => distance(question, signs, back, on)));
+  const { along } = directions(question.sides, joint, place);
+  return (
+    (lengthAt(on) - lengthAt(back)) / (2 * step * Math.max(...[before, after].map(({ signs }) => speedOn(question, signs, place, along))))
+  );
 }

@@ -1,12 +1,10 @@
 /** Which way a geodesic goes on beyond a crease: what its length changes by along that is the same on both sides. MATH.md, "Traces across creases". */
 
-import { CONVERGED } from '../runtime/status.js';
 import { minus } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { ahead, product, sizeOf } from './linear.js';
+import { frameOn } from './tangent.js';
 
-/** @typedef {import('../runtime/result.js').RawPath} RawPath */
-/** @typedef {import('../manifold/sides.js').Side} Side */
 /** @typedef {{ field: import('../search/routes.js').Field, sides: import('../manifold/sides.js').Sides, tolerance: number, size: number }} Tracing size: of the coordinates that rounding is a part of */
 /** @typedef {{ position: number, turn: number }} Spread errors of a place, and of the direction there */
 /** @typedef {{ velocity: number[], isReflected: boolean, spread: Spread }} Bend */
@@ -18,37 +16,12 @@ const TORN = 1e-9;
 /** The curvature of a crease is told by places so far apart, in parts of the coordinates. */
 const BESIDE = 1e-4;
 
-/** A geodesic on one side, from a place. @param {Tracing} tracing @param {Side} side @param {number[]} from @param {number[]} direction @param {number} length @param {number} [points] @returns {RawPath | null} */
-export function traceOn({ field, tolerance }, side, from, direction, length, points = 1) {
-  return side.run((heap, record) => heap.trace(record, { kind: field.kind, from, direction, length }, { points, tolerance }));
-}
-
-/** A direction as a velocity, as a side measures it, of which the tangent part counts; null: it has none. @param {Tracing} tracing @param {number[]} signs @param {number[]} place @param {number[]} direction */
-export function velocityOn(tracing, signs, place, direction) {
-  const side = tracing.sides.on(signs);
-  const still = side && traceOn(tracing, side, place, direction, 0);
-  return (still?.status === CONVERGED && still.end?.velocity) || null;
-}
-
 /** Whether two sides are not joined at a place: the surface jumps. @param {Tracing} tracing @param {number[]} before @param {number[]} after @param {number[]} place */
 export function isTorn({ field, sides, size }, before, after, place) {
   const [[one], [other]] = [before, after].map((signs) => sides.on(signs)?.jets(place) ?? [[Number.NaN]]);
   if (!field.domain) return !(Math.abs(other[0]) <= TORN * size * sizeOf(other.slice(1, 4)));
   if (!field.positions) return false;
   return ![0, 1, 2].every((j) => Math.abs(one[j] - other[j]) <= TORN * Math.max(size, sizeOf(one.slice(0, 3))));
-}
-
-/**
- * How a side measures what is along a crease, a unit vector of the coordinates, and what is across, at right angles as it measures.
- * @param {Tracing} tracing @param {import('./crease.js').On} on @param {number[]} place @param {number[]} along @param {number[]} across
- */
-function frameOn(tracing, { signs }, place, along, across) {
-  const [t, n, both] = [along, across, ahead(along, across, 1)].map((vector) => {
-    const velocity = velocityOn(tracing, signs, place, vector);
-    return velocity ? (product(vector, vector) / product(vector, velocity)) ** 2 : Number.NaN;
-  });
-  const skew = (both - t - n) / (2 * t);
-  return { t, n: n - skew * skew * t, skew, across: ahead(across, along, -skew) };
 }
 
 /**
@@ -60,8 +33,8 @@ export function bend(tracing, crease, before, after, place, velocity, spread) {
   const [on, beyond] = [before, after].map((signs) => ({ crease, signs }));
   const [here, there] = [on, beyond].map((side) => directions(tracing.sides, side, place));
   if (!(Math.abs(product(here.along, there.along)) >= 1 - TORN)) return null;
-  const one = frameOn(tracing, on, place, here.along, here.across);
-  const other = frameOn(tracing, beyond, place, here.along, there.across);
+  const one = frameOn(tracing, before, place, here.along, here.across);
+  const other = frameOn(tracing, after, place, here.along, there.across);
   const y = product(velocity, here.across);
   const x = product(velocity, here.along) + one.skew * y;
   const momentum = x * one.t;

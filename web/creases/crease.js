@@ -26,6 +26,14 @@ export function settle(sides, on, place) {
   return approach(place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
 }
 
+/** The place on a crease that is so far along the chord between two on it, in parts of that. @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} part */
+export function between(sides, on, from, to, part) {
+  if (part === 0 || part === 1) return part ? to : from;
+  const chord = minus(to, from);
+  const aim = ahead(from, chord, part);
+  return approach(aim, (at) => [vanishing(sides, on, at), [product(minus(at, aim), chord), chord], ...implicit(sides, on, at)]);
+}
+
 /** Moves a place onto this side of an implicit surface; in the rectangle every place is on it. @param {Sides} sides @param {On} on @param {number[]} place */
 export function ground(sides, on, place) {
   return place.length === 2 ? place : approach(place, (at) => implicit(sides, on, at));

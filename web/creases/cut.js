@@ -107,13 +107,13 @@ function divide(line, width, parts) {
 
 /**
  * Cuts a polyline where it crosses creases at which the surface, or what measures length, bends.
- * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, near?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own
+ * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, near?: number, lead?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own; lead: what begins beside one comes to it over this part of that
  * @returns {Route | null}
  */
-export function cut(sides, line, width, { parts = PARTS, near = 0 } = {}) {
+export function cut(sides, line, width, { parts = PARTS, near = 0, lead = 0 } = {}) {
   const survey = new Survey(sides, line, width, parts);
   const { last, creases } = survey;
-  const runs = near ? runsOf(survey, near) : [];
+  const runs = near ? runsOf(survey, near, lead) : [];
   const signs = creases.map((k) => survey.signFrom(0, k) || 1);
   const events = [
     ...crossings(survey, signs).filter(({ at }) => !runs.some(({ from, to }) => at > from - 1 && at < to + 1)),
@@ -185,8 +185,8 @@ function crossings(survey, signs) {
   return events;
 }
 
-/** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @returns {Run[]} */
-function runsOf(survey, near) {
+/** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @param {number} lead @returns {Run[]} */
+function runsOf(survey, near, lead) {
   const { sides, places, width, last } = survey;
   const total = span(places, width);
   /** @type {(Run & { length: number })[]} */
@@ -204,11 +204,11 @@ function runsOf(survey, near) {
       );
       if (length < LONG * total && changes.filter(Boolean).length < 2) continue;
       /* What begins beside a crease, not on it, comes to it: where it is crossed, or later. */
-      const lead = (i - 1 - from) / 8;
+      const by = lead * (i - 1 - from);
       const [first, final] = [changes.indexOf(true), changes.lastIndexOf(true)];
       const [start, end] = [
-        from === 0 && survey.signAt(0, crease) ? (first < 0 ? lead : Math.min(lead, first + 0.5)) : from,
-        i > last && survey.signAt(last, crease) ? (final < 0 ? last - lead : Math.max(last - lead, from + final + 0.5)) : i - 1,
+        from === 0 && survey.signAt(0, crease) ? (first < 0 ? by : Math.min(by, first + 0.5)) : from,
+        i > last && survey.signAt(last, crease) ? (final < 0 ? last - by : Math.max(last - by, from + final + 0.5)) : i - 1,
       ];
       const signs = survey.creases.map((k) => survey.signFrom(from, k) || 1);
       const middle = Math.floor((from + i) / 2);
@@ -256,12 +256,12 @@ export function differ(groups, one, other, part, ofAll) {
   return one.some((x, i) => Math.abs(x - other[i]) > Math.max(part * sizes[groups[i]], least[Math.trunc(groups[i] / 3)]));
 }
 
-/** A polyline with more nodes in place of its first and its last chord, ever nearer to its ends, by the cubics through four nodes: chords dip into a shore that what they stand for is tangent to. @param {Float64Array} line @param {number} width */
+/** A polyline with more nodes in place of its first and its last chord, ever nearer to its ends, by what interpolates six nodes: chords dip into a shore that what they stand for is tangent to. @param {Float64Array} line @param {number} width */
 function closeToEnds(line, width) {
   const count = line.length / width - 1;
-  const used = Array.from({ length: Math.min(4, count + 1) }, (_, k) => k);
+  const used = Array.from({ length: Math.min(6, count + 1) }, (_, k) => k);
   const nodeAt = (/** @type {number} */ at) => {
-    const first = Math.max(0, Math.min(Math.floor(at) - 1, count + 1 - used.length));
+    const first = Math.max(0, Math.min(Math.floor(at) - 2, count + 1 - used.length));
     const weights = used.map((k) => used.reduce((product, m) => (m === k ? product : (product * (at - first - m)) / (k - m)), 1));
     return Array.from({ length: width }, (_, j) => weights.reduce((sum, weight, k) => sum + weight * line[width * (first + k) + j], 0));
   };

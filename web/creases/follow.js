@@ -12,6 +12,8 @@ import { refract } from './refract.js';
 /** @typedef {import('./legs.js').Question} Question */
 /** @typedef {import('./legs.js').Route} Route */
 
+/** What begins beside a crease comes to it over this part of where it is near; where no leg leads so far, over less. */
+const LEADS = [1 / 8, 1 / 64];
 /** So often what a path is put together from is changed. */
 const MOST_CUTS = 12;
 /** Routes at rest are the same to so many digits. */
@@ -26,11 +28,15 @@ const TORN = 1e-9;
  */
 export function follow(question, line, near, most) {
   const width = question.ends[0].length;
-  const first = cut(question.sides, line, width, { near });
-  /* Without a shore it is what not following creases is. */
-  if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
-  const pieces = first && landed(question, first);
-  let route = pieces && join(question, pieces);
+  /** @type {Route | null} */
+  let route = null;
+  for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
+    const first = cut(question.sides, line, width, { near, lead: LEADS[k] });
+    /* Without a shore it is what not following creases is. */
+    if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
+    const pieces = first && landed(question, first);
+    route = pieces && join(question, pieces);
+  }
   if (!route || isTornAnywhere(question, route)) return null;
   let isAtRest = false;
   /** Routes at rest that were cut anew: what comes to one of them again goes round in circles. @type {string[]} */

@@ -1,11 +1,11 @@
 /** Where a geodesic on one side first comes to a crease. */
 
 import { CONVERGED } from '../runtime/status.js';
-import { traceOn } from './bend.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
 import { differ, isSame } from './cut.js';
 import { nodesOf } from './legs.js';
 import { product } from './linear.js';
+import { traceOn } from './tangent.js';
 
 /** @typedef {import('./bend.js').Tracing} Tracing */
 /** @typedef {import('../runtime/result.js').RawPath} RawPath */

@@ -3,7 +3,7 @@
 import { listOf } from '../vector.js';
 import { bothWays, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
-import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, span } from './legs.js';
+import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -13,10 +13,8 @@ import { isBulging, land, sidesOf } from './shores.js';
 /** @typedef {import('./crease.js').On} On */
 /** @typedef {{ signs: number[], line: number[], shore: Shore | null, on: On, isCorner?: boolean }} Piece on: where it begins; isCorner: at a corner, which holds it */
 
-/** In the end legs are looked at in so many points, whether they leave their sides. */
-const SEEN = 255;
-/** What both sides of a shore measure is compared over this part of it. */
-const DIFFERENCE = 1e-4;
+/** In the end legs are looked at in so many points, whether they leave their sides; where they seem to by this part of them, it may be what lies between points, and they are looked at in so many. */
+const [SEEN, LITTLE, CLOSELY] = [255, 0.02, 4095];
 /** A shore is no longer than this many times what was guessed; a leg of this part of a path at most, on whose account its joints come to no rest, is none. */
 const [LONGER, SPARE] = [2, 0.02];
 /** A corner is looked at so far from it, in parts of the shorter leg. */
@@ -143,7 +141,7 @@ function leave(question, line, { legs, joints }, i, own) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const leg = legs[i];
-  const parts = leavings(sides, leg, width);
+  const parts = leavingsOf(question, leg, width);
   if (!parts) return [own];
   const survey = new Survey(sides, line, width, 1);
   const spans = [...legs.slice(0, i), ...parts.legs, ...legs.slice(i + 1)].map((part) => span(part.line, width));
@@ -168,11 +166,21 @@ function leave(question, line, { legs, joints }, i, own) {
   });
 }
 
+/** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg @param {number} width */
+function leavingsOf(question, leg, width) {
+  const parts = leavings(question.sides, leg, width);
+  const least = LITTLE * span(leg.line, width);
+  if (!parts?.legs.some(({ line }) => span(line, width) < least)) return parts;
+  const [from, to] = [leg.line.subarray(0, width), leg.line.subarray(-width)].map((place) => Array.from(place));
+  const closer = solveLeg(question, leg, from, to, { ...LEG, points: CLOSELY });
+  return closer ? leavings(question.sides, closer, width) : parts;
+}
+
 /** A leg along a shore, on the side on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore */
 function landOn(question, leg, shore) {
   const width = question.ends[0].length;
   const place = settle(question.sides, { crease: shore.crease, signs: leg.signs }, middleOf(leg.line, width));
-  return land(question, leg, shore, place, DIFFERENCE * span(leg.line, width));
+  return land(question, leg, shore, place);
 }
 
 /**

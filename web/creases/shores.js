@@ -2,9 +2,11 @@
 
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { beyond, bothWays, directions, ground, settle, slopeAt, slopeOf, walk } from './crease.js';
+import { minus } from '../vector.js';
+import { between, beyond, directions, ground, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, middleOf, nodesOf, solveLeg } from './legs.js';
-import { ahead } from './linear.js';
+import { ahead, product } from './linear.js';
+import { frameOn, speedOn } from './tangent.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -14,28 +16,34 @@ import { ahead } from './linear.js';
 
 /** Two sides measure alike to this part. */
 const ALIKE = 1e-7;
-/** Pieces of a shore are halved so often; of what is extrapolated from that the last two differ by no more than this part. */
+/** Pieces of a shore are halved so often, at most; their lengths before and after differ by no more than this part. */
 const [HALVINGS, EXACT] = [5, 1e-11];
+/** Gauss's rule: places in the piece from −1 to 1, on both sides of 0, and their weights. */
+const GAUSS = [
+  [0.1834346424956498, 0.362683783378362],
+  [0.525532409916329, 0.3137066458778873],
+  [0.7966664774136267, 0.2223810344533745],
+  [0.9602898564975363, 0.1012285362903763],
+];
+/** Legs between neighbours on a shore are almost straight, or none. */
+const NEAR = { ...LEG, points: 1, maxIterations: 12 };
+/** Between two places on a shore so much on both sides of the middle is looked at. */
+const MIDDLE = 0.125;
 /** What lies between two places on a shore leaves its side by no more than this part of their distance. */
 const LEAVES = 1e-9;
 
-/** The length of what is straight between two places on a side; NaN: it does not hold. @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
-export const distance = (question, signs, from, to) => near(question, signs, from, to)?.length ?? Number.NaN;
-
-/** @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
+/** What is straight between two places on a side. @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
 const near = (question, signs, from, to) =>
-  solveLeg(question, { signs, length: 0, shore: null, line: Float64Array.from([...from, ...to]) }, from, to, { ...LEG, points: 1 });
+  solveLeg(question, { signs, length: 0, shore: null, line: Float64Array.from([...from, ...to]) }, from, to, NEAR);
 
 /** On which sides a shore is followed: a fold on both. @param {Shore} shore @param {number[]} signs of one */
 export const sidesOf = ({ crease, isFold }, signs) => (isFold ? [signs, beyond(signs, crease)] : [signs]);
 
-/** The leg along a shore, on the side of it on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore @param {number[]} place on it @param {number} step @returns {Leg | null} */
-export function land(question, leg, shore, place, step) {
+/** The leg along a shore, on the side of it on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore @param {number[]} place on it @returns {Leg | null} */
+export function land(question, leg, shore, place) {
   const sides = [1, -1].map((sign) => leg.signs.map((of, k) => (k === shore.crease ? sign : of)));
-  const speeds = sides.map((signs) => {
-    const [back, on] = bothWays(question.sides, { crease: shore.crease, signs }, place, step);
-    return distance(question, signs, back, on);
-  });
+  const { along } = directions(question.sides, { crease: shore.crease, signs: sides[0] }, place);
+  const speeds = sides.map((signs) => speedOn(question, signs, place, along));
   if (!speeds.every((speed) => speed > 0)) return null;
   const isFold = Math.abs(speeds[0] - speeds[1]) <= ALIKE * speeds[0];
   return { ...leg, signs: sides[isFold || speeds[0] < speeds[1] ? 0 : 1], shore: { ...shore, isFold } };
@@ -59,19 +67,16 @@ export function graze(question, leg, ends, end, beside, step) {
     const there = at(a, b);
     return solveLeg(question, leg, end ? ends[0] : there, end ? there : ends[1], LEG)?.length ?? Number.NaN;
   };
-  const speed = (/** @type {number[]} */ signs, /** @type {number} */ a, /** @type {number} */ b) =>
-    distance(question, signs, at(-a, -b), at(a, b)) / (2 * step);
-  const [tt, nn, both] = [speed(leg.signs, 1, 0) ** 2, speed(leg.signs, 0, 1) ** 2, speed(leg.signs, 1, 1) ** 2];
-  const skew = (both - tt - nn) / (2 * tt);
+  const { t: tt, n: nn, skew } = frameOn(question, leg.signs, place, t, n);
   const [alongIt, acrossIt] = [lengthAt(1, 0) - lengthAt(-1, 0), lengthAt(0, 1) - lengthAt(0, -1)].map((by) => by / (2 * step));
-  const [sine, cosine] = [(acrossIt - skew * alongIt) / Math.sqrt(nn - skew * skew * tt), alongIt / Math.sqrt(tt)];
+  const [sine, cosine] = [(acrossIt - skew * alongIt) / Math.sqrt(nn), alongIt / Math.sqrt(tt)];
   const isOwn = isFold || leg.signs[crease] === beside.signs[crease];
-  const critical = isOwn ? 1 : Math.min(1, speed(beside.signs, 1, 0) / Math.sqrt(tt));
+  const critical = isOwn ? 1 : Math.min(1, speedOn(question, beside.signs, place, t) / Math.sqrt(tt));
   return sine / (1 + cosine) + Math.sqrt((1 - critical) / (1 + critical));
 }
 
 /**
- * A leg along a shore from one place to another, with the places on it and its length: of legs between ever more of them, extrapolated. null: it is not reached, leaves the rectangle, or is no
+ * A leg along a shore from one place to another, with the places on it and its length. null: it is not reached, leaves the rectangle, or is no
  * shortest way, since the surface bends towards it.
  * @param {Question} question @param {Leg} leg along it @param {number[]} from @param {number[]} to @returns {Leg | null}
  */
@@ -85,58 +90,75 @@ export function survey(question, leg, from, to) {
   if (!places?.every((place) => isInside(question, place))) return null;
   const bends = sidesOf(shore, leg.signs);
   if (!bends.every((signs) => places.slice(1).every((place, i) => isBulging(question, { crease, signs }, places[i], place)))) return null;
-  /** Romberg's table, a row at a time. @type {number[]} */
-  let row = [];
+  let before = Number.NaN;
   for (let level = 0; level <= HALVINGS; level++) {
-    const parts = 2 ** level;
-    let sum = 0;
-    for (let i = 1; i < places.length; i++) {
-      const nodes = Array.from({ length: parts + 1 }, (_, k) => between(sides, on, places[i - 1], places[i], k / parts));
-      for (let k = 1; k <= parts; k++) sum += distance(question, leg.signs, nodes[k - 1], nodes[k]);
-    }
-    const next = [sum];
-    for (let k = 0; k < row.length; k++) next.push(next[k] + (next[k] - row[k]) / (4 ** (k + 1) - 1));
-    const [length, before] = [next[level], row[level - 1]];
+    const length = places.slice(1).reduce((sum, place, i) => sum + lengthAlong(question, on, places[i], place, 2 ** level), 0);
     const error = Math.abs(length - before);
-    row = next;
     if (error <= EXACT * length) return { ...leg, line: Float64Array.from(places.flat()), length, error };
-    if (Number.isNaN(length)) return null;
+    before = length;
   }
   return null;
 }
 
-/** A place between two on a crease. @param {import('../manifold/sides.js').Sides} sides @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to @param {number} part */
-const between = (sides, on, from, to, part) =>
-  part === 0
-    ? from
-    : part === 1
-      ? to
-      : settle(
-          sides,
-          on,
-          from.map((x, j) => x + part * (to[j] - x)),
-        );
+/** How long a crease is between two places on it, by Gauss's rule in so many parts. @param {Question} question @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to @param {number} [parts] */
+function lengthAlong(question, on, from, to, parts = 1) {
+  const { sides } = question;
+  const chord = minus(to, from);
+  let sum = 0;
+  for (let part = 0; part < parts; part++)
+    for (const [x, weight] of GAUSS)
+      for (const at of [-x, x]) {
+        const place = between(sides, on, from, to, (part + 0.5 + 0.5 * at) / parts);
+        const { along } = directions(sides, on, place);
+        sum += ((weight / 2 / parts) * speedOn(question, on.signs, place, along)) / Math.abs(product(along, chord));
+      }
+  return sum * product(chord, chord);
+}
 
-/** Whether what is straight between two places on a crease lies beyond it, or on it. @param {Question} question @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to */
-export function isBulging(question, { crease, signs }, from, to) {
-  const leg = near(question, signs, from, to);
-  if (!leg) return false;
-  const width = from.length;
-  const [measured] = question.sides.measure(middleOf(leg.line, width));
-  const slope = Math.max(...slopeOf(question.sides, measured, crease, width).map(Math.abs));
-  const apart = Math.max(...from.map((x, j) => Math.abs(x - to[j])));
-  return signs[crease] * measured[crease] <= LEAVES * slope * apart;
+/**
+ * Whether what is straight between two places on a crease lies beyond it, or on it: around the middle, and where nothing straight leads so far, nearer to it.
+ * @param {Question} question @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to
+ */
+export function isBulging(question, on, from, to) {
+  const { crease, signs } = on;
+  for (let k = 0, part = MIDDLE; k <= HALVINGS; k++, part /= 2) {
+    const [back, next] = [0.5 - part, 0.5 + part].map((at) => between(question.sides, on, from, to, at));
+    const leg = near(question, signs, back, next);
+    if (!leg) continue;
+    const width = from.length;
+    const [measured] = question.sides.measure(middleOf(leg.line, width));
+    const slope = Math.max(...slopeOf(question.sides, measured, crease, width).map(Math.abs));
+    const apart = Math.max(...back.map((x, j) => Math.abs(x - next[j])));
+    return signs[crease] * measured[crease] <= LEAVES * slope * apart;
+  }
+  return false;
 }
 
 /** The part of a path along a shore. @param {Question} question @param {Leg} leg as it was surveyed @param {SolveOptions} options @returns {Path} */
 export function writeShore(question, leg, options) {
   const { field, sides } = question;
   const { length, error = 0 } = leg;
+  const pieces = options.points + 1;
+  const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(leg.signs));
+  for (let finer = 1; ; finer *= 2) {
+    const nodes = spread(question, leg, finer * pieces);
+    const parts = nodes.slice(1).map((node, k) => {
+      const { solve, finish } = poseNear({ ...field, run }, [nodes[k], node], null);
+      return finish(solve({ ...options, points: NEAR.points, maxIterations: NEAR.maxIterations }));
+    });
+    const whole = joinPaths(parts, field.domain);
+    if (whole.converged) return { ...thinned(whole, pieces + 1), length, lengthError: error + Number.EPSILON * length };
+    if (finer === 2 ** HALVINGS) return whole;
+  }
+}
+
+/** Places along a shore, in so many equal pieces of its length, about. @param {Question} question @param {Leg} leg as it was surveyed @param {number} pieces */
+function spread(question, leg, pieces) {
+  const { sides } = question;
   const places = nodesOf(leg.line, question.ends[0].length);
   const on = { crease: leg.shore?.crease ?? 0, signs: leg.signs };
-  const lengths = places.map((place, i) => (i ? distance(question, leg.signs, places[i - 1], place) : 0));
+  const lengths = places.map((place, i) => (i ? lengthAlong(question, on, places[i - 1], place) : 0));
   const total = lengths.reduce((sum, x) => sum + x, 0);
-  const pieces = options.points + 1;
   const nodes = [places[0]];
   let [piece, behind] = [1, 0];
   for (let k = 1; k < pieces; k++) {
@@ -145,11 +167,5 @@ export function writeShore(question, leg, options) {
     nodes.push(between(sides, on, places[piece - 1], places[piece], Math.min(1, (wanted - behind) / lengths[piece])));
   }
   nodes.push(places[places.length - 1]);
-  const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(leg.signs));
-  const parts = nodes.slice(1).map((node, k) => {
-    const { solve, finish } = poseNear({ ...field, run }, [nodes[k], node], null);
-    return finish(solve({ ...options, points: 1 }));
-  });
-  const whole = thinned(joinPaths(parts, field.domain), pieces + 1);
-  return { ...whole, length, lengthError: error + Number.EPSILON * length };
+  return nodes;
 }

@@ -3,11 +3,12 @@
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
 import { diagonalOf, minus } from '../vector.js';
-import { bend, isTorn, traceOn, velocityOn } from './bend.js';
+import { bend, isTorn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
 import { isSame } from './cut.js';
 import { product, sizeOf } from './linear.js';
 import { endOf, look, vanishes } from './meeting.js';
+import { traceOn, velocityOn } from './tangent.js';
 
 /** @typedef {import('./bend.js').Tracing} Tracing */
 /** @typedef {import('./meeting.js').Here} Here */

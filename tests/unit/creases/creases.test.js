@@ -453,3 +453,40 @@ test('by a winding bank, and on a narrow road: a path converges, and none is lon
     plane.dispose();
   }
 });
+
+test('along the bottom of a valley of cost, where only its slope jumps: catenaries down to it, along it, and up again; there and back, seed 5', () => {
+  for (const bottom of [0.2, 0.1]) {
+    const surface = surfpath.graph({ z: 0, x: [-2, 2], y: [-1, 1], density: `${bottom} + abs(y)` });
+    const random = createRandom(5);
+    // y + c = c cosh(x/c) touches the bottom; its length is the integral of c cosh² (x/c).
+    const arc = (/** @type {number} */ y) => {
+      const x = bottom * Math.acosh((Math.abs(y) + bottom) / bottom);
+      return { x, length: (bottom * x) / 2 + ((bottom * bottom) / 4) * Math.sinh((2 * x) / bottom) };
+    };
+    let count = 0;
+    for (let i = 0; i < 20; i++) {
+      const [a, b] = [-1, 1].map((side) => [side * random.between(0.8, 2), random.between(-1, 1)]);
+      const [down, up] = [arc(a[1]), arc(b[1])];
+      const flat = b[0] - a[0] - down.x - up.x;
+      if (flat <= 0) continue;
+      const path = surface.shortestPath(a, b);
+      assert.equal(path.status, 'converged', `${bottom} ${a} ${b}`);
+      const exact = down.length + up.length + bottom * flat;
+      assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${bottom} ${a} ${b}: ${path.length}, ${exact}`);
+      assert.ok(
+        path.parameters?.some((y, k) => k % 2 === 1 && Math.abs(y) <= 1e-9),
+        'it lies at the bottom',
+      );
+      assert.equal(surface.shortestPath(b, a).length, path.length);
+      count++;
+    }
+    assert.ok(count >= 15, `${count}`);
+  }
+});
+
+test('from the side of a round hill of cost to its foot, where only its slope jumps, and along that: as long as a ray by quadrature, an arc and a tangent', () => {
+  const surface = surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1], density: 'max(1, 5 - 16*(x^2 + y^2))' });
+  const path = surface.shortestPath([0.21115359469567083, 0.21310598172528233], [-0.6716895055439785, -0.2592936716198171]);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - 1.8732861) <= 1e-7, `${path.length}`);
+});
