@@ -1,7 +1,7 @@
 /** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
 
 import { bothWays, directions, meetEdge, settle } from './crease.js';
-import { isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
+import { apart, isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
 import { ahead, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { graze, survey } from './shores.js';
@@ -29,7 +29,7 @@ export function rest(question, route) {
   let passed = 0;
   for (let step = 0; now && step < MOST_STEPS; step++) {
     route = now;
-    passed = withoutPassed(now, question.ends[0].length) ? passed + 1 : 0;
+    passed = withoutPassed(now, question.sides.scale) ? passed + 1 : 0;
     if (largest(now.off) <= GRAZING) return { route, isAtRest: passed === 0 };
     if (passed === MOST_PASSED) break;
     now = rebalance(question, now);
@@ -47,7 +47,7 @@ export function surveyAll(question, { legs, joints }) {
 /** Whether joints farther along their shores are met at smaller angles, and beyond those that are crossed the length rises: else the path is longest there. @param {Question} question @param {Route} route */
 export function isShortest(question, route) {
   const now = weigh(question, route);
-  const least = leastBeside(route, question.ends[0].length);
+  const least = leastBeside(route, question.sides.scale);
   return (
     now !== null &&
     route.joints.every(({ isCorner }, j) => {
@@ -65,7 +65,7 @@ function isHeld(question, { legs, joints }, j) {
   const pair = [legs[j], legs[j + 1]];
   if (!isOnEdge(question, joint.place) || pair.some(({ shore }) => shore)) return true;
   const [from, place, to] = placesOf(question, joints).slice(j, j + 3);
-  const step = BALANCE * Math.min(...pair.map(({ line }) => span(line, place.length)));
+  const step = BALANCE * Math.min(...pair.map(({ line }) => span(line, question.sides.scale)));
   const inside = bothWays(question.sides, joint, place, step).find((at) => isInside(question, at));
   const moved = inside && [solveLeg(question, pair[0], from, inside, LEG), solveLeg(question, pair[1], inside, to, LEG)];
   return !!moved && moved.reduce((sum, leg) => sum + (leg?.length ?? Number.NaN), 0) >= pair[0].length + pair[1].length;
@@ -80,7 +80,7 @@ const largest = (numbers) => Math.max(...numbers.map(Math.abs));
 /** One step of Newton towards joints where nothing is off; null: none leads nearer. @param {Question} question @param {Balanced} now @returns {Balanced | null} */
 function rebalance(question, now) {
   const { joints, off } = now;
-  const least = leastBeside(now, question.ends[0].length);
+  const least = leastBeside(now, question.sides.scale);
   const loose = [...joints.keys()].filter((j) => !joints[j].isCorner);
   const differ = (/** @type {number} */ j, /** @type {number} */ by) =>
     shift(question, now, only(j, by, joints.length))?.off.map((x, k) => (x - off[k]) / by);
@@ -113,14 +113,14 @@ function shift(question, now, by, least) {
     const { along } = directions(question.sides, on, joint.place);
     const place = settle(question.sides, on, ahead(joint.place, along, by[j]));
     const edge = least && domain && meetEdge(question.sides, on, domain, place);
-    const isPressed = !!edge && span([...joint.place, ...edge], edge.length) <= NEAR_EDGE * least[j];
+    const isPressed = !!edge && apart(joint.place, edge, question.sides.scale) <= NEAR_EDGE * least[j];
     const there = isPressed ? edge : place;
-    const moved = (joint.moved ?? 0) + Math.sign(by[j]) * span([...joint.place, ...there], there.length);
+    const moved = (joint.moved ?? 0) + Math.sign(by[j]) * apart(joint.place, there, question.sides.scale);
     return { ...joint, place: there, moved, isCorner: joint.isCorner || isPressed };
   });
   /* One that has passed another is only on its way to nowhere. */
   const isAnyPressed = joints.some(({ isCorner }, j) => isCorner && !now.joints[j].isCorner);
-  if (isAnyPressed && withoutPassed({ legs: now.legs, joints }, joints[0].place.length)) return null;
+  if (isAnyPressed && withoutPassed({ legs: now.legs, joints }, question.sides.scale)) return null;
   if (!joints.every(({ place }) => isInside(question, place))) return null;
   return weigh(question, { legs: now.legs, joints }, now);
 }
@@ -140,7 +140,7 @@ function weigh(question, route, known) {
   const legs = route.legs.map((leg, i) => (leg.shore || !isOpen[i] ? leg : solveLeg(question, leg, places[i], places[i + 1], LEG)));
   if (legs.includes(null)) return null;
   const solved = { legs: /** @type {Leg[]} */ (legs), joints };
-  const least = leastBeside(solved, places[0].length);
+  const least = leastBeside(solved, question.sides.scale);
   const off = joints.map((joint, j) => {
     if (joint.isCorner) return 0;
     if (known && !isOpen[j] && !isOpen[j + 1]) return known.off[j];

@@ -2,7 +2,7 @@
 
 import { minus } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { ahead, product, sizeOf } from './linear.js';
+import { ahead, inner, sizeBy, sizeOf } from './linear.js';
 import { frameOn } from './tangent.js';
 
 /** @typedef {{ field: import('../search/routes.js').Field, sides: import('../manifold/sides.js').Sides, tolerance: number, size: number }} Tracing size: of the coordinates that rounding is a part of */
@@ -30,13 +30,14 @@ export function isTorn({ field, sides, size }, before, after, place) {
  * @param {Spread} spread as it comes there @returns {Bend | null} null: it grazes the crease, or the sides do not fit together there
  */
 export function bend(tracing, crease, before, after, place, velocity, spread) {
+  const { scale } = tracing.sides;
   const [on, beyond] = [before, after].map((signs) => ({ crease, signs }));
   const [here, there] = [on, beyond].map((side) => directions(tracing.sides, side, place));
-  if (!(Math.abs(product(here.along, there.along)) >= 1 - TORN)) return null;
+  if (!(Math.abs(inner(here.along, there.along, scale)) >= 1 - TORN)) return null;
   const one = frameOn(tracing, before, place, here.along, here.across);
   const other = frameOn(tracing, after, place, here.along, there.across);
-  const y = product(velocity, here.across);
-  const x = product(velocity, here.along) + one.skew * y;
+  const y = inner(velocity, here.across, scale);
+  const x = inner(velocity, here.along, scale) + one.skew * y;
   const momentum = x * one.t;
   const [squared, refracted] = [y * y * one.n, 1 - (momentum * momentum) / other.t];
   if (!(squared > GRAZING && Math.abs(refracted) > GRAZING)) return null;
@@ -54,9 +55,10 @@ const scaled = (vector, by) => vector.map((x) => by * x);
 
 /** How much a crease turns by length, about. @param {Tracing} tracing @param {import('./crease.js').On} on @param {number[]} place @param {number[]} along @param {number} squared length of that */
 function curvatureOf({ sides, field: { domain } }, on, place, along, squared) {
-  const reach = domain ? Math.max(...minus(domain.upper, domain.lower)) : sizeOf(place) || 1;
+  const { scale } = sides;
+  const reach = domain ? Math.max(...minus(domain.upper, domain.lower).map((x, j) => x * scale[j])) : sizeOf(place) || 1;
   const next = settle(sides, on, ahead(place, along, BESIDE * reach));
-  return sizeOf(minus(directions(sides, on, next).along, along)) / (Math.sqrt(squared) * sizeOf(minus(next, place)));
+  return sizeBy(minus(directions(sides, on, next).along, along), scale) / (Math.sqrt(squared) * sizeBy(minus(next, place), scale));
 }
 
 /** Errors beyond a crease: a place beside the right one lies farther along the crease, which has turned there. @param {number[]} sines of the angles before and after @param {number} ratio of cosines @param {number} curvature @param {Spread} spread @returns {Spread} */

@@ -4,7 +4,7 @@ import { meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isBeyond, isHalf, turnBetween } from './fan.js';
 import { apart, isInside, span } from './legs.js';
-import { product, sizeOf } from './linear.js';
+import { product, sizeBy, steepnessBy } from './linear.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -26,7 +26,7 @@ export function cornersNear(question, line, near) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
-  const reach = near * span(line, width);
+  const reach = near * span(line, sides.scale);
   /** @type {(Corner & { isSaddle: boolean })[]} */
   const corners = [];
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
@@ -39,12 +39,16 @@ export function cornersNear(question, line, near) {
       if (!(stepToBoth(survey, at, pair) <= 2 * reach)) continue;
       const key = `${pair} ${signs}`;
       const before = tried.get(key);
-      if (before && apart(before, node) <= 2 * reach) continue;
+      if (before && apart(before, node, sides.scale) <= 2 * reach) continue;
       tried.set(key, node);
       const place = meet(sides, signs, pair, node);
-      if (!(apart(place, node) <= 3 * reach) || !isInside(question, place) || ends.some((end) => apart(end, place) <= SAME * reach))
+      if (
+        !(apart(place, node, sides.scale) <= 3 * reach) ||
+        !isInside(question, place) ||
+        ends.some((end) => apart(end, place, sides.scale) <= SAME * reach)
+      )
         continue;
-      const known = corners.find((corner) => apart(corner.place, place) <= SAME * reach);
+      const known = corners.find((corner) => apart(corner.place, place, sides.scale) <= SAME * reach);
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
       const corner = { place, creases, signs, at };
@@ -74,7 +78,7 @@ function hasMore(survey, corner) {
 function nearest(survey, place) {
   let best = { at: 1, away: Infinity };
   for (let at = 1; at < survey.last; at++) {
-    const away = apart(survey.placeAt(at), place);
+    const away = apart(survey.placeAt(at), place, survey.sides.scale);
     if (away < best.away) best = { at, away };
   }
   return best;
@@ -82,7 +86,8 @@ function nearest(survey, place) {
 
 /** How long the shortest step is from a node to where two creases vanish, as far as their slopes tell. @param {Survey} survey @param {number} at @param {number[]} pair */
 function stepToBoth(survey, at, pair) {
-  const [p, q] = pair.map((k) => survey.slopes(at, k));
+  const lengthen = (/** @type {number[]} */ slope) => slope.map((x, j) => x / survey.sides.scale[j]);
+  const [p, q] = pair.map((k) => lengthen(survey.slopes(at, k)));
   const [a, b] = pair.map((k) => survey.valueAt(at, k));
   const [pp, pq, qq] = [
     [p, p],
@@ -128,7 +133,7 @@ const tangent = (place, next, second) => place.map((x, j) => 4 * (next[j] - x) -
  * @param {Sides} sides @param {Corner} corner @param {number[]} own of a leg, or a node @param {number[]} direction
  */
 function signsAlong(sides, { place, creases }, own, direction) {
-  const size = sizeOf(direction);
+  const size = sizeBy(direction, sides.scale);
   const [real] = sides.measure(place);
   let signs = own.map((sign, k) => (creases.includes(k) ? sign : Math.sign(real[k]) || sign));
   /* What vanishes on one crease may be written by the signs of others. */
@@ -139,7 +144,7 @@ function signsAlong(sides, { place, creases }, own, direction) {
       if (!creases.includes(k)) return sign;
       const slope = slopeOf(sides, measured, k, place.length);
       const along = product(slope, direction);
-      return Math.abs(along) <= ALIKE * (sizeOf(slope) * size) ? sign : Math.sign(along);
+      return Math.abs(along) <= ALIKE * (steepnessBy(slope, sides.scale) * size) ? sign : Math.sign(along);
     });
     if (signs.every((sign, k) => sign === before[k])) break;
   }

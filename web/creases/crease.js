@@ -1,7 +1,7 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
 import { cross, minus } from '../vector.js';
-import { ahead, product, sizeOf, solveLinear } from './linear.js';
+import { ahead, inner, product, sizeBy, solveLinear } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ crease: number, signs: number[] }} On a crease, of the surface as it is on the side with these signs, and it, too, as it is written there */
@@ -23,7 +23,7 @@ const NOWHERE = new Array(4).fill(Number.NaN);
 
 /** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {On} on @param {number[]} place */
 export function settle(sides, on, place) {
-  return approach(place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
+  return approach(sides, place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
 }
 
 /** The place on a crease that is so far along the chord between two on it, in parts of that. @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} part */
@@ -31,12 +31,17 @@ export function between(sides, on, from, to, part) {
   if (part === 0 || part === 1) return part ? to : from;
   const chord = minus(to, from);
   const aim = ahead(from, chord, part);
-  return approach(aim, (at) => [vanishing(sides, on, at), [product(minus(at, aim), chord), chord], ...implicit(sides, on, at)]);
+  const gradient = chord.map((x, j) => x * sides.scale[j] ** 2);
+  return approach(sides, aim, (at) => [
+    vanishing(sides, on, at),
+    [product(minus(at, aim), gradient), gradient],
+    ...implicit(sides, on, at),
+  ]);
 }
 
 /** Moves a place onto this side of an implicit surface; in the rectangle every place is on it. @param {Sides} sides @param {On} on @param {number[]} place */
 export function ground(sides, on, place) {
-  return place.length === 2 ? place : approach(place, (at) => implicit(sides, on, at));
+  return place.length === 2 ? place : approach(sides, place, (at) => implicit(sides, on, at));
 }
 
 /** Where a crease meets the edge of the rectangle that a place lies beyond; null: it lies beyond none. @param {Sides} sides @param {On} on @param {import('../manifold/domain.js').Domain} domain @param {number[]} place */
@@ -45,14 +50,14 @@ export function meetEdge(sides, on, { lower, upper, periodic }, place) {
   if (j < 0) return null;
   const edge = place[j] < lower[j] ? lower[j] : upper[j];
   const gradient = place.map((_, i) => Number(i === j));
-  const met = approach(place, (at) => [vanishing(sides, on, at), [at[j] - edge, gradient]]);
+  const met = approach(sides, place, (at) => [vanishing(sides, on, at), [at[j] - edge, gradient]]);
   return met.map((x, i) => (i === j ? edge : x));
 }
 
 /** Where creases meet, as they are written on the side with these signs, and on an implicit surface on this side of it. @param {Sides} sides @param {number[]} signs @param {number[]} creases @param {number[]} near */
 export function meet(sides, signs, creases, near) {
   const side = sides.on(signs) ?? sides;
-  return approach(near, (at) => {
+  return approach(sides, near, (at) => {
     const [measured] = side.measure(at);
     return [
       ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease, at.length)])),
@@ -61,11 +66,11 @@ export function meet(sides, signs, creases, near) {
   });
 }
 
-/** @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
-function approach(place, equations) {
+/** @param {Sides} sides @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
+function approach({ scale }, place, equations) {
   let at = place;
   for (let round = 0; round < MOST_ROUNDS; round++) {
-    const by = along(equations(at));
+    const by = along(equations(at), scale);
     at = at.map((x, j) => x - by[j]);
     if (Math.max(...by.map(Math.abs)) <= ROUNDING * Math.max(...at.map(Math.abs))) break;
   }
@@ -92,21 +97,22 @@ function implicit(sides, { signs }, at) {
   return [[f, [x, y, z]]];
 }
 
-/** The shortest step that takes away one, two or three values with these gradients. @param {[number, number[]][]} equations */
-function along(equations) {
-  const gradients = equations.map(([, gradient]) => gradient);
+/** The shortest step that takes away one, two or three values with these gradients. @param {[number, number[]][]} equations @param {readonly number[]} scale */
+function along(equations, scale) {
+  const gradients = equations.map(([, gradient]) => gradient.map((x, j) => x / scale[j]));
   const weights = solveLinear(
     gradients.map((p) => gradients.map((q) => product(p, q))),
     equations.map(([value]) => value),
   );
-  return gradients[0].map((_, j) => (weights ? gradients.reduce((sum, gradient, k) => sum + weights[k] * gradient[j], 0) : Number.NaN));
+  return scale.map((by, j) => (weights ? gradients.reduce((sum, gradient, k) => sum + weights[k] * gradient[j], 0) / by : Number.NaN));
 }
 
-/** Along a crease, and across it to where what vanishes there is positive: unit vectors of the coordinates. @param {Sides} sides @param {On} on @param {number[]} place @param {number[]} [slope] of what vanishes there */
+/** Along a crease, and across it to where what vanishes there is positive: unit vectors of the coordinates, by their scale. @param {Sides} sides @param {On} on @param {number[]} place @param {number[]} [slope] of what vanishes there */
 export function directions(sides, on, place, slope = vanishing(sides, on, place)[1]) {
   const [surface] = implicit(sides, on, place);
-  const t = unit(surface ? cross(surface[1], slope) : [-slope[1], slope[0]]);
-  return { along: t, across: unit(surface ? cross(t, surface[1]) : slope) };
+  const { scale } = sides;
+  const t = unit(surface ? cross(surface[1], slope) : [-slope[1], slope[0]], scale);
+  return { along: t, across: unit(surface ? cross(t, surface[1]) : slope.map((x, j) => x / scale[j] ** 2), scale) };
 }
 
 /** Places on a crease so far back and so far on along it. @param {Sides} sides @param {On} on @param {number[]} place @param {number} step */
@@ -118,9 +124,9 @@ export function bothWays(sides, on, place, step) {
 /** The side beyond a crease. @param {number[]} signs @param {number} crease */
 export const beyond = (signs, crease) => signs.map((sign, k) => (k === crease ? -sign : sign));
 
-/** @param {number[]} vector */
-function unit(vector) {
-  const size = sizeOf(vector);
+/** @param {number[]} vector @param {readonly number[]} scale */
+function unit(vector, scale) {
+  const size = sizeBy(vector, scale);
   return vector.map((x) => x / size);
 }
 
@@ -132,21 +138,22 @@ function unit(vector) {
 export function walk(sides, on, from, to, sense) {
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];
-  let stride = STRIDE * sizeOf(minus(to, from));
+  const { scale } = sides;
+  let stride = STRIDE * sizeBy(minus(to, from), scale);
   for (let count = 0; count < MOST_STRIDES && stride > 0; count++) {
     const { signs, places } = edges[edges.length - 1];
     const here = { crease: on.crease, signs };
     const at = places[places.length - 1];
     const t = directions(sides, here, at).along.map((x) => sense * x);
     const rest = minus(to, at);
-    const reach = product(rest, t);
-    const isNear = sizeOf(rest) <= 1.5 * stride && reach > 0;
+    const reach = inner(rest, t, scale);
+    const isNear = sizeBy(rest, scale) <= 1.5 * stride && reach > 0;
     const step = isNear ? rest : t.map((x) => stride * x);
     const aim = ahead(at, step, 1);
     const next = isNear ? to : settle(sides, here, aim);
     const passed = corner(sides, here, at, isNear ? settle(sides, here, to) : next);
-    const off = sizeOf(isNear ? ahead(rest, t, -reach) : minus(next, aim));
-    if (!passed && !(off <= BENT * sizeOf(step))) {
+    const off = sizeBy(isNear ? ahead(rest, t, -reach) : minus(next, aim), scale);
+    if (!passed && !(off <= BENT * sizeBy(step, scale))) {
       stride /= 2;
       continue;
     }

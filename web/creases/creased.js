@@ -90,7 +90,9 @@ function findRoute(question, { ways, distance }, start) {
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
       const crossed = crossedBy(sides, line, width);
-      if (understood.some((other) => isBeside(line, other.line, width, crossed !== null && other.crossed === crossed ? ALIKE : APART)))
+      if (
+        understood.some((other) => isBeside(line, other.line, sides.scale, crossed !== null && other.crossed === crossed ? ALIKE : APART))
+      )
         continue;
       const { most, measured } = mostOf(field, line, length);
       const found = followPinned(question, line, length, (part, along, about) =>
@@ -104,7 +106,7 @@ function findRoute(question, { ways, distance }, start) {
         if (drawn.isRelaxed) least = shortestOf(least, { line, measured });
       }
     }
-    missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, width, APART)));
+    missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, sides.scale, APART)));
     if (best && lengthOf(best.legs) <= Math.min(least?.measured ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length)))
       break;
   }

@@ -1,7 +1,9 @@
 /** Polylines cut where they cross creases, or follow them: which legs a path has. */
 
+import { minus } from '../vector.js';
 import { beyond, directions, ROUNDING } from './crease.js';
 import { middleOf, span } from './legs.js';
+import { inner } from './linear.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Route} Route */
@@ -56,7 +58,7 @@ export class Survey {
   /** How steeply a crease's function rises. @param {number} i @param {number} k */
   steepness(i, k) {
     let squared = 0;
-    for (let j = 0; j < this.width; j++) squared += this.slopeBy(i, k, j) ** 2;
+    for (let j = 0; j < this.width; j++) squared += (this.slopeBy(i, k, j) / this.sides.scale[j]) ** 2;
     return Math.sqrt(squared);
   }
 
@@ -80,7 +82,7 @@ export class Survey {
     for (let i = from; i < to; i++) {
       const [here, next] = [this.placeAt(i), this.placeAt(i + 1)];
       const { along } = directions(this.sides, { crease, signs }, here, this.slopes(i, crease));
-      sum += along.reduce((total, x, j) => total + x * (next[j] - here[j]), 0);
+      sum += inner(along, minus(next, here), this.sides.scale);
     }
     return Math.sign(sum) || 1;
   }
@@ -188,7 +190,7 @@ function crossings(survey, signs) {
 /** Where a polyline follows creases, one at a time. @param {Survey} survey @param {number} near @param {number} lead @returns {Run[]} */
 function runsOf(survey, near, lead) {
   const { sides, places, width, last } = survey;
-  const total = span(places, width);
+  const total = span(places, sides.scale);
   /** @type {(Run & { length: number })[]} */
   const runs = [];
   for (const crease of survey.creases)
@@ -197,7 +199,7 @@ function runsOf(survey, near, lead) {
       while (i <= last && Math.abs(survey.valueAt(i, crease)) <= near * total * survey.steepness(i, crease)) i++;
       if (i - from < 2) continue;
       const part = places.subarray(width * from, width * i);
-      const length = span(part, width);
+      const length = span(part, sides.scale);
       const changes = Array.from(
         { length: i - 1 - from },
         (_, j) => survey.valueAt(from + j, crease) * survey.valueAt(from + j + 1, crease) < 0,

@@ -27,7 +27,8 @@ const TORN = 1e-9;
  * @param {number} most what comes to rest longer than this is given up @returns {Route | null}
  */
 export function follow(question, line, near, most) {
-  const width = question.ends[0].length;
+  const { scale } = question.sides;
+  const width = scale.length;
   /** @type {Route | null} */
   let route = null;
   for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
@@ -58,7 +59,7 @@ export function follow(question, line, near, most) {
       if (rested.isAtRest) route = rested.route;
       else {
         isAtRest = false;
-        const fewer = withoutPassed(rested.route, width) ?? withoutLeast(rested.route, width);
+        const fewer = withoutPassed(rested.route, scale) ?? withoutLeast(rested.route, scale);
         route = fewer && join(question, fewer);
       }
     }

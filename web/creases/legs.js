@@ -72,25 +72,26 @@ export function middleOf(line, width) {
 /** How long all legs are. @param {Leg[]} legs */
 export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);
 
-/** How long a polyline is in its coordinates. @param {ArrayLike<number>} line @param {number} width */
-export function span(line, width) {
+/** How long a polyline is in its coordinates, which count by a scale, one for each. @param {ArrayLike<number>} line @param {readonly number[]} scale */
+export function span(line, scale) {
+  const width = scale.length;
   let sum = 0;
   for (let i = width; i < line.length; i += width) {
     let squared = 0;
-    for (let j = 0; j < width; j++) squared += (line[i + j] - line[i + j - width]) ** 2;
+    for (let j = 0; j < width; j++) squared += (scale[j] * (line[i + j] - line[i + j - width])) ** 2;
     sum += Math.sqrt(squared);
   }
   return sum;
 }
 
-/** How long the free legs beside each joint are in their coordinates, the shorter one. @param {Route} route @param {number} width */
-export function leastBeside({ legs, joints }, width) {
-  const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, width)));
+/** How long the free legs beside each joint are in their coordinates, the shorter one. @param {Route} route @param {readonly number[]} scale */
+export function leastBeside({ legs, joints }, scale) {
+  const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, scale)));
   return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
 }
 
-/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b */
-export const apart = (a, b) => span([...a, ...b], a.length);
+/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
+export const apart = (a, b, scale) => span([...a, ...b], scale);
 
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
 export const isInside = ({ field: { domain } }, place) =>

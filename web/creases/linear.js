@@ -3,6 +3,15 @@
 /** @param {number[]} a @param {number[]} b */
 export const product = (a, b) => a.reduce((sum, x, j) => sum + x * b[j], 0);
 
+/** The product of two vectors whose coordinates count by a scale. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
+export const inner = (a, b, scale) => a.reduce((sum, x, j) => sum + x * b[j] * scale[j] * scale[j], 0);
+
+/** How long a vector is whose coordinates count by a scale. @param {number[]} a @param {readonly number[]} scale */
+export const sizeBy = (a, scale) => Math.sqrt(inner(a, a, scale));
+
+/** How steep a gradient is, by length of that. @param {number[]} gradient @param {readonly number[]} scale */
+export const steepnessBy = (gradient, scale) => sizeOf(gradient.map((x, j) => x / scale[j]));
+
 /** @param {number[]} a */
 export const sizeOf = (a) => Math.sqrt(product(a, a));
 

@@ -3,7 +3,7 @@
 import { listOf } from '../vector.js';
 import { bothWays, meetEdge, settle, walk } from './crease.js';
 import { isSame, leavings, Survey } from './cut.js';
-import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { apart, isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -31,19 +31,19 @@ const whole = ({ signs, line, shore }, joint) => ({
   isCorner: joint?.isCorner,
 });
 
-/** All legs as they are; shores from where their joints have moved to. @param {Route} route @param {number} width @returns {Piece[]} */
-const wholes = ({ legs, joints }, width) =>
+/** All legs as they are; shores from where their joints have moved to. @param {Route} route @param {readonly number[]} scale @returns {Piece[]} */
+const wholes = ({ legs, joints }, scale) =>
   legs.map((leg, i) => {
     const own = whole(leg, joints[i - 1]);
     if (!leg.shore) return own;
     const [before, after] = [joints[i - 1], joints[i]];
-    const nodes = nodesOf(own.line, width);
+    const nodes = nodesOf(own.line, scale.length);
     /* What joints have moved past is behind them. */
     const begin = leg.shore.sense * (before?.moved ?? 0);
-    const end = span(own.line, width) + leg.shore.sense * (after?.moved ?? 0);
+    const end = span(own.line, scale) + leg.shore.sense * (after?.moved ?? 0);
     let along = 0;
     const inner = nodes.slice(1, -1).filter((node, k) => {
-      along += span([...nodes[k], ...node], width);
+      along += apart(nodes[k], node, scale);
       return along > begin && along < end;
     });
     const places = [before?.place ?? nodes[0], ...inner, after?.place ?? nodes[nodes.length - 1]];
@@ -95,7 +95,7 @@ export function recut(question, route, line, isAtRest) {
   const places = placesOf(question, joints);
   const pieces = seen.flatMap((leg, i) => {
     const own = whole(leg, joints[i - 1]);
-    if (leg.shore) return bulge(question, own, places[i], places[i + 1], reachOf(route, i, places[0].length));
+    if (leg.shore) return bulge(question, own, places[i], places[i + 1], reachOf(route, i, question.sides.scale));
     const parts = leave(question, line, { legs: seen, joints }, i, own);
     return isAtRest || parts.some(({ shore }) => shore) ? parts : [own];
   });
@@ -105,17 +105,17 @@ export function recut(question, route, line, isAtRest) {
   return freed ?? (isKept ? null : pieces);
 }
 
-/** How far a shore leads from joint to joint, as these have moved; not above 0: they have passed each other. @param {Route} route @param {number} i @param {number} width */
-function reachOf({ legs, joints }, i, width) {
+/** How far a shore leads from joint to joint, as these have moved; not above 0: they have passed each other. @param {Route} route @param {number} i @param {readonly number[]} scale */
+function reachOf({ legs, joints }, i, scale) {
   const { line, shore } = legs[i];
-  return span(line, width) + (shore?.sense ?? 1) * ((joints[i]?.moved ?? 0) - (joints[i - 1]?.moved ?? 0));
+  return span(line, scale) + (shore?.sense ?? 1) * ((joints[i]?.moved ?? 0) - (joints[i - 1]?.moved ?? 0));
 }
 
-/** The legs without shores whose joints have passed each other; null: none have. @param {Route} route @param {number} width @returns {Piece[] | null} */
-export function withoutPassed(route, width) {
-  const isPassed = (/** @type {Piece} */ { shore }, /** @type {number} */ i) => shore !== null && !(reachOf(route, i, width) > 0);
-  const all = wholes(route, width);
-  return all.some(isPassed) ? without(all, width, isPassed) : null;
+/** The legs without shores whose joints have passed each other; null: none have. @param {Route} route @param {readonly number[]} scale @returns {Piece[] | null} */
+export function withoutPassed(route, scale) {
+  const isPassed = (/** @type {Piece} */ { shore }, /** @type {number} */ i) => shore !== null && !(reachOf(route, i, scale) > 0);
+  const all = wholes(route, scale);
+  return all.some(isPassed) ? without(all, scale.length, isPassed) : null;
 }
 
 /** All pieces but some; what comes after one that began at a corner begins there. @param {Piece[]} pieces @param {number} width @param {(piece: Piece, i: number) => boolean} isSpare @returns {Piece[]} */
@@ -144,7 +144,7 @@ function leave(question, line, { legs, joints }, i, own) {
   const parts = leavingsOf(question, leg, width);
   if (!parts) return [own];
   const survey = new Survey(sides, line, width, 1);
-  const spans = [...legs.slice(0, i), ...parts.legs, ...legs.slice(i + 1)].map((part) => span(part.line, width));
+  const spans = [...legs.slice(0, i), ...parts.legs, ...legs.slice(i + 1)].map((part) => span(part.line, sides.scale));
   const total = spans.reduce((sum, x) => sum + x, 0);
   return parts.legs.flatMap((part, k) => {
     /* A path that begins or ends on a crease may lead beyond it at once. */
@@ -169,8 +169,9 @@ function leave(question, line, { legs, joints }, i, own) {
 /** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg @param {number} width */
 function leavingsOf(question, leg, width) {
   const parts = leavings(question.sides, leg, width);
-  const least = LITTLE * span(leg.line, width);
-  if (!parts?.legs.some(({ line }) => span(line, width) < least)) return parts;
+  const { scale } = question.sides;
+  const least = LITTLE * span(leg.line, scale);
+  if (!parts?.legs.some(({ line }) => span(line, scale) < least)) return parts;
   const [from, to] = [leg.line.subarray(0, width), leg.line.subarray(-width)].map((place) => Array.from(place));
   const closer = solveLeg(question, leg, from, to, { ...LEG, points: CLOSELY });
   return closer ? leavings(question.sides, closer, width) : parts;
@@ -193,7 +194,7 @@ function bulge(question, { signs: first, shore: given, on, isCorner }, from, to,
   const { crease, sense } = shore;
   const edges = guess > 0 ? walk(sides, { crease, signs: first }, from, to, sense) : null;
   const all = edges?.flatMap(({ places }) => places) ?? [];
-  if (!edges || !all.every((place) => isInside(question, place)) || span(all.flat(), from.length) > LONGER * guess) return [];
+  if (!edges || !all.every((place) => isInside(question, place)) || span(all.flat(), sides.scale) > LONGER * guess) return [];
   /** @type {Piece[]} */
   const pieces = [];
   for (const [e, { signs, places }] of edges.entries()) {
@@ -215,44 +216,44 @@ function bulge(question, { signs: first, shore: given, on, isCorner }, from, to,
 
 /** The pieces without a corner that does not hold them: what goes past it shortly is on their side. null: all hold. @param {Question} question @param {Route} route @param {Piece[]} pieces @returns {Piece[] | null} */
 function release(question, { legs, joints }, pieces) {
-  const { sides, ends } = question;
-  const width = ends[0].length;
+  const { sides } = question;
   const j = joints.findIndex(({ isCorner, place, crease }, k) => {
     if (!isCorner || isOnEdge(question, place)) return false;
-    const least = BESIDE * Math.min(...[legs[k], legs[k + 1]].map(({ line }) => span(line, width)));
-    const [before, after] = [legs[k].line, legs[k + 1].line].map((line, side) => beside(line, width, place, least, side));
+    const least = BESIDE * Math.min(...[legs[k], legs[k + 1]].map(({ line }) => span(line, sides.scale)));
+    const [before, after] = [legs[k].line, legs[k + 1].line].map((line, side) => beside(line, sides.scale, place, least, side));
     const past = SHORTLY.flatMap((part) => before.map((x, i) => x + part * (after[i] - x)));
     return sides.measure(past).every((measured) => measured[crease] * legs[k].signs[crease] > 0);
   });
   return j < 0 ? null : pieces.map((piece, i) => (i === j + 1 ? { ...piece, isCorner: false } : piece));
 }
 
-/** A place on a line, near an end of it. @param {Float64Array} line @param {number} width @param {number[]} end @param {number} away @param {number} side 0: its last, 1: its first */
-function beside(line, width, end, away, side) {
+/** A place on a line, near an end of it. @param {Float64Array} line @param {readonly number[]} scale @param {number[]} end @param {number} away @param {number} side 0: its last, 1: its first */
+function beside(line, scale, end, away, side) {
+  const width = scale.length;
   const next = Array.from(side ? line.subarray(width, 2 * width) : line.subarray(-2 * width, -width));
-  const reach = span([...end, ...next], width);
+  const reach = apart(end, next, scale);
   return end.map((x, i) => x + (away / reach) * (next[i] - x));
 }
 
-/** The legs but for the shortest one that is free, between joints on the same crease. null: none is short @param {Route} route @param {number} width @returns {Piece[] | null} */
-export function withoutLeast(route, width) {
+/** The legs but for the shortest one that is free, between joints on the same crease. null: none is short @param {Route} route @param {readonly number[]} scale @returns {Piece[] | null} */
+export function withoutLeast(route, scale) {
   const { legs, joints } = route;
-  const spans = legs.map(({ line }) => span(line, width));
+  const spans = legs.map(({ line }) => span(line, scale));
   const isSpare = (/** @type {number} */ i) => i > 0 && !legs[i].shore && joints[i]?.crease === joints[i - 1].crease;
   const least = spans.reduce((best, length, i) => (isSpare(i) && !(length >= spans[best]) ? i : best), -1);
   if (least < 0 || spans[least] > SPARE * spans.reduce((sum, x) => sum + x, 0)) return null;
-  return without(wholes(route, width), width, (_, i) => i === least);
+  return without(wholes(route, scale), scale.length, (_, i) => i === least);
 }
 
 /** The pieces of a route that a polyline was cut into; null: it is not known on which side a shore is shorter. @param {Question} question @param {Route} route @returns {Piece[] | null} */
 export function landed(question, { legs, joints }) {
-  const { ends } = question;
+  const { scale } = question.sides;
   const settled = joints.map((joint) => ({ ...joint, place: onto(question, joint, joint.place) }));
   const places = placesOf(question, settled);
   const pieces = legs.map((leg, i) => {
     if (!leg.shore) return [whole(leg, settled[i - 1])];
     const shore = landOn(question, leg, leg.shore);
-    return shore && bulge(question, whole(shore, settled[i - 1]), places[i], places[i + 1], span(leg.line, ends[0].length));
+    return shore && bulge(question, whole(shore, settled[i - 1]), places[i], places[i + 1], span(leg.line, scale));
   });
   return pieces.includes(null) ? null : pieces.flatMap((own) => own ?? []);
 }

@@ -4,7 +4,7 @@ import { concatenate } from '../search/join.js';
 import { relax } from '../search/routes.js';
 import { cornersNear, passing } from './corners.js';
 import { apart, lengthOf, lineOf, nodesOf, span } from './legs.js';
-import { ahead, sizeOf } from './linear.js';
+import { ahead, sizeBy } from './linear.js';
 import { SKETCH_POINTS } from './sketches.js';
 
 /** @typedef {import('./corners.js').Corner} Corner */
@@ -29,10 +29,11 @@ const SAME = 1e-6;
  * @returns {{ route: Route, isClear: boolean } | null} isClear: no corner is near
  */
 export function followPinned(question, line, length, follow) {
-  const { field, budget } = question;
+  const { field, sides, budget } = question;
+  const near = SAME * span(line, sides.scale);
   /** @type {Corner[]} */
   const passed = [];
-  const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => apart(other.place, place) <= SAME * length);
+  const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => apart(other.place, place, sides.scale) <= near);
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const within = (/** @type {number} */ near) =>
       field.isPlain ? cornersNear(question, line, near).filter((corner) => !isPassed(corner)) : [];
@@ -61,7 +62,7 @@ function pin(question, line, corners, passed, follow) {
     const [from, to] = endsOf(i);
     const start = Float64Array.from([...from, ...inner, ...to]);
     const { parameters, points, length } = relax(field, [from, to], start, SKETCH_POINTS);
-    return length >= 0 ? tryPart([from, to], parameters ?? points, length) : tryPart([from, to], start, span(start, width));
+    return length >= 0 ? tryPart([from, to], parameters ?? points, length) : tryPart([from, to], start, span(start, question.sides.scale));
   });
   /** @param {number[][]} places @param {Float64Array} start @param {number} length */
   function tryPart(places, start, length) {
@@ -77,7 +78,7 @@ function pin(question, line, corners, passed, follow) {
     const way = ways[loose];
     if (!way) return null;
     const [before, after] = found.slice(loose, loose + 2);
-    const past = around(before, after, corners[loose], way.rays);
+    const past = around(question.sides.scale, before, after, corners[loose], way.rays);
     passed.push(...corners.splice(loose, 1));
     parts.splice(loose, 2, tryPart(endsOf(loose), past, lengthOf([...before.legs, ...after.legs])));
   }
@@ -101,14 +102,14 @@ function between(line, width, corners) {
 /** @template T @param {T[]} list @returns {T} */
 const lastOf = (list) => list[list.length - 1];
 
-/** A polyline along two paths that meet at a corner, past that. @param {Route} before @param {Route} after @param {Corner} corner @param {number[][]} rays directions of creases between them */
-function around(before, after, { place }, rays) {
+/** A polyline along two paths that meet at a corner, past that. @param {readonly number[]} scale @param {Route} before @param {Route} after @param {Corner} corner @param {number[][]} rays directions of creases between them */
+function around(scale, before, after, { place }, rays) {
   const width = place.length;
   const [last, first] = [lastOf(before.legs), after.legs[0]];
-  const reach = BESIDE * Math.min(span(last.line, width), span(first.line, width));
-  const isClear = (/** @type {number[]} */ node) => apart(node, place) > reach;
+  const reach = BESIDE * Math.min(span(last.line, scale), span(first.line, scale));
+  const isClear = (/** @type {number[]} */ node) => apart(node, place, scale) > reach;
   const nodes = [before, after].map(({ legs }) => legs.flatMap(({ line }) => nodesOf(line, width)));
-  const turned = rays.map((ray) => ahead(place, ray, reach / sizeOf(ray)));
+  const turned = rays.map((ray) => ahead(place, ray, reach / sizeBy(ray, scale)));
   return Float64Array.from([...nodes[0].filter(isClear), ...turned, ...nodes[1].filter(isClear)].flat());
 }
 

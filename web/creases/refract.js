@@ -109,7 +109,7 @@ function motion({ sides }, joints) {
  */
 function improve(question, { legs, joints }) {
   const { moved } = motion(question, joints);
-  const least = leastBeside({ legs, joints }, question.ends[0].length);
+  const least = leastBeside({ legs, joints }, question.sides.scale);
   const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
   const down = descend(matrix, slope);
   if (!down) return null;

@@ -5,7 +5,7 @@ import { poseNear } from '../search/routes.js';
 import { minus } from '../vector.js';
 import { between, beyond, directions, ground, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, middleOf, nodesOf, solveLeg } from './legs.js';
-import { ahead, product } from './linear.js';
+import { ahead, inner } from './linear.js';
 import { frameOn, speedOn } from './tangent.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -110,9 +110,9 @@ function lengthAlong(question, on, from, to, parts = 1) {
       for (const at of [-x, x]) {
         const place = between(sides, on, from, to, (part + 0.5 + 0.5 * at) / parts);
         const { along } = directions(sides, on, place);
-        sum += ((weight / 2 / parts) * speedOn(question, on.signs, place, along)) / Math.abs(product(along, chord));
+        sum += ((weight / 2 / parts) * speedOn(question, on.signs, place, along)) / Math.abs(inner(along, chord, sides.scale));
       }
-  return sum * product(chord, chord);
+  return sum * inner(chord, chord, sides.scale);
 }
 
 /**

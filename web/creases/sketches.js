@@ -7,7 +7,7 @@ import { measureLine, relax } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { slopeOf } from './crease.js';
 import { nodesOf, span } from './legs.js';
-import { sizeOf } from './linear.js';
+import { sizeOf, steepnessBy } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -47,7 +47,7 @@ export function sketch(field, sides, ends, ways, { within, points }) {
     })
     .filter(({ length }) => length >= 0);
   const leaping = drawn.filter(({ path }) => !field.domain && !(path.length >= 0));
-  return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, 3), isAtRest: false, isRelaxed: false }))];
+  return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, sides.scale), isAtRest: false, isRelaxed: false }))];
 }
 
 /**
@@ -96,11 +96,12 @@ function layOn({ jets }, from, near) {
   return null;
 }
 
-/** Whether no node of a polyline is farther from those of another one than this part of its length. @param {Float64Array} line @param {Float64Array} other @param {number} width @param {number} part */
-export function isBeside(line, other, width, part) {
-  const near = part * span(line, width);
+/** Whether no node of a polyline is farther from those of another one than this part of its length. @param {Float64Array} line @param {Float64Array} other @param {readonly number[]} scale @param {number} part */
+export function isBeside(line, other, scale, part) {
+  const width = scale.length;
+  const near = part * span(line, scale);
   return nodesOf(line, width).every((node) => {
-    for (let k = 0; k < other.length; k += width) if (node.every((x, j) => Math.abs(x - other[k + j]) <= near)) return true;
+    for (let k = 0; k < other.length; k += width) if (node.every((x, j) => scale[j] * Math.abs(x - other[k + j]) <= near)) return true;
     return false;
   });
 }
@@ -112,10 +113,10 @@ export function isBeside(line, other, width, part) {
 function round({ domain, run }, sides, lines, within) {
   const width = domain ? 2 : 3;
   const measured = lines.map((line) => sides.measure(line));
-  const reach = within * Math.min(...lines.map((line) => span(line, width)));
+  const reach = within * Math.min(...lines.map((line) => span(line, sides.scale)));
   const widths = Array.from({ length: sides.count }, (_, crease) => {
     const places = measured.flat().sort((a, b) => Math.abs(a[crease]) - Math.abs(b[crease]));
-    const steep = places.slice(0, 8).map((seen) => sizeOf(slopeOf(sides, seen, crease, width)));
+    const steep = places.slice(0, 8).map((seen) => steepnessBy(slopeOf(sides, seen, crease, width), sides.scale));
     return reach * Math.max(...steep);
   });
   return sides.rounded(widths.map((x) => (x > 0 && x < Infinity ? x : reach)))?.run ?? run;

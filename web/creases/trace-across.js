@@ -6,7 +6,7 @@ import { diagonalOf, minus } from '../vector.js';
 import { bend, isTorn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
 import { isSame } from './cut.js';
-import { product, sizeOf } from './linear.js';
+import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
 import { endOf, look, vanishes } from './meeting.js';
 import { traceOn, velocityOn } from './tangent.js';
 
@@ -90,7 +90,7 @@ function enter(tracing, place, direction) {
     const signs = known.map((sign, k) => (on.includes(k) ? ((choice >> on.indexOf(k)) & 1 ? -1 : 1) : sign));
     const velocity = velocityOn(tracing, signs, place, direction);
     if (!velocity || !on.every((k) => leads(tracing, signs, place, velocity, k))) continue;
-    open.push({ signs, tangent: product(velocity, direction) / sizeOf(velocity) });
+    open.push({ signs, tangent: inner(velocity, direction, sides.scale) / sizeBy(velocity, sides.scale) });
   }
   open.sort((a, b) => b.tangent - a.tangent);
   const [best, ...others] = open;
@@ -105,7 +105,7 @@ function leads({ sides }, signs, place, velocity, crease) {
   if (!measured) return false;
   const slope = slopeOf(sides, measured, crease, place.length);
   const into = signs[crease] * product(slope, velocity);
-  if (Math.abs(into) > ALONG * sizeOf(slope) * sizeOf(velocity)) return into > 0;
+  if (Math.abs(into) > ALONG * steepnessBy(slope, sides.scale) * sizeBy(velocity, sides.scale)) return into > 0;
   return isSame(sides, signs, beyond(signs, crease), place);
 }
 
@@ -199,8 +199,8 @@ function likeness({ sides }, on, crease, signs, place) {
   return new Map(
     on.map((k) => {
       const other = k === crease ? one : directions(sides, { crease: k, signs }, place);
-      const isOne = Math.abs(product(one.along, other.along)) >= 1 - ALIKE;
-      return [k, isOne ? Math.sign(product(one.across, other.across)) : 0];
+      const isOne = Math.abs(inner(one.along, other.along, sides.scale)) >= 1 - ALIKE;
+      return [k, isOne ? Math.sign(inner(one.across, other.across, sides.scale)) : 0];
     }),
   );
 }

@@ -14,6 +14,7 @@ import { KIND, SHAPE } from './kind.js';
 import { freeName, lowerShape, steepnessOf } from './lowered.js';
 import { compileMetric, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
+import { scaleOf } from './scale.js';
 import { compileShape, evaluateRanges, readShape } from './shapes.js';
 import { Sides } from './sides.js';
 
@@ -191,6 +192,7 @@ export class Manifold {
         shape: this.#shape,
         reference: this.#reference,
         parameters: this.parameters,
+        scale: scaleOf(KIND[this.kind], this.domain, (call) => this.run(call)),
         solver: this.#solver,
         write: (shape, measured, code) => {
           writeRecords(this.#solver, this, this.domain, shape, [measured && { ...measured, code }]);

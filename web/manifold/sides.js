@@ -19,6 +19,7 @@ import { compileShape } from './shapes.js';
  * @property {import('./shapes.js').Shape} shape
  * @property {readonly number[] | null} reference of a frame
  * @property {Record<string, number>} parameters
+ * @property {readonly number[]} scale how much its coordinates count
  * @property {import('../runtime/solver.js').Solver} solver
  * @property {(shape: Installed, measured: Installed | null, code: number) => Installed} write tells the solver what was installed; returns which of the two measures length
  */
@@ -45,10 +46,12 @@ export class Sides {
   /** What was installed, by what it is: formulas on many sides are the same. @type {Map<string, Installed[]>} */ #installed = new Map();
   /** Which sides the present question has asked for. @type {Set<string>} */ #asked = new Set();
   count = 0;
+  /** How much each coordinate counts where distances are taken in them. */ scale;
 
   /** @param {Given} given */
   constructor(given) {
     this.#given = given;
+    this.scale = given.scale;
     const creases = new Creases();
     const install = (/** @type {() => number[]} */ nodes) => {
       const { module, data, dataBytes } = this.#compileVanishing(creases, nodes);

@@ -490,3 +490,31 @@ test('from the side of a round hill of cost to its foot, where only its slope ju
   assert.equal(path.status, 'converged');
   assert.ok(Math.abs(path.length - 1.8732861) <= 1e-7, `${path.length}`);
 });
+
+test('coordinates in other units, one of them in degrees or in thousandths: the same paths', () => {
+  const [flat, bent, saddle] = ['0', '0.45*(u + 0.1*v)^2', '0.3*u*v'];
+  /** @type {[string, string, number[], number[]][]} */
+  const questions = [
+    [flat, '1.5 - sign(x^2 + y^2 - 0.5)', [-0.52, 0.107], [0.46, -0.484]],
+    [bent, '2 + sign(x - 0.2)', [0.5216, -0.4358], [0.0929, -0.4865]],
+    [saddle, '1 + abs(y)', [0.02, 0.9], [0.65, -0.98]],
+  ];
+  for (const [z, density, from, to] of questions) {
+    const lengths = [
+      [1, 1],
+      [57.3, 1],
+      [1, 1000],
+      [0.001, 1],
+    ].map((units) => {
+      const [u, v] = ['u', 'v'].map((name, j) => `(${name}/${units[j]})`);
+      const within = (/** @type {string} */ text) => text.replaceAll('u', u).replaceAll('v', v);
+      const range = units.map((unit) => /** @type {[number, number]} */ ([-unit, unit]));
+      const surface = surfpath.parametric({ x: u, y: v, z: within(z), u: range[0], v: range[1], density });
+      const [a, b] = [from, to].map((end) => end.map((x, j) => x * units[j]));
+      const path = surface.shortestPath(a, b);
+      assert.equal(path.status, 'converged', `${density} in ${units}`);
+      return path.length;
+    });
+    for (const length of lengths) assert.ok(Math.abs(length - lengths[0]) <= RIGHT * length, `${density}: ${lengths}`);
+  }
+});
