@@ -2,6 +2,7 @@
 
 import { cross, minus } from '../vector.js';
 import { ahead, inner, product, sizeBy, solveLinear } from './linear.js';
+import { isSame } from './same.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ crease: number, signs: number[] }} On a crease, of the surface as it is on the side with these signs, and it, too, as it is written there */
@@ -171,7 +172,7 @@ export function walk(sides, on, from, to, sense) {
 }
 
 /**
- * Whether another crease is crossed between two places on one: where it bends that, there is a corner. null: none is.
+ * Whether another crease is crossed between two places on one: where it bends that, or what measures length along it, there is a corner. null: none is.
  * @param {Sides} sides @param {On} on @param {number[]} at @param {number[]} next @returns {{ signs: number[], place: number[] | null } | null} signs: beyond it; place: of the corner
  */
 function corner(sides, on, at, next) {
@@ -187,6 +188,7 @@ function corner(sides, on, at, next) {
   const there = sides.on(signs)?.measure(next)[0];
   const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
   const size = Math.max(...one.map(Math.abs));
-  if (one.every((x, j) => Math.abs(x - two[j]) <= SAME * size)) return { signs, place: null };
-  return { signs, place: meet(sides, on.signs, [on.crease, other], next) };
+  const isStraight = one.every((x, j) => Math.abs(x - two[j]) <= SAME * size);
+  const place = meet(sides, on.signs, [on.crease, other], next);
+  return { signs, place: isStraight && isSame(sides, on.signs, signs, place) ? null : place };
 }

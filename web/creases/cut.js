@@ -4,6 +4,7 @@ import { minus } from '../vector.js';
 import { beyond, directions, ROUNDING } from './crease.js';
 import { middleOf, span } from './legs.js';
 import { inner } from './linear.js';
+import { isBent } from './same.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Route} Route */
@@ -16,8 +17,6 @@ const [PARTS, MOST_JOINTS] = [4, 12];
 const TOGETHER = 1e-6;
 /** The chords at a leg's ends are halved so often towards these: beyond a corner near by a leg may leave its side just before it ends on another crease. */
 const HALVINGS = 10;
-/** Sides are the same surface where derivatives are, to this part of those of the same order, or to this part of all, which is rounding. */
-const [SAME, NOISE] = [1e-9, 1e-14];
 /** A polyline follows a crease if it is near it over this part of its length, or crosses it twice there. */
 const LONG = 0.08;
 
@@ -233,29 +232,6 @@ function dips(before, here, after) {
   /* Between two places it is seen from the nearer one alone. */
   const middle = -slope / (2 * bend);
   return middle >= -0.5 && middle < 0.5 ? roots : NONE;
-}
-
-/** Whether two sides are the same surface at a place. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
-export const isSame = (sides, before, after, place) =>
-  before.every((sign, k) => sign === after[k]) || isBent(sides, before, after, place) === false;
-
-/** Whether two sides are different surfaces at a place; null: there are too many. @param {Sides} sides @param {number[]} before @param {number[]} after @param {number[]} place */
-function isBent(sides, before, after, place) {
-  const [a, b] = [sides.on(before), sides.on(after)];
-  if (!a || !b) return null;
-  const [[one], [other]] = [a.jets(place), b.jets(place)];
-  return differ(a.groups, one, other, SAME, NOISE);
-}
-
-/**
- * Whether two jets differ by more than this part of their numbers of the same unit, and by more than the second of all of the shape, or of what measures length: these may be of very different sizes.
- * @param {number[]} groups as {@link import('../manifold/sides.js').Side} has them @param {number[]} one @param {number[]} other @param {number} part @param {number} ofAll
- */
-export function differ(groups, one, other, part, ofAll) {
-  const sizes = new Float64Array(6);
-  for (const [i, group] of groups.entries()) sizes[group] = Math.max(sizes[group], Math.abs(one[i]), Math.abs(other[i]));
-  const least = [sizes.subarray(0, 3), sizes.subarray(3)].map((orders) => ofAll * Math.max(...orders));
-  return one.some((x, i) => Math.abs(x - other[i]) > Math.max(part * sizes[groups[i]], least[Math.trunc(groups[i] / 3)]));
 }
 
 /** A polyline with more nodes in place of its first and its last chord, ever nearer to its ends, by what interpolates six nodes: chords dip into a shore that what they stand for is tangent to. @param {Float64Array} line @param {number} width */

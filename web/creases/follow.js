@@ -3,6 +3,7 @@
 import { isShortest, rest, surveyAll } from './balance.js';
 import { beyond } from './crease.js';
 import { cut } from './cut.js';
+import { pastCorner } from './held.js';
 import { lengthOf, lineOf } from './legs.js';
 import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
 import { refract } from './refract.js';
@@ -14,6 +15,8 @@ import { refract } from './refract.js';
 
 /** What begins beside a crease comes to it over this part of where it is near; where no leg leads so far, over less. */
 const LEADS = [1 / 8, 1 / 64];
+/** So many corners that do not hold a path are passed. */
+const MOST_PASSED = 3;
 /** So often what a path is put together from is changed. */
 const MOST_CUTS = 12;
 /** Routes at rest are the same to so many digits. */
@@ -27,6 +30,17 @@ const TORN = 1e-9;
  * @param {number} most what comes to rest longer than this is given up @returns {Route | null}
  */
 export function follow(question, line, near, most) {
+  for (let passed = 0; passed <= MOST_PASSED; passed++) {
+    const route = settle(question, line, near, most);
+    const past = route && !question.field.isPlain ? pastCorner(question, route) : null;
+    if (!past) return route;
+    [line, near] = [past, 0];
+  }
+  return null;
+}
+
+/** As {@link follow}, corners or not. @param {Question} question @param {Float64Array} line @param {number} near @param {number} most @returns {Route | null} */
+function settle(question, line, near, most) {
   const { scale } = question.sides;
   const width = scale.length;
   /** @type {Route | null} */

@@ -2,9 +2,9 @@
 
 import { CONVERGED } from '../runtime/status.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
-import { differ, isSame } from './cut.js';
 import { nodesOf } from './legs.js';
 import { product } from './linear.js';
+import { differ, isSame } from './same.js';
 import { traceOn } from './tangent.js';
 
 /** @typedef {import('./bend.js').Tracing} Tracing */

@@ -2,8 +2,9 @@
 
 import { listOf } from '../vector.js';
 import { bothWays, meetEdge, settle, walk } from './crease.js';
-import { isSame, leavings, Survey } from './cut.js';
+import { leavings, Survey } from './cut.js';
 import { apart, isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { isSame } from './same.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -228,7 +229,7 @@ function release(question, { legs, joints }, pieces) {
 }
 
 /** A place on a line, near an end of it. @param {Float64Array} line @param {readonly number[]} scale @param {number[]} end @param {number} away @param {number} side 0: its last, 1: its first */
-function beside(line, scale, end, away, side) {
+export function beside(line, scale, end, away, side) {
   const width = scale.length;
   const next = Array.from(side ? line.subarray(width, 2 * width) : line.subarray(-2 * width, -width));
   const reach = apart(end, next, scale);

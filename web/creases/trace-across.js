@@ -5,9 +5,9 @@ import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_
 import { diagonalOf, minus } from '../vector.js';
 import { bend, isTorn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
-import { isSame } from './cut.js';
 import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
 import { endOf, look, vanishes } from './meeting.js';
+import { isSame } from './same.js';
 import { traceOn, velocityOn } from './tangent.js';
 
 /** @typedef {import('./bend.js').Tracing} Tracing */

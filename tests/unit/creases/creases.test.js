@@ -518,3 +518,22 @@ test('coordinates in other units, one of them in degrees or in thousandths: the 
     for (const length of lengths) assert.ok(Math.abs(length - lengths[0]) <= RIGHT * length, `${density}: ${lengths}`);
   }
 });
+
+test('two valleys of cost that cross: paths along one through the crossing, and past it, no longer than where they are rounded from above, seed 5', () => {
+  for (const z of ['0', '0.4*sin(x)*cos(1.3*y)']) {
+    const valleys = (/** @type {(of: string) => string} */ size) =>
+      surfpath.graph({ z, x: [-2, 2], y: [-2, 2], density: `0.2 + ${size('x')} + ${size('y')}` });
+    const [sharp, rounded] = [valleys((of) => `abs(${of})`), valleys((of) => `hypot(${of}, 1e-3)`)];
+    const random = createRandom(5);
+    let converged = 0;
+    for (let i = 0; i < 12; i++) {
+      const [a, b] = [1, 2].map(() => [random.between(-2, 2), random.between(-2, 2)]);
+      const path = sharp.shortestPath(a, b);
+      if (!path.converged) continue;
+      converged++;
+      const above = rounded.shortestPath(a, b, { start: path });
+      assert.ok(!above.converged || path.length <= above.length * (1 + RIGHT), `${z} ${a} ${b}: ${path.length}, ${above.length}`);
+    }
+    assert.ok(converged >= 10, `${converged}`);
+  }
+});
