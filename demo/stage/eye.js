@@ -2,7 +2,7 @@
 
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView } from '../../web/view/fit.js';
+import { fitView, tilted } from '../../web/view/fit.js';
 import { sideOf } from '../../web/view/side.js';
 import { pointsWithin, rangesWithoutSpikes } from '../../web/view/spikes.js';
 import { turnByKeys } from '../../web/view/turn-keys.js';
@@ -115,9 +115,7 @@ export class Eye {
   /** Looks at the whole surface from the side where a curve is. @param {ArrayLike<number>} curve x y z of each place @param {readonly number[]} [direction] to look from instead */
   frame(curve, direction) {
     const towards = direction ? new Vector3(...direction).normalize() : sideOf(curve, this.#bounds);
-    // Straight from above there is no "up": a hair from the front.
-    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
-    this.#fit(towards);
+    this.#fit(tilted(towards, this.camera.up));
   }
 
   /** @param {number} width in CSS pixels @param {number} height @param {Covered} covered */

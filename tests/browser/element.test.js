@@ -279,6 +279,13 @@ test('a look that is wrong is said, and what is right again mends it', async () 
   });
 });
 
+test('it can be looked at from straight above', async () => {
+  await page.$eval('#torus', (element) => element.setAttribute('camera', '0,0,1'));
+  await nextFrame(page);
+  assert.ok((await warmth('torus')) > 100);
+  await page.$eval('#torus', (element) => element.removeAttribute('camera'));
+});
+
 describe('with controls', () => {
   const handle = () => page.locator('#torus').getByRole('button', { name: 'End of the path' });
 
