@@ -248,6 +248,15 @@ test('straight ahead from A: the length is the one that was asked for', async ()
   assert.ok(Math.abs((await length()) - 11) < 0.05, 'a step of the slider away at most');
 });
 
+test('straight ahead on a metric, and at a tip, where the reader is told that there is no direction', async () => {
+  await openSketch(page, { entry: 'hyperbolicDisc', task: 'trace', angle: 0, reach: 1 });
+  assert.equal(await status(), 'converged', await text('#advice'));
+  assert.ok(Math.abs((await length()) - 1) < 1e-9);
+  const cone = { r: 't', z: 't', 't-from': '0', 't-to': '2' };
+  await openSketch(page, { entry: 'own-revolution', texts: cone, ends: [[1, 0]], task: 'trace' });
+  assert.equal(await text('#ends-problem'), 'There is no direction at A, as at a tip: move it.');
+});
+
 test('straight ahead it goes as far as the surface is large', async () => {
   const range = { 'x-from': '499900', 'x-to': '500100', 'y-from': '4599900', 'y-to': '4600100' };
   const ends = [
