@@ -151,6 +151,8 @@ async function start() {
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
+  // In place of a surface that is none there is nothing to see.
+  onRender(({ problem }) => problem && removePoster());
   // The worker has its first task while the view is made.
   openAddress(location.hash);
   if (state.sketch.entry !== FIRST) removePoster();

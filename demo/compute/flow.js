@@ -37,6 +37,8 @@ const FRAME = 12;
 /** Counts changes of the surface, and of the path: an answer to an older one is of no use. */
 let [builds, turn] = [0, 0];
 let timer = 0;
+/** What is wished of the next surface that is there, as a mistake in the formulas leaves it wished: to look at all of it, and from where. @type {{ direction?: readonly number[] } | null} */
+let framing = null;
 /** Where the surface that is seen is looked at from; undefined: from its ends' side. @type {readonly number[] | undefined} */ let toLookFrom;
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
@@ -101,6 +103,7 @@ const messageOf = (/** @type {unknown} */ error) => sentence(error instanceof Er
 /** The surface of the formulas, anew, and its path; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
 export async function rebuild({ frame, direction }) {
   const [mine, asked] = [++builds, begin()];
+  if (frame) framing = { direction };
   const { sketch } = state;
   const problem = findBadBound(sketch.kind, sketch.texts);
   if (problem) return give({ problem, building: false });
@@ -113,8 +116,11 @@ export async function rebuild({ frame, direction }) {
     if (mine !== builds) return;
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
-    toLookFrom = direction;
-    if (frame) return stage?.frame(lineOfEnds(), direction);
+    toLookFrom = framing?.direction;
+    if (framing) {
+      framing = null;
+      return stage?.frame(lineOfEnds(), toLookFrom);
+    }
     stage?.refit();
     // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
     if (areFar(endPlaces(), state.seen)) {
