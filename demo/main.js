@@ -27,12 +27,15 @@ const player = new Player((moment) => {
 /** The picture of the first scene, which stands in for it until there is something to see. */
 const removePoster = () => document.getElementById('poster')?.remove();
 
+const LOST = 'The browser has stopped 3D graphics for now: the picture is back as soon as they are, or when the page is loaded anew.';
+
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
     Object.assign(window, { surfpathView: view });
     view.onFirst = removePoster;
+    view.onLost = (isLost) => say(find('notice'), isLost ? LOST : null);
     startShow(view);
     return view;
   } catch {

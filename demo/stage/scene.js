@@ -35,6 +35,8 @@ export class View {
   #isCompiling = false;
   /** @type {Theme | null} */ #theme = null;
   /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
+  /** Called when the browser takes the graphics card away, and when it gives it back. @type {(isLost: boolean) => void} */ onLost =
+    () => {};
   /** Called before each frame. @type {() => void} */ onDraw = () => {};
 
   /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
@@ -52,7 +54,11 @@ export class View {
     new ResizeObserver(() => this.resize()).observe(element);
     watchPixels(() => this.resize());
     // Phones take it from pages behind others; what it held is sent again with the next frame.
-    canvas.addEventListener('webglcontextrestored', () => this.#compile());
+    canvas.addEventListener('webglcontextlost', () => this.onLost(true));
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.onLost(false);
+      this.#compile();
+    });
   }
 
   get canvas() {
