@@ -1,7 +1,7 @@
 /** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { change, history, openAddress, redo, undo } from './state/change.js';
+import { change, history, openAddress, redo, undo, viewMoved } from './state/change.js';
 import { find, say } from './panels/dom.js';
 import { startExports } from './export/exports.js';
 import { connect, recolour, reframe, showIn } from './compute/flow.js';
@@ -36,6 +36,7 @@ function makeView() {
     Object.assign(window, { surfpathView: view });
     view.onFirst = removePoster;
     view.onLost = (isLost) => say(find('notice'), isLost ? LOST : null);
+    view.controls.addEventListener('change', viewMoved);
     startShow(view);
     return view;
   } catch {

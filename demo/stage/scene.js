@@ -78,6 +78,11 @@ export class View {
     return this.#eye.controls;
   }
 
+  /** Whence it is looked at, see `Eye`. */
+  get view() {
+    return this.#eye.view;
+  }
+
   /** The theme's colours. */
   get theme() {
     return this.#theme;
@@ -157,9 +162,9 @@ export class View {
     this.invalidate();
   }
 
-  /** Looks at the whole surface. @param {ArrayLike<number>} curve @param {readonly number[]} [direction] see `Eye` */
-  frame(curve, direction) {
-    this.#eye.frame(curve, direction);
+  /** Looks at the whole surface. @param {ArrayLike<number>} curve @param {readonly number[]} [direction] @param {readonly number[]} [view] see `Eye` */
+  frame(curve, direction, view) {
+    this.#eye.frame(curve, direction, view);
     this.invalidate();
   }
 

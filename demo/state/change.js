@@ -1,9 +1,9 @@
 /** How the reader's hands change the sketch: each change is kept for undo, then what depends on it is computed anew. */
 
 import { ENTRIES } from './entries.js';
-import { deform, follow, rebuild, recolour, solve } from '../compute/flow.js';
+import { deform, follow, rebuild, recolour, solve, viewNow } from '../compute/flow.js';
 import { History } from './history.js';
-import { fromHash, toHash } from './link.js';
+import { fromHash, toHash, viewIn } from './link.js';
 import { sketchOf } from './sketch.js';
 import { choiceOf, FIRST, render, state } from './state.js';
 
@@ -19,8 +19,8 @@ const BESIDE_PATHS = ['chosen', 'colour'];
 const [ROW, PAUSE] = [20, 400];
 /** How often it may be now, as of the last time. */
 let [left, written] = [ROW, 0];
-/** 0: the address holds what is seen. */
-let timer = 0;
+/** 0: the address holds what is seen; while the view moves. */
+let [timer, resting] = [0, 0];
 
 const OF_SURFACE = /** @type {const} */ (['entry', 'kind', 'texts', 'density', 'tensor']);
 const OF_PATH = /** @type {const} */ (['task', 'algorithm', 'tolerance', 'points', 'start', 'angle', 'reach']);
@@ -68,17 +68,17 @@ export function choose(name) {
 export function openAddress(hash) {
   const sketch = fromHash(hash);
   const isJunk = hash.length > 1 && !sketch;
-  openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null);
+  openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null, viewIn(hash));
   if (!isJunk) writeAddress();
 }
 
-/** @param {Sketch} sketch @param {string | null} note */
-function openSketch(sketch, note = null) {
+/** @param {Sketch} sketch @param {string | null} [note] @param {number[]} [view] */
+function openSketch(sketch, note = null, view) {
   // What was to be written was of the sketch before.
   forgetToWrite();
   if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
   Object.assign(state, { sketch, note });
-  return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
+  return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera, view });
 }
 
 export function undo() {
@@ -123,5 +123,14 @@ function forgetToWrite() {
 function rewriteAddress() {
   forgetToWrite();
   [left, written] = [rewritesLeft() - 1, performance.now()];
-  window.history.replaceState(null, '', toHash(state.sketch));
+  window.history.replaceState(null, '', linkNow());
+}
+
+/** The end of an address that opens what is seen. */
+export const linkNow = () => toHash(state.sketch, viewNow());
+
+/** The address holds whence the surface is looked at, too, once that rests. It is nothing to undo. */
+export function viewMoved() {
+  clearTimeout(resting);
+  resting = window.setTimeout(() => String(viewNow()) !== String(viewIn(location.hash)) && writeAddress(), PAUSE);
 }
