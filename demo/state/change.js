@@ -18,7 +18,7 @@ const BESIDE_PATHS = ['chosen', 'colour'];
 /** Browsers limit how often the address is rewritten, Safari to 100 times in half a minute: so many times in a row, then once in so many milliseconds. */
 const [ROW, PAUSE] = [20, 400];
 /** How often it may be now, as of the last time. */
-let [left, written] = [ROW, 0];
+let [left, rewritten] = [ROW, 0];
 /** 0: the address holds what is seen; while the view moves. */
 let [timer, resting] = [0, 0];
 
@@ -57,11 +57,22 @@ function turnInto(sketch, isStep = false) {
   return render();
 }
 
-/** Opens an entry of the gallery, or a first formula to change. @param {string} name */
-export function choose(name) {
+/** Opens an entry of the gallery, or a first formula to change. @param {string} name @param {Sketch} [sketch] what has been made of it before */
+export function choose(name, sketch = sketchOf(name)) {
   const before = state.sketch;
-  openSketch(sketchOf(name));
+  openSketch(sketch);
   writeAddress(before, before.entry !== name);
+}
+
+/** What was written of each kind, until the page is left. @type {Partial<Record<import('./kinds.js').Kind, Sketch>>} */
+const written = {};
+
+/** Opens what was last written of a kind, else its first formula. @param {import('./kinds.js').Kind} kind */
+export function chooseKind(kind) {
+  const { sketch } = state;
+  const isWritten = JSON.stringify(sketch.texts) !== JSON.stringify(sketchOf(sketch.entry).texts);
+  written[sketch.kind] = isWritten ? sketch : undefined;
+  choose(written[kind]?.entry ?? `own-${kind}`, written[kind]);
 }
 
 /** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
@@ -113,7 +124,7 @@ function writeAddress(before = state.sketch, isStep = false) {
   else timer ||= window.setTimeout(rewriteAddress, PAUSE);
 }
 
-const rewritesLeft = () => Math.min(left + (performance.now() - written) / PAUSE, ROW);
+const rewritesLeft = () => Math.min(left + (performance.now() - rewritten) / PAUSE, ROW);
 
 function forgetToWrite() {
   clearTimeout(timer);
@@ -122,7 +133,7 @@ function forgetToWrite() {
 
 function rewriteAddress() {
   forgetToWrite();
-  [left, written] = [rewritesLeft() - 1, performance.now()];
+  [left, rewritten] = [rewritesLeft() - 1, performance.now()];
   window.history.replaceState(null, '', linkNow());
 }
 

@@ -101,6 +101,13 @@ describe('each kind of surface has its own fields', () => {
   }
 });
 
+test('what is written of a kind is there again after a look at another one', async () => {
+  await openEntry(page, 'own-graph');
+  await doing(() => page.fill('#field-z', 'x^3'));
+  for (const kind of ['tube', 'graph']) await doing(() => page.check(`[name=kind][value=${kind}]`));
+  assert.equal(await page.inputValue('#field-z'), 'x^3');
+});
+
 test('an element of a list of formulas is marked in its own field, and so is a range', async () => {
   await openEntry(page, 'trefoil');
   await page.locator('[id="field-centreline[1]"]').fill('cos(t)-2*kos(2*t)');
