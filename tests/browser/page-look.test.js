@@ -83,6 +83,23 @@ test('letters stand beside their points, however large the type is', async () =>
   await page.setViewportSize({ width: 1040, height: 640 });
 });
 
+test('letters stand beside what is over the view', async () => {
+  for (const [name, width, height] of /** @type {[string, number, number][]} */ ([
+    ['ellipsoid', 820, 520],
+    ['torus', 1024, 600],
+  ])) {
+    await page.setViewportSize({ width, height });
+    await openEntry(page, name);
+    await nextFrame(page);
+    const boxes = (/** @type {string} */ selector) =>
+      page.$$eval(selector, (elements) => elements.map((element) => element.getBoundingClientRect().toJSON()));
+    for (const a of await boxes('.letter-tag'))
+      for (const b of await boxes('#legend, #player, .corner'))
+        assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${name}: a letter is covered`);
+  }
+  await page.setViewportSize({ width: 1040, height: 640 });
+});
+
 describe('the view follows a surface that changes its size', () => {
   const doing = async (/** @type {() => Promise<unknown>} */ work) => {
     await work();
