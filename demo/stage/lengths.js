@@ -36,9 +36,11 @@ export function renderLengths(view) {
   while (labels.length > count) labels.pop()?.remove();
   while (labels.length < count) labels.push(makeLabel(labels.length));
   for (const [i, label] of labels.entries()) {
-    /** @type {HTMLElement} */ (label.firstElementChild).textContent = formatNumber(paths[i].length, 4);
+    const length = formatNumber(paths[i].length, 4);
+    /** @type {HTMLElement} */ (label.firstElementChild).textContent = length;
     label.setAttribute('aria-pressed', String(i === state.chosen));
-    label.setAttribute('aria-label', `Path ${i + 1}, length ${formatNumber(paths[i].length, 6)}`);
+    // With what is seen in it: who speaks to the page says that.
+    label.setAttribute('aria-label', `Path ${i + 1}, length ${length}`);
   }
   if (paths !== pathsShown) places = [];
   pathsShown = paths;

@@ -242,6 +242,8 @@ test('all geodesics are listed with their lengths, and one can be chosen', async
   await page.locator('#paths button').nth(1).click();
   assert.ok(Math.abs((await length()) - lengths[1]) < 1e-6);
   assert.equal(await page.locator('.length-label').count(), lengths.length);
+  for (const label of await page.locator('.length-label').all())
+    assert.ok((await label.getAttribute('aria-label'))?.includes((await label.textContent()) ?? '?'));
   await doing(() => page.check('[name=task][value=path]'));
   assert.equal(await text('#length'), shortest);
 });
