@@ -56,7 +56,7 @@ function check(camera, geometry, towards, margin) {
 export function tilted(towards, up) {
   const upright = up.clone().normalize();
   if (towards.clone().cross(upright).length() > ALONG) return towards;
-  const right = Math.abs(upright.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
+  const right = new Vector3().setComponent(Math.abs(upright.x) < 0.9 ? 0 : 1, 1);
   return towards.addScaledVector(right.cross(upright), HAIR).normalize();
 }
 

@@ -163,6 +163,15 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.ok(implicit.defines && !('PARAMETER_LINES' in implicit.defines));
     });
 
+    test('what is too large for 32 bits is refused, all of what is not is drawn', () => {
+      const sized = (/** @type {string} */ size) => surfpath.parametric({ x: `${size}u`, y: `${size}v`, z: 'u', u: [-1, 1], v: [-1, 1] });
+      assert.equal(draw.surfaceGeometry(sized('9e17'), { resolution: 8 }).index?.count, 3 * 2 * 8 * 8);
+      assert.throws(() => draw.surfaceGeometry(sized('1e19')), {
+        name: 'RangeError',
+        message: /^surfaceGeometry: most of the surface lies beyond 1e18, .* use a larger unit$/,
+      });
+    });
+
     test('surfaceMaterial and fitCamera say which argument is wrong', () => {
       const none = /** @type {any} */ (undefined);
       const wrong = (/** @type {RegExp} */ message, name = 'TypeError') => ({ name, message });
