@@ -70,8 +70,8 @@ export const reframe = () => stage?.frame(pointsOfPath() ?? lineOfEnds(), framed
 
 /** Whence the surface of the sketch is looked at; nothing: as when it was opened. */
 export function viewNow() {
-  if (framing) return framing.view;
-  return state.shown?.entry === state.sketch.entry ? (stage?.view ?? framed.view) : undefined;
+  const isSeen = !framing && state.shown?.entry === state.sketch.entry;
+  return (isSeen ? (stage?.view ?? framed.view) : framing?.view) ?? [];
 }
 
 /** A new question about the path: older answers do not count any more. */

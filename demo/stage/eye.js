@@ -121,14 +121,15 @@ export class Eye {
    * has chosen these. Nothing: as it was framed.
    */
   get view() {
+    const towards = this.#towards();
+    if (!this.#touched && this.#framed.distanceTo(towards) < SAME) return [];
     const { center, radius } = this.#bounds;
-    const { x, y, z } = this.#towards();
-    if (!this.#touched && this.#framed.distanceTo(this.#towards()) < SAME) return [];
     const { target } = this.controls;
     const place = this.#touched
       ? [this.camera.position.distanceTo(target) / radius, ...target.clone().sub(center).divideScalar(radius)]
       : [];
-    return [MathUtils.radToDeg(Math.atan2(y, x)), MathUtils.radToDeg(Math.asin(z)), ...place].map((number) => Number(number.toFixed(2)));
+    const angles = [Math.atan2(towards.y, towards.x), Math.asin(towards.z)].map(MathUtils.radToDeg);
+    return [...angles, ...place].map((number) => Number(number.toFixed(2)));
   }
 
   /** @param {readonly number[]} view */

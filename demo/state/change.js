@@ -57,23 +57,20 @@ function turnInto(sketch, isStep = false) {
   return render();
 }
 
-/** Opens an entry of the gallery, or a first formula to change. @param {string} name @param {Sketch} [sketch] what has been made of it before */
+/** What was last written of each kind, until the page is left. @type {Partial<Record<import('./kinds.js').Kind, Sketch>>} */
+const written = {};
+
+/** Opens an entry of the gallery, or a formula of one's own. @param {string} name @param {Sketch} [sketch] what has been made of it before */
 export function choose(name, sketch = sketchOf(name)) {
   const before = state.sketch;
+  const isOwn = before.entry === `own-${before.kind}` || JSON.stringify(before.texts) !== JSON.stringify(sketchOf(before.entry).texts);
+  if (isOwn) written[before.kind] = before;
   openSketch(sketch);
   writeAddress(before, before.entry !== name);
 }
 
-/** What was written of each kind, until the page is left. @type {Partial<Record<import('./kinds.js').Kind, Sketch>>} */
-const written = {};
-
-/** Opens what was last written of a kind, else its first formula. @param {import('./kinds.js').Kind} kind */
-export function chooseKind(kind) {
-  const { sketch } = state;
-  const isWritten = JSON.stringify(sketch.texts) !== JSON.stringify(sketchOf(sketch.entry).texts);
-  written[sketch.kind] = isWritten ? sketch : undefined;
-  choose(written[kind]?.entry ?? `own-${kind}`, written[kind]);
-}
+/** Opens what was last written of a kind, else a first formula to change. @param {import('./kinds.js').Kind} kind */
+export const chooseKind = (kind) => choose(written[kind]?.entry ?? `own-${kind}`, written[kind]);
 
 /** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
 export function openAddress(hash) {

@@ -37,6 +37,11 @@ test('a metric that is skew: its own right angle', () => {
   near(endOf(trace(skew, [0, 0], 90)), [-0.25 / height, 1 / height]);
 });
 
+test('a metric that is none is told as what it is', () => {
+  for (const E of [-1, 0])
+    assert.equal(trace({ kind: 'metric', E, F: 0, G: 1, u: [-1, 1], v: [-1, 1] }, [0, 0], 30).status, 'singular-metric');
+});
+
 test('a skew plane in space: the angle is that of space', () => {
   const plane = { kind: 'parametric', x: '2u+v', y: 'v', z: 0, u: [-3, 3], v: [-3, 3] };
   near(Array.from(trace(plane, [0, 0], 30).points.slice(-3)), [Math.cos(Math.PI / 6), 0.5, 0]);
