@@ -1,7 +1,7 @@
 /** Starts the page: the view, the solver, the cards, and what the keys do. */
 
 import { load } from 'surfpath';
-import { change, history, openAddress, redo, undo } from './state/change.js';
+import { change, history, openAddress, redo, undo, viewMoved } from './state/change.js';
 import { find, say } from './panels/dom.js';
 import { startExports } from './export/exports.js';
 import { connect, recolour, reframe, showIn } from './compute/flow.js';
@@ -27,12 +27,16 @@ const player = new Player((moment) => {
 /** The picture of the first scene, which stands in for it until there is something to see. */
 const removePoster = () => document.getElementById('poster')?.remove();
 
+const LOST = 'The browser has stopped 3D graphics for now: the picture is back as soon as they are, or when the page is loaded anew.';
+
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
   try {
     const view = new View(find('view'), /** @type {HTMLCanvasElement} */ (find('canvas')));
     Object.assign(window, { surfpathView: view });
     view.onFirst = removePoster;
+    view.onLost = (isLost) => say(find('notice'), isLost ? LOST : null);
+    view.controls.addEventListener('change', viewMoved);
     startShow(view);
     return view;
   } catch {
@@ -151,6 +155,8 @@ async function start() {
     say(find('notice'), `The solver cannot run here; use a current browser with WebAssembly. (${reason})`);
     return say(find('status'), 'No solver');
   }
+  // In place of a surface that is none there is nothing to see.
+  onRender(({ problem }) => problem && removePoster());
   // The worker has its first task while the view is made.
   openAddress(location.hash);
   if (state.sketch.entry !== FIRST) removePoster();

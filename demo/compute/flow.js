@@ -37,11 +37,14 @@ const FRAME = 12;
 /** Counts changes of the surface, and of the path: an answer to an older one is of no use. */
 let [builds, turn] = [0, 0];
 let timer = 0;
-/** Where the surface that is seen is looked at from; undefined: from its ends' side. @type {readonly number[] | undefined} */ let toLookFrom;
+/** What is wished of the next surface that is there, as a mistake in the formulas leaves it wished: to look at all of it, and from where. @type {Framing | null} */
+let framing = null;
+/** How the surface that is seen was looked at first. @type {Framing} */ let framed = {};
 /** Those on which a path takes longer than a frame. @type {WeakSet<object>} */
 const slow = new WeakSet();
 
-/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(curve: ArrayLike<number>, direction?: readonly number[]): void, refit(): void }} Stage */
+/** How all of a surface is looked at: a direction, else from its ends' side; and what the reader of a link made of that. @typedef {{ direction?: readonly number[], view?: number[] }} Framing */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(curve: ArrayLike<number>, direction?: readonly number[], view?: readonly number[]): void, refit(): void, view: number[] }} Stage */
 /** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
@@ -57,13 +60,19 @@ export function showIn(view) {
   stage = view;
   if (state.mesh) {
     look(state.mesh);
-    stage?.frame(lineOfEnds(), toLookFrom);
+    stage?.frame(lineOfEnds(), framed.direction, framed.view);
   }
   render();
 }
 
 /** Looks at all of the surface again, as when it was opened; at one of the reader's own from the side of the path. */
-export const reframe = () => stage?.frame(pointsOfPath() ?? lineOfEnds(), toLookFrom);
+export const reframe = () => stage?.frame(pointsOfPath() ?? lineOfEnds(), framed.direction);
+
+/** Whence the surface of the sketch is looked at; nothing: as when it was opened. */
+export function viewNow() {
+  const isSeen = !framing && state.shown?.entry === state.sketch.entry;
+  return (isSeen ? (stage?.view ?? framed.view) : framing?.view) ?? [];
+}
 
 /** A new question about the path: older answers do not count any more. */
 function begin() {
@@ -98,9 +107,10 @@ const unsolved = (error) => ({ endProblem: endProblemOf(error), solved: UNSOLVED
 
 const messageOf = (/** @type {unknown} */ error) => sentence(error instanceof Error ? error.message : String(error));
 
-/** The surface of the formulas, anew, and its path; a mistake in them keeps the last good one. @param {{ frame: boolean, direction?: readonly number[] }} options */
-export async function rebuild({ frame, direction }) {
+/** The surface of the formulas, anew, and its path; a mistake in them keeps the last good one. @param {{ frame: boolean } & Framing} options */
+export async function rebuild({ frame, direction, view }) {
   const [mine, asked] = [++builds, begin()];
+  if (frame) framing = { direction, view };
   const { sketch } = state;
   const problem = findBadBound(sketch.kind, sketch.texts);
   if (problem) return give({ problem, building: false });
@@ -113,8 +123,11 @@ export async function rebuild({ frame, direction }) {
     if (mine !== builds) return;
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
-    toLookFrom = direction;
-    if (frame) return stage?.frame(lineOfEnds(), direction);
+    framed = framing ?? {};
+    if (framing) {
+      framing = null;
+      return stage?.frame(lineOfEnds(), framed.direction, framed.view);
+    }
     stage?.refit();
     // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
     if (areFar(endPlaces(), state.seen)) {

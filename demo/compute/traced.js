@@ -1,14 +1,17 @@
 /** A geodesic from a point in a direction: the angle of the form as a direction of the surface, and the traced path as the page shows paths. */
 
-import { along, cross, dot, subtract, unit } from './vectors.js';
+import { cross, dot, subtract, unit } from './vectors.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 
 /** Step of a difference quotient, in parts of the parameters' size. */
 const STEP = 1e-6;
+/** Where the surface is so many times longer one way than the other, it is a point. */
+const FLAT = 1e-8;
+const NO_DIRECTION = 'There is no direction at A, as at a tip: move it.';
 
 /** The derivatives S_u and S_v at a point, by differences. @param {Surface} surface @param {readonly number[]} point */
-export function tangents(surface, point) {
+function tangents(surface, point) {
   const { u, v } = /** @type {NonNullable<Surface['domain']>} */ (surface.domain);
   return [u, v].map((range, i) => {
     const step = STEP * (range[1] - range[0]);
@@ -18,28 +21,37 @@ export function tangents(surface, point) {
   });
 }
 
-/**
- * Two orthonormal tangent vectors at a point: the first in the direction of u, or, on an implicit surface, level.
- * @param {Surface} surface @param {readonly number[]} point
- */
-function frameAt(surface, point) {
-  if (surface.kind === 'implicit') {
-    const normal = unit(surface.evaluate(point).subarray(1, 4));
-    const level = cross(Math.abs(normal[2]) > 0.9 ? [0, 1, 0] : [0, 0, 1], normal);
-    return [unit(level), unit(cross(normal, level))];
-  }
+/** E, F and G at a point: what a metric is, else of the tangents. @param {Surface} surface @param {number[]} point */
+function formAt(surface, point) {
+  if (surface.kind === 'metric') return surface.evaluate(point);
   const [su, sv] = tangents(surface, point);
-  const first = unit(su);
-  return [first, unit(along(sv, -dot(sv, first), first))];
+  return [dot(su, su), dot(su, sv), dot(sv, sv)];
 }
 
-/** A tangent vector as du, dv. @param {Surface} surface @param {readonly number[]} point @param {number[]} vector */
-export function inParameters(surface, point, vector) {
-  const [su, sv] = tangents(surface, point);
-  const [E, F, G] = [dot(su, su), dot(su, sv), dot(sv, sv)];
-  const [a, b] = [dot(vector, su), dot(vector, sv)];
-  const area = E * G - F * F;
-  return [(G * a - F * b) / area, (E * b - F * a) / area];
+/**
+ * The direction at an angle from that of u, as u and v, measured as the surface measures it.
+ * @param {Surface} surface @param {number[]} point @param {number} turn in radians
+ */
+function inParameters(surface, point, turn) {
+  const [E, F, G] = formAt(surface, point);
+  // Of u, and of v as far as it leads away from u.
+  const [along, aside] = [Math.sqrt(E), Math.sqrt(G - (F * F) / E)];
+  const { u, v } = /** @type {NonNullable<Surface['domain']>} */ (surface.domain);
+  const sides = [along * (u[1] - u[0]), aside * (v[1] - v[0])];
+  const isFlat = !(Math.min(...sides) > FLAT * Math.max(...sides));
+  // What is wrong with a metric the trace says.
+  if (isFlat && surface.kind === 'metric') return [1, 0];
+  if (isFlat) throw new RangeError(NO_DIRECTION);
+  return [Math.cos(turn) / along - (Math.sin(turn) * F) / (E * aside), Math.sin(turn) / aside];
+}
+
+/** The direction at an angle from the level one on an implicit surface. @param {Surface} surface @param {number[]} point @param {number} turn in radians */
+function inSpace(surface, point, turn) {
+  const normal = surface.evaluate(point).subarray(1, 4);
+  if (!(dot(normal, normal) > 0)) throw new RangeError(NO_DIRECTION);
+  const first = unit(cross(Math.abs(unit(normal)[2]) > 0.9 ? [0, 1, 0] : [0, 0, 1], normal));
+  const second = unit(cross(normal, first));
+  return first.map((x, k) => Math.cos(turn) * x + Math.sin(turn) * second[k]);
 }
 
 /**
@@ -47,15 +59,10 @@ export function inParameters(surface, point, vector) {
  * @returns {import('./tasks.js').Solved}
  */
 export function tracedPath({ surface }, from, { angle, reach, points }) {
-  const start = surface.kind === 'implicit' ? surface.project(from, from) : from;
-  const [first, second] = frameAt(surface, start);
   const turn = (angle * Math.PI) / 180;
-  const vector = along(
-    [0, 1, 2].map((k) => Math.cos(turn) * first[k]),
-    Math.sin(turn),
-    second,
-  );
-  const direction = surface.kind === 'implicit' ? vector : inParameters(surface, start, vector);
+  const isImplicit = surface.kind === 'implicit';
+  const start = isImplicit ? surface.project(from, from) : from;
+  const direction = isImplicit ? inSpace(surface, start, turn) : inParameters(surface, start, turn);
   const begin = performance.now();
   const path = surface.trace(start, direction, reach, { points: Math.max(points, 200) });
   return { paths: [path], legs: [], starts: [], films: [], straight: null, straightLength: NaN, milliseconds: performance.now() - begin };

@@ -1,8 +1,8 @@
 /** What can be taken away: a link, a picture, the plane, the points, everything as data, and the surface with its path for 3D programs. */
 
+import { linkNow } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
-import { toHash } from '../state/link.js';
 import { planeFile } from '../plots/plane-picture.js';
 import { runsOf } from '../compute/legs.js';
 import { surfaceOf } from '../state/sketch.js';
@@ -61,7 +61,7 @@ export function startExports(view) {
 }
 
 async function copyLink() {
-  const link = `${location.href.replace(/#.*$/, '')}${toHash(state.sketch)}`;
+  const link = `${location.href.replace(/#.*$/, '')}${linkNow()}`;
   history.replaceState(null, '', link);
   const copied = await navigator.clipboard?.writeText(link).then(
     () => true,

@@ -1,6 +1,6 @@
 /** The formula card: the kind, its fields, the typeset form, and a mistake shown at the place where it is. */
 
-import { change, choose } from '../state/change.js';
+import { change, chooseKind } from '../state/change.js';
 import { coordinates, fieldNames, textsOf } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { ENTRIES } from '../state/entries.js';
@@ -28,7 +28,7 @@ let built = '';
 export function startFormula() {
   const labels = Object.entries(KINDS).map(([kind, { title, hint }]) => {
     const input = create('input', { type: 'radio', name: 'kind', value: kind });
-    input.addEventListener('change', () => choose(`own-${kind}`));
+    input.addEventListener('change', () => chooseKind(/** @type {import('../state/kinds.js').Kind} */ (kind)));
     return create('label', { title: hint }, input, create('span', {}, title));
   });
   find('kinds').replaceChildren(...labels);

@@ -1,5 +1,7 @@
 /** Numbers and outcomes as a reader wants them: short, in plain words, with what to do. */
 
+import { KINDS } from '../state/kinds.js';
+
 /** @typedef {import('../state/sketch.js').Sketch} Sketch */
 
 const MINUS = '\u2212';
@@ -71,6 +73,10 @@ const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
 const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
 
+const WAVY = 'Between the ends the surface is too steep or too wavy to follow: move them nearer to each other, or change the formula.';
+/** Without any of these a formula has a value everywhere, and is smooth: divisions, powers but those of whole numbers, and functions but these. */
+const BROKEN = /\/|\^(?!\s*\d+(?![.\d]))|(?<![\p{L}\d_])(?!(?:sin|cos|exp|sinh|cosh|tanh|atan|asinh)\s*\()[\p{L}_][\p{L}\d_]*\s*\(/u;
+
 /** A formula that jumps, or bends: where no path is exact, and what else to do about it. @param {string} name of the function @param {string} algorithm */
 function describeRough(name, algorithm) {
   if (!SMOOTH[name]) return [`Across a jump, as ${name} makes one, a path is found roughly, if at all`, ''];
@@ -80,11 +86,12 @@ function describeRough(name, algorithm) {
 
 /**
  * What to do about a path that comes to no rest, or is not exact.
- * @param {Pick<Sketch, 'texts' | 'density' | 'tensor' | 'algorithm'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
+ * @param {Pick<Sketch, 'kind' | 'texts' | 'density' | 'tensor' | 'algorithm'>} sketch @param {string} advice for a smooth one @param {boolean} leaps see `describeStatus`
  */
-function adviseStuck({ texts, density, tensor, algorithm }, advice, leaps) {
+function adviseStuck({ kind, texts, density, tensor, algorithm }, advice, leaps) {
   const name = [...Object.values(texts), density, ...tensor].map((text) => ROUGH.exec(text)?.[0]).find(Boolean);
-  if (!name) return leaps ? LEAPS : advice;
+  const isSmooth = kind !== 'implicit' && !Object.keys(KINDS[kind].formulas).some((name) => BROKEN.test(texts[name]));
+  if (!name) return !leaps ? advice : isSmooth ? WAVY : LEAPS;
   const [where, first] = describeRough(name, algorithm);
   return `${where}: ${first}write something smooth, such as ${SMOOTH[name] ?? 'tanh(9*x) in place of a step'}.`;
 }
@@ -119,6 +126,7 @@ export function describeStatus(status, sketch, { isFollowed = false, leaps = fal
   // Elements are as many as the tolerance asks for, whatever the points.
   const advice = points > 1 && algorithm !== 'elements' ? given : withoutFewer(given);
   if (status === 'singular-metric') return [words, describeSingular(sketch)];
+  if (task === 'trace' && status === 'iteration-limit') return [words, 'The steps ran out: shorten the length.'];
   if (ROUGHLY.includes(status)) return [words, isCoarse(sketch) ? COARSE : adviseStuck(sketch, advice, leaps)];
   if (status !== 'converged') return [words, advice];
   if (task === 'trace') return [words, 'Straight ahead from A.'];

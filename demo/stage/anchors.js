@@ -6,8 +6,9 @@ import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { letterOf, onto } from '../state/ends.js';
-import { placeLengths, renderLengths } from './lengths.js';
+import { boxesOver, placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
+import { isInside, overlap } from './place-labels.js';
 import { surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('./scene.js').View} View */
@@ -16,6 +17,13 @@ import { surfaceOf } from '../state/sketch.js';
 const MARKER = 11;
 /** How far along the path is what its letter keeps away from, in parts of it. */
 const BESIDE = 0.12;
+/** From that side of its point a letter goes, if something stands there, to the next, by cosine and sine: across the path, or along it. */
+const TURNS = [
+  [1, 0],
+  [0, 1],
+  [0, -1],
+  [-1, 0],
+];
 
 /** Of each point that has a place, by its index. @type {(DragHandle | null)[]} */ const handles = [];
 /** What each was put for: an unchanged one is not looked at again. @type {unknown[]} */ let placed = [];
@@ -149,22 +157,31 @@ function alongPath(end) {
 /** A box about a place. @param {number} x @param {number} y @param {number} across half its width @param {number} [down] half its height */
 const boxAt = (x, y, across, down = across) => ({ left: x - across, top: y - down, right: x + across, bottom: y + down });
 
-/** A letter stands on the side where the path does not run, as near as it can without covering its point. @param {View} view @returns what handles and letters cover */
+/** A letter stands on the side where the path does not run, as near as it can without covering its point, if nothing stands over that. @param {View} view @returns what is covered by handles, letters and all else */
 function placeLetters(view) {
+  const over = boxesOver(view);
+  const { width: right, height: bottom } = view.size;
+  const isFree = (/** @type {import('./place-labels.js').Box} */ box) =>
+    isInside(box, { left: 0, top: 0, right, bottom }) && !over.some((other) => overlap(box, other));
   const letters = handles.flatMap((handle, i) => {
     if (!handle) return [];
     const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
     return [{ i, handle, letter, half: [letter.offsetWidth / 2, letter.offsetHeight / 2] }];
   });
-  return letters.flatMap(({ i, handle, letter, half }) => {
+  const covered = letters.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
     const gap = Math.max(Math.hypot(x - ox, y - oy), 1);
-    const [right, below] = [(x - ox) / gap, (y - oy) / gap];
-    const far = MARKER + Math.abs(right) * half[0] + Math.abs(below) * half[1];
-    const [across, down] = [far * right, far * below];
-    letter.style.transform = `translate(${across.toFixed(1)}px, ${down.toFixed(1)}px)`;
-    return [boxAt(x, y, MARKER), boxAt(x + across, y + down, half[0], half[1])];
+    const places = TURNS.map(([cos, sin]) => {
+      const [across, down] = [(cos * (x - ox) - sin * (y - oy)) / gap, (sin * (x - ox) + cos * (y - oy)) / gap];
+      const far = MARKER + Math.abs(across) * half[0] + Math.abs(down) * half[1];
+      return [far * across, far * down];
+    });
+    const boxOf = (/** @type {number[]} */ [across, down]) => boxAt(x + across, y + down, half[0], half[1]);
+    const place = places.find((one) => isFree(boxOf(one))) ?? places[0];
+    letter.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px)`;
+    return [boxAt(x, y, MARKER), boxOf(place)];
   });
+  return [...over, ...covered];
 }

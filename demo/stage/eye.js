@@ -1,8 +1,8 @@
 /** The eye of the view: a camera that looks at a whole surface until the reader turns it. */
 
-import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { Box3, MathUtils, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { fitView } from '../../web/view/fit.js';
+import { fitView, tilted } from '../../web/view/fit.js';
 import { sideOf } from '../../web/view/side.js';
 import { pointsWithin, rangesWithoutSpikes } from '../../web/view/spikes.js';
 import { turnByKeys } from '../../web/view/turn-keys.js';
@@ -20,6 +20,8 @@ const TINY = 0.35;
 const [GROWTH, SHIFT] = [1.15, 0.02];
 /** Parts of its distance that the camera is off by rounding, not by hand. */
 const ROUNDING = 1e-6;
+/** A side of the surface is the same but for rounding. */
+const SAME = 1e-4;
 /** How much farther than the surface without its spikes these are drawn. */
 const DEEP = 200;
 
@@ -39,6 +41,8 @@ export class Eye {
   #fitted = { target: new Vector3(), distance: 1 };
   /** Where it would fit from the side to which it was turned; null: turned since. @type {{ target: Vector3, distance: number } | null} */ #planned =
     null;
+  /** The side that all of the surface was last shown from. */
+  #framed = new Vector3(0, 0, 1);
   /** Whether the reader has come nearer, stepped back or moved aside since: then the view is not ours to change. One that is only turned is. */
   #touched = false;
   /** Where the surface was then. */
@@ -112,12 +116,40 @@ export class Eye {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  /** Looks at the whole surface from the side where a curve is. @param {ArrayLike<number>} curve x y z of each place @param {readonly number[]} [direction] to look from instead */
-  frame(curve, direction) {
+  /**
+   * Whence the reader looks: degrees around and up; and the distance, and how far what is looked at is from the surface's middle, in its radii, where the reader
+   * has chosen these. Nothing: as it was framed.
+   */
+  get view() {
+    const towards = this.#towards();
+    if (!this.#touched && this.#framed.distanceTo(towards) < SAME) return [];
+    const { center, radius } = this.#bounds;
+    const { target } = this.controls;
+    const place = this.#touched
+      ? [this.camera.position.distanceTo(target) / radius, ...target.clone().sub(center).divideScalar(radius)]
+      : [];
+    const angles = [Math.atan2(towards.y, towards.x), Math.asin(towards.z)].map(MathUtils.radToDeg);
+    return [...angles, ...place].map((number) => Number(number.toFixed(2)));
+  }
+
+  /** @param {readonly number[]} view */
+  #look([around, up, distance, ...place]) {
+    const [turn, rise] = [around, up].map(MathUtils.degToRad);
+    const towards = new Vector3(Math.cos(turn) * Math.cos(rise), Math.sin(turn) * Math.cos(rise), Math.sin(rise));
+    this.#fit(tilted(towards, this.camera.up));
+    if (place.length === 0) return;
+    const { center, radius } = this.#bounds;
+    this.controls.target.fromArray(place).multiplyScalar(radius).add(center);
+    this.camera.position.copy(this.controls.target).addScaledVector(towards, distance * radius);
+    this.controls.update();
+  }
+
+  /** Looks at the whole surface from the side where a curve is. @param {ArrayLike<number>} curve x y z of each place @param {readonly number[]} [direction] to look from instead @param {readonly number[]} [view] of a reader who did so before */
+  frame(curve, direction, view = []) {
     const towards = direction ? new Vector3(...direction).normalize() : sideOf(curve, this.#bounds);
-    // Straight from above there is no "up": a hair from the front.
-    if (Math.hypot(towards.x, towards.y) < 1e-3) towards.set(0, -1e-3, 1).normalize();
-    this.#fit(towards);
+    this.#framed = tilted(towards, this.camera.up);
+    this.#fit(this.#framed);
+    if (view.length > 0) this.#look(view);
   }
 
   /** @param {number} width in CSS pixels @param {number} height @param {Covered} covered */

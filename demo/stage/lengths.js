@@ -36,9 +36,11 @@ export function renderLengths(view) {
   while (labels.length > count) labels.pop()?.remove();
   while (labels.length < count) labels.push(makeLabel(labels.length));
   for (const [i, label] of labels.entries()) {
-    /** @type {HTMLElement} */ (label.firstElementChild).textContent = formatNumber(paths[i].length, 4);
+    const length = formatNumber(paths[i].length, 4);
+    /** @type {HTMLElement} */ (label.firstElementChild).textContent = length;
     label.setAttribute('aria-pressed', String(i === state.chosen));
-    label.setAttribute('aria-label', `Path ${i + 1}, length ${formatNumber(paths[i].length, 6)}`);
+    // With what is seen in it: who speaks to the page says that.
+    label.setAttribute('aria-label', `Path ${i + 1}, length ${length}`);
   }
   if (paths !== pathsShown) places = [];
   pathsShown = paths;
@@ -56,8 +58,8 @@ function lineOf(view, path) {
   });
 }
 
-/** Where elements stand, from the corner of the view. @param {View} view @returns {Box[]} */
-function boxesOver({ canvas }) {
+/** Where what stands over the view does, from its corner. @param {View} view @returns {Box[]} */
+export function boxesOver({ canvas }) {
   const { left: x, top: y } = canvas.getBoundingClientRect();
   const elements = [...find('view').querySelectorAll(OVER)].filter((element) => element.checkVisibility());
   return elements.map((element) => {
@@ -72,12 +74,11 @@ function ranked() {
   return labels.map((_, i) => i).sort((a, b) => rank(b) - rank(a) || a - b);
 }
 
-/** @param {View} view @param {Box[]} handles what the letters cover */
-export function placeLengths(view, handles) {
+/** @param {View} view @param {Box[]} obstacles what is covered by anything else */
+export function placeLengths(view, obstacles) {
   if (labels.length === 0) return;
   // All is measured before anything is moved: the browser lays the page out once.
   const { width, height } = view.size;
-  const obstacles = [...boxesOver(view), ...handles];
   sizes = labels.map(({ firstElementChild: text, hidden }, i) =>
     hidden && sizes[i] ? sizes[i] : [/** @type {HTMLElement} */ (text).offsetWidth, /** @type {HTMLElement} */ (text).offsetHeight],
   );

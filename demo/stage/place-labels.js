@@ -32,10 +32,11 @@ export function boxOf(x, y, side, [width, height]) {
 const pointOf = ({ x, y }) => ({ left: x, top: y, right: x, bottom: y });
 
 /** @param {Box} a @param {Box} b */
-const overlap = (a, b) => a.left < b.right + GAP && b.left < a.right + GAP && a.top < b.bottom + GAP && b.top < a.bottom + GAP;
+export const overlap = (a, b) => a.left < b.right + GAP && b.left < a.right + GAP && a.top < b.bottom + GAP && b.top < a.bottom + GAP;
 
 /** @param {Box} box @param {Box} frame */
-const isInside = (box, frame) => box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
+export const isInside = (box, frame) =>
+  box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
 
 /** Distance of a point from a piece of a line. @param {number[]} point @param {number[]} from @param {number[]} to */
 function distanceTo([x, y], [ax, ay], [bx, by]) {

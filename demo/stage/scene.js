@@ -35,6 +35,8 @@ export class View {
   #isCompiling = false;
   /** @type {Theme | null} */ #theme = null;
   /** Called after the first frame with a surface. @type {(() => void) | null} */ onFirst = null;
+  /** Called when the browser takes the graphics card away, and when it gives it back. @type {(isLost: boolean) => void} */ onLost =
+    () => {};
   /** Called before each frame. @type {() => void} */ onDraw = () => {};
 
   /** Throws where there is no WebGL. @param {HTMLElement} element @param {HTMLCanvasElement} canvas */
@@ -52,7 +54,11 @@ export class View {
     new ResizeObserver(() => this.resize()).observe(element);
     watchPixels(() => this.resize());
     // Phones take it from pages behind others; what it held is sent again with the next frame.
-    canvas.addEventListener('webglcontextrestored', () => this.#compile());
+    canvas.addEventListener('webglcontextlost', () => this.onLost(true));
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.onLost(false);
+      this.#compile();
+    });
   }
 
   get canvas() {
@@ -70,6 +76,11 @@ export class View {
 
   get controls() {
     return this.#eye.controls;
+  }
+
+  /** Whence it is looked at, see `Eye`. */
+  get view() {
+    return this.#eye.view;
   }
 
   /** The theme's colours. */
@@ -151,9 +162,9 @@ export class View {
     this.invalidate();
   }
 
-  /** Looks at the whole surface. @param {ArrayLike<number>} curve @param {readonly number[]} [direction] see `Eye` */
-  frame(curve, direction) {
-    this.#eye.frame(curve, direction);
+  /** Looks at the whole surface. @param {ArrayLike<number>} curve @param {readonly number[]} [direction] @param {readonly number[]} [view] see `Eye` */
+  frame(curve, direction, view) {
+    this.#eye.frame(curve, direction, view);
     this.invalidate();
   }
 

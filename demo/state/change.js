@@ -1,9 +1,9 @@
 /** How the reader's hands change the sketch: each change is kept for undo, then what depends on it is computed anew. */
 
 import { ENTRIES } from './entries.js';
-import { deform, follow, rebuild, recolour, solve } from '../compute/flow.js';
+import { deform, follow, rebuild, recolour, solve, viewNow } from '../compute/flow.js';
 import { History } from './history.js';
-import { fromHash, toHash } from './link.js';
+import { fromHash, toHash, viewIn } from './link.js';
 import { sketchOf } from './sketch.js';
 import { choiceOf, FIRST, render, state } from './state.js';
 
@@ -18,9 +18,9 @@ const BESIDE_PATHS = ['chosen', 'colour'];
 /** Browsers limit how often the address is rewritten, Safari to 100 times in half a minute: so many times in a row, then once in so many milliseconds. */
 const [ROW, PAUSE] = [20, 400];
 /** How often it may be now, as of the last time. */
-let [left, written] = [ROW, 0];
-/** 0: the address holds what is seen. */
-let timer = 0;
+let [left, rewritten] = [ROW, 0];
+/** 0: the address holds what is seen; while the view moves. */
+let [timer, resting] = [0, 0];
 
 const OF_SURFACE = /** @type {const} */ (['entry', 'kind', 'texts', 'density', 'tensor']);
 const OF_PATH = /** @type {const} */ (['task', 'algorithm', 'tolerance', 'points', 'start', 'angle', 'reach']);
@@ -57,28 +57,36 @@ function turnInto(sketch, isStep = false) {
   return render();
 }
 
-/** Opens an entry of the gallery, or a first formula to change. @param {string} name */
-export function choose(name) {
+/** What was last written of each kind, until the page is left. @type {Partial<Record<import('./kinds.js').Kind, Sketch>>} */
+const written = {};
+
+/** Opens an entry of the gallery, or a formula of one's own. @param {string} name @param {Sketch} [sketch] what has been made of it before */
+export function choose(name, sketch = sketchOf(name)) {
   const before = state.sketch;
-  openSketch(sketchOf(name));
+  const isOwn = before.entry === `own-${before.kind}` || JSON.stringify(before.texts) !== JSON.stringify(sketchOf(before.entry).texts);
+  if (isOwn) written[before.kind] = before;
+  openSketch(sketch);
   writeAddress(before, before.entry !== name);
 }
+
+/** Opens what was last written of a kind, else a first formula to change. @param {import('./kinds.js').Kind} kind */
+export const chooseKind = (kind) => choose(written[kind]?.entry ?? `own-${kind}`, written[kind]);
 
 /** Opens what an address holds; without, or where that is not ours, the first scene. There the address stays until something is changed. @param {string} hash */
 export function openAddress(hash) {
   const sketch = fromHash(hash);
   const isJunk = hash.length > 1 && !sketch;
-  openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null);
+  openSketch(sketch ?? sketchOf(FIRST), isJunk ? 'The link could not be read; this is the first scene.' : null, viewIn(hash));
   if (!isJunk) writeAddress();
 }
 
-/** @param {Sketch} sketch @param {string | null} note */
-function openSketch(sketch, note = null) {
+/** @param {Sketch} sketch @param {string | null} [note] @param {number[]} [view] */
+function openSketch(sketch, note = null, view) {
   // What was to be written was of the sketch before.
   forgetToWrite();
   if (state.surface) history.keep(state.sketch, `open ${sketch.entry}`);
   Object.assign(state, { sketch, note });
-  return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera });
+  return rebuild({ frame: true, direction: ENTRIES[sketch.entry].camera, view });
 }
 
 export function undo() {
@@ -113,7 +121,7 @@ function writeAddress(before = state.sketch, isStep = false) {
   else timer ||= window.setTimeout(rewriteAddress, PAUSE);
 }
 
-const rewritesLeft = () => Math.min(left + (performance.now() - written) / PAUSE, ROW);
+const rewritesLeft = () => Math.min(left + (performance.now() - rewritten) / PAUSE, ROW);
 
 function forgetToWrite() {
   clearTimeout(timer);
@@ -122,6 +130,15 @@ function forgetToWrite() {
 
 function rewriteAddress() {
   forgetToWrite();
-  [left, written] = [rewritesLeft() - 1, performance.now()];
-  window.history.replaceState(null, '', toHash(state.sketch));
+  [left, rewritten] = [rewritesLeft() - 1, performance.now()];
+  window.history.replaceState(null, '', linkNow());
+}
+
+/** The end of an address that opens what is seen. */
+export const linkNow = () => toHash(state.sketch, viewNow());
+
+/** The address holds whence the surface is looked at, too, once that rests. It is nothing to undo. */
+export function viewMoved() {
+  clearTimeout(resting);
+  resting = window.setTimeout(() => String(viewNow()) !== String(viewIn(location.hash)) && writeAddress(), PAUSE);
 }

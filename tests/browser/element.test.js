@@ -159,6 +159,31 @@ test('each says its path, to the digits of the library', async () => {
   assert.equal(await page.$eval('#torus', (element) => /** @type {any} */ (element).path.length), own.torus[1]);
 });
 
+test('that it computes is seen before it does, and holds the page', async () => {
+  const fresh = await browser.context.newPage();
+  await fresh.addInitScript(() => {
+    /** @type {(string | null | undefined)[]} */ const frames = [];
+    Object.assign(window, { frames });
+    const look = () => {
+      const element = document.querySelector('surface-path');
+      if (element) frames.push(element.shadowRoot?.textContent);
+      requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  await fresh.goto(`${site.address}/late`);
+  await fresh.evaluate(async () => {
+    const element = document.createElement('surface-path');
+    element.setAttribute('surface', 'torus');
+    document.querySelector('main')?.replaceChildren(element);
+    await import(/** @type {any} */ ('/dist/element.js'));
+  });
+  await fresh.waitForFunction(() => /** @type {any} */ (window).frames.at(-1)?.startsWith('Length'));
+  const frames = /** @type {string[]} */ (await fresh.evaluate(() => /** @type {any} */ (window).frames));
+  assert.deepEqual([...new Set(frames.filter((text) => text))], ['Computing…', 'Length 10.028']);
+  await fresh.close();
+});
+
 test('all are drawn with one WebGL context', async () => {
   await nextFrame(page);
   assert.ok((await warmth('torus')) > 60 && (await warmth('hill')) > 60);
@@ -277,6 +302,13 @@ test('a look that is wrong is said, and what is right again mends it', async () 
   await page.$eval('#torus', (element) => {
     for (const name of ['colour', 'resolution', 'camera']) element.removeAttribute(name);
   });
+});
+
+test('it can be looked at from straight above', async () => {
+  await page.$eval('#torus', (element) => element.setAttribute('camera', '0,0,1'));
+  await nextFrame(page);
+  assert.ok((await warmth('torus')) > 100);
+  await page.$eval('#torus', (element) => element.removeAttribute('camera'));
 });
 
 describe('with controls', () => {

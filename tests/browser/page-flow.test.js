@@ -132,6 +132,19 @@ describe('changes that overtake each other', () => {
     await other.close();
   });
 
+  test('a mistake in a link leaves nothing that looks like its surface; mended, that is looked at', async () => {
+    const texts = { x: '30+cos(u)*cos(v', y: 'sin(u)*cos(v)', z: 'sin(v)' };
+    const { page: other } = await openPage(browser.context, browser.address + hashOf({ entry: 'parametricTorus', texts }));
+    await other.waitForSelector('#problem-x pre');
+    assert.equal(await other.locator('#poster').count(), 0);
+    await other.fill('#field-x', `${texts.x})`);
+    await other.waitForSelector('#problem-x', { state: 'hidden' });
+    await settled(other);
+    const target = await other.evaluate(() => /** @type {any} */ (window).surfpathView.controls.target.toArray());
+    assert.ok(Math.abs(target[0] - 30) < 1, `looks at ${target}`);
+    await other.close();
+  });
+
   test('a metric that is none has no ellipses', async () => {
     await openEntry(page, 'own-metric');
     await page.fill('#field-E', '-1');

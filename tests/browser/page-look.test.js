@@ -83,6 +83,23 @@ test('letters stand beside their points, however large the type is', async () =>
   await page.setViewportSize({ width: 1040, height: 640 });
 });
 
+test('letters stand beside what is over the view', async () => {
+  for (const [name, width, height] of /** @type {[string, number, number][]} */ ([
+    ['ellipsoid', 820, 520],
+    ['torus', 1024, 600],
+  ])) {
+    await page.setViewportSize({ width, height });
+    await openEntry(page, name);
+    await nextFrame(page);
+    const boxes = (/** @type {string} */ selector) =>
+      page.$$eval(selector, (elements) => elements.map((element) => element.getBoundingClientRect().toJSON()));
+    for (const a of await boxes('.letter-tag'))
+      for (const b of await boxes('#legend, #player, .corner'))
+        assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${name}: a letter is covered`);
+  }
+  await page.setViewportSize({ width: 1040, height: 640 });
+});
+
 describe('the view follows a surface that changes its size', () => {
   const doing = async (/** @type {() => Promise<unknown>} */ work) => {
     await work();
@@ -404,19 +421,23 @@ test('a scale covers nothing of a surface that fills the view', async () => {
   await page.setViewportSize({ width: 1040, height: 640 });
 });
 
-test('a context that the browser has taken away and given back is drawn into at once', async () => {
+test('a context that the browser has taken away is missed in words; given back it is drawn into at once', async () => {
   await openEntry(page, 'sphere');
   const warm = async () => (await measurePicture(page, await page.locator('canvas').first().screenshot())).warm;
   const before = await warm();
-  await page.evaluate(async () => {
+  const notice = await page.evaluate(async () => {
     const context = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas')).getContext('webgl2');
     const loss = context?.getExtension('WEBGL_lose_context');
     loss?.loseContext();
     await new Promise((resolve) => setTimeout(resolve, 200));
+    const words = document.getElementById('notice')?.textContent;
     loss?.restoreContext();
     await new Promise((resolve) => setTimeout(resolve, 500));
+    return words;
   });
   await nextFrame(page);
+  assert.match(notice ?? '', /3D graphics/);
+  assert.equal(await page.isVisible('#notice'), false);
   assert.ok(before > 0);
   assert.ok((await warm()) > 0.95 * before);
 });

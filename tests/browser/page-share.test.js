@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
-import { fromHash, toHash } from '../../demo/state/link.js';
+import { fromHash, toHash, viewIn } from '../../demo/state/link.js';
 import { sketchOf } from '../../demo/state/sketch.js';
 import { COARSE, hashOf, openBrowser, openEntry, openSettled, openSketch, settled } from '../helpers/page.js';
 
@@ -49,6 +49,57 @@ test('a link holds the whole state: another page that opens it shows the same', 
   const expected = await shown();
   await open(link);
   assert.deepEqual(await shown(), expected);
+});
+
+describe('a link holds the view', () => {
+  const place = () =>
+    page.evaluate(() => {
+      const { camera, controls } = /** @type {any} */ (window).surfpathView;
+      return [camera.position.clone().sub(controls.target), controls.target].flatMap((vector) => vector.toArray());
+    });
+  /** The address is written once the view rests. @param {string} key */
+  async function press(key) {
+    const before = page.url();
+    await page.focus('#canvas');
+    for (let i = 0; i < 4; i++) await page.keyboard.press(key);
+    await page.waitForURL((url) => url.href !== before);
+  }
+  for (const [title, key] of [
+    ['turned', 'ArrowLeft'],
+    ['near', '+'],
+  ])
+    test(title, async () => {
+      await openEntry(page, 'parametricTorus');
+      const [before, first] = [page.url(), await place()];
+      await press(key);
+      const expected = await place();
+      await open(page.url());
+      const found = await place();
+      // Of the degrees, and radii of 5.5, two digits are kept; what is only turned is fitted from its side.
+      const within = (/** @type {number} */ i) => (i < 3 || key === '+' ? 0.03 : 0.5);
+      for (const [i, x] of found.entries()) assert.ok(Math.abs(x - expected[i]) < within(i), `${found}, not ${expected}`);
+      assert.ok(Math.hypot(...first.map((x, i) => x - expected[i])) > 1);
+      await page.click('#reframe');
+      await page.waitForURL(before);
+    });
+
+  test('but not whence another surface was looked at, and there is nothing to undo', async () => {
+    await openEntry(page, 'vase');
+    const vase = page.url();
+    await press('ArrowLeft');
+    await openEntry(page, 'parametricTorus');
+    await page.click('#undo');
+    await settled(page);
+    assert.equal(await text('#entry-title'), 'Vase');
+    await page.waitForURL(vase);
+  });
+
+  test('what is no view is none', () => {
+    for (const view of [null, 'up', [1], [1, 2, 3], ['x', 0], [1e9, 0], [Number.NaN, 1], {}])
+      assert.deepEqual(viewIn(hashOf({ entry: 'vase', view })), [], String(view));
+    assert.deepEqual(viewIn('#junk'), []);
+    assert.deepEqual(viewIn(toHash(sketchOf('vase'), [10, 20.5])), [10, 20.5]);
+  });
 });
 
 test('Back and Forward lead from surface to surface and from measure to measure, not through what was changed on them', async () => {

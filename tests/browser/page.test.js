@@ -101,6 +101,13 @@ describe('each kind of surface has its own fields', () => {
   }
 });
 
+test('what is written of a kind is there again after a look at another one', async () => {
+  await openEntry(page, 'own-graph');
+  await doing(() => page.fill('#field-z', 'x^3'));
+  for (const kind of ['tube', 'graph']) await doing(() => page.check(`[name=kind][value=${kind}]`));
+  assert.equal(await page.inputValue('#field-z'), 'x^3');
+});
+
 test('an element of a list of formulas is marked in its own field, and so is a range', async () => {
   await openEntry(page, 'trefoil');
   await page.locator('[id="field-centreline[1]"]').fill('cos(t)-2*kos(2*t)');
@@ -235,6 +242,8 @@ test('all geodesics are listed with their lengths, and one can be chosen', async
   await page.locator('#paths button').nth(1).click();
   assert.ok(Math.abs((await length()) - lengths[1]) < 1e-6);
   assert.equal(await page.locator('.length-label').count(), lengths.length);
+  for (const label of await page.locator('.length-label').all())
+    assert.ok((await label.getAttribute('aria-label'))?.includes((await label.textContent()) ?? '?'));
   await doing(() => page.check('[name=task][value=path]'));
   assert.equal(await text('#length'), shortest);
 });
@@ -246,6 +255,15 @@ test('straight ahead from A: the length is the one that was asked for', async ()
   assert.equal(await page.locator('.surfpath-handle').count(), 1);
   await doing(() => page.fill('#reach', '11'));
   assert.ok(Math.abs((await length()) - 11) < 0.05, 'a step of the slider away at most');
+});
+
+test('straight ahead on a metric, and at a tip, where the reader is told that there is no direction', async () => {
+  await openSketch(page, { entry: 'hyperbolicDisc', task: 'trace', angle: 0, reach: 1 });
+  assert.equal(await status(), 'converged', await text('#advice'));
+  assert.ok(Math.abs((await length()) - 1) < 1e-9);
+  const cone = { r: 't', z: 't', 't-from': '0', 't-to': '2' };
+  await openSketch(page, { entry: 'own-revolution', texts: cone, ends: [[1, 0]], task: 'trace' });
+  assert.equal(await text('#ends-problem'), 'There is no direction at A, as at a tip: move it.');
 });
 
 test('straight ahead it goes as far as the surface is large', async () => {

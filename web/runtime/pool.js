@@ -67,6 +67,13 @@ function readCall(caller, given, isBatch) {
   return { signal, onProgress, options };
 }
 
+/** Throws what a surface has thrown; where that names the options it takes, with those that the pool takes besides. @param {string} own @returns {(error: unknown) => never} */
+const naming = (own) => (error) => {
+  if (error instanceof TypeError) error.message = error.message.replace(/; the options are .*$/, `$&, ${own}`);
+  throw error;
+};
+const [ofOne, ofBatch] = [naming('signal'), naming('signal, onProgress')];
+
 /** How to end the calls that share a signal: one listener for all, as Node.js takes more than ten on one signal for a leak, and says so. @extends {Set<() => void>} */
 class Calls extends Set {
   handleEvent() {
@@ -103,7 +110,7 @@ export class Pool {
   async lengths(definition, pairs, options) {
     const method = Pool.#enter(this, 'lengths', definition);
     const make = (/** @type {number} */ total) => new Float64Array(total);
-    return this.#solvePairs(method, { definition, pairs, options }, make, Number.NaN);
+    return this.#solvePairs(method, { definition, pairs, options }, make, Number.NaN).catch(ofBatch);
   }
 
   /**
@@ -115,7 +122,7 @@ export class Pool {
     const method = Pool.#enter(this, 'shortestPaths', definition);
     const make = (/** @type {number} */ total) => new Array(total);
     const lost = { ...makePath(emptyPath(NOT_FINITE)), status: 'worker-died' };
-    return this.#solvePairs(method, { definition, pairs, options }, make, lost);
+    return this.#solvePairs(method, { definition, pairs, options }, make, lost).catch(ofBatch);
   }
 
   /**
@@ -125,7 +132,7 @@ export class Pool {
    */
   async shortestPath(definition, from, to, options) {
     const method = Pool.#enter(this, 'shortestPath', definition);
-    return this.#ask(method, definition, [from, to], options);
+    return this.#ask(method, definition, [from, to], options).catch(ofOne);
   }
 
   /**
@@ -136,7 +143,7 @@ export class Pool {
    */
   async geodesics(definition, from, to, options) {
     const method = Pool.#enter(this, 'geodesics', definition);
-    return this.#ask(method, definition, [from, to], options);
+    return this.#ask(method, definition, [from, to], options).catch(ofOne);
   }
 
   /**
@@ -146,7 +153,7 @@ export class Pool {
    */
   async distanceField(definition, from, options) {
     const method = Pool.#enter(this, 'distanceField', definition);
-    return this.#ask(method, definition, [from], options);
+    return this.#ask(method, definition, [from], options).catch(ofOne);
   }
 
   /** Ends all workers, and rejects what is under way. Using the pool afterwards throws. @returns {Promise<void>} when the workers have ended */

@@ -18,7 +18,7 @@ import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
 import { Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
-import { turn } from './element/turn.js';
+import { drawn, turn } from './element/turn.js';
 import { watch } from './element/watch.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -164,7 +164,9 @@ export class SurfacePathElement extends TypedElement {
   async #update() {
     let what = this.#stale;
     try {
-      const surfpath = await getSolver();
+      if (!this.#surface) this.#caption.wait();
+      // What comes next holds the page for as long as it takes: that must have been seen by then.
+      const [surfpath] = await Promise.all([getSolver(), this.#surface ?? drawn()]);
       await turn();
       this.#isQueued = false;
       if (!this.#connection) return;

@@ -11,13 +11,15 @@ import { ENOUGH, pointsWithin, rangesWithoutSpikes } from './spikes.js';
 const ROUNDS = 4;
 /** Of the distance: room to go near, and far. */
 const [NEAR, FAR] = [0.02, 4];
+/** Radians by which a view along `up`, where nothing is upright, is tilted; and how near to `up` that is. */
+const [HAIR, ALONG] = [1e-3, 1e-6];
 
 /**
  * Moves a perspective camera so that a geometry fills its view, centred, seen from a direction; sets its near and far planes for turning around it. Of spikes, as
  * beside a pole, and of what is so steep that all of it would be a thread, a part is looked at.
  * @param {import('three').PerspectiveCamera} camera `fov`, `aspect` and `up` set
  * @param {import('three').BufferGeometry} geometry of {@link surfaceGeometry}, with a bounding sphere
- * @param {ArrayLike<number>} towards the camera from the surface, x y z of any length; not along `up`
+ * @param {ArrayLike<number>} towards the camera from the surface, x y z of any length; along `up`, where nothing is upright, it is tilted a hair
  * @param {number} [margin] share of the view that stays free around it, in [0, 1); default 0.1
  * @param {readonly ArrayLike<number>[]} [shown] places on it that should be seen whatever is left out, x y z each
  * @returns {Vector3} the point that the camera looks at: the target for its controls. Throws TypeError or RangeError naming the argument
@@ -25,11 +27,11 @@ const [NEAR, FAR] = [0.02, 4];
 export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
   check(camera, geometry, towards, margin);
   const all = geometry.getAttribute('position');
-  const points = pointsWithin(all, rangesWithoutSpikes(all, shown), shown) ?? all;
+  const points = pointsWithin(all, rangesWithoutSpikes(all, shown, Infinity), shown) ?? all;
   const { center } = new Box3()
     .setFromBufferAttribute(/** @type {import('three').BufferAttribute} */ (points))
     .getBoundingSphere(new Sphere());
-  const back = new Vector3(towards[0], towards[1], towards[2]).normalize();
+  const back = tilted(new Vector3(towards[0], towards[1], towards[2]).normalize(), camera.up);
   const slope = Math.tan((camera.fov * Math.PI) / 360) * (1 - margin);
   const { target, distance } = fitView(points, center, back, camera.up, [slope * camera.aspect, slope]);
   camera.position.copy(target).addScaledVector(back, distance);
@@ -48,6 +50,14 @@ function check(camera, geometry, towards, margin) {
   const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
   if (!(length > 0 && Number.isFinite(length))) refuse(`${caller}: towards`, 'a direction x y z, none of length 0', towards);
   if (!(margin >= 0 && margin < 1)) refuseNumber(`${caller}: margin`, 'a number in [0, 1)', margin);
+}
+
+/** A direction that is along `up`, a hair to the front: x is to the right then, if it can be. @param {Vector3} towards unit length @param {Vector3} up */
+export function tilted(towards, up) {
+  const upright = up.clone().normalize();
+  if (towards.clone().cross(upright).length() > ALONG) return towards;
+  const right = new Vector3().setComponent(Math.abs(upright.x) < 0.9 ? 0 : 1, 1);
+  return towards.addScaledVector(right.cross(upright), HAIR).normalize();
 }
 
 /**

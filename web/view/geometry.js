@@ -5,6 +5,7 @@ import { checkOptions, refuse } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
+import { LARGEST } from './cuts.js';
 import { drawableMesh } from './drawable.js';
 import { FarGeometry } from './far.js';
 import { originOf } from './origin.js';
@@ -93,7 +94,7 @@ export function bareGeometry(mesh) {
  * `color` and `contour` (contour lines run where it is whole). `userData.scale` tells what the colours mean, `userData.cells` how many parameter lines
  * suit it; {@link surfaceMaterial} draws both. Costs an evaluation a vertex; 'distance' a graph search too. Dispose it as any geometry.
  *
- * Throws TypeError for a surface without positions (kind 'metric'), and what `surface.mesh` and `surface.distanceField` throw.
+ * Throws TypeError for a surface without positions (kind 'metric'), RangeError for one too large to be drawn, and what `surface.mesh` and `surface.distanceField` throw.
  * @param {Surface} surface
  * @param {GeometryOptions} [options]
  * @returns {BufferGeometry}
@@ -107,7 +108,12 @@ export function surfaceGeometry(surface, options = {}) {
     refuse(`${caller}: options.colour`, "'none', 'curvature', 'distance' or a function", colour, RangeError);
   if (colour === 'distance' && from === undefined) throw new TypeError(`${caller}: options.colour 'distance' needs options.from, a point`);
   const field = colour === 'distance' ? surface.distanceField(/** @type {ArrayLike<number>} */ (from), { resolution, exact }) : null;
-  const mesh = drawableMesh(surface, field ? field.mesh : surface.mesh({ resolution }));
+  const whole = field ? field.mesh : surface.mesh({ resolution });
+  // A pole may be as far as it likes, but not a coordinate of half the vertices.
+  const { positions } = whole;
+  if (positions.filter((x) => Math.abs(x) > LARGEST).length > positions.length / 6)
+    throw new RangeError(`${caller}: most of the surface lies beyond 1e18, too far for 32 bits: use a larger unit`);
+  const mesh = drawableMesh(surface, whole);
   const geometry = bareGeometry(mesh);
   const size = geometry.boundingSphere?.radius || 1;
   const measured = measure(surface, mesh, field?.distances, colour, size);

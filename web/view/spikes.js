@@ -34,9 +34,10 @@ function densest(list, size) {
 /**
  * What a view of a surface must show along each axis: far out on spikes, as beside a pole, there is what would make all else tiny.
  * @param {Points} points @param {readonly ArrayLike<number>[]} [ends] places that should be seen, too, x y z each
+ * @param {number} [farthest] how far apart, in parts of the width, they may be for that
  * @returns {number[][]} from and to, infinite where it is all
  */
-export function rangesWithoutSpikes(points, ends = []) {
+export function rangesWithoutSpikes(points, ends = [], farthest = FARTHEST) {
   const stride = Math.max(1, Math.floor(points.count / ENOUGH));
   const lists = AXES.map((get) =>
     Float64Array.from({ length: Math.floor((points.count - 1) / stride) + 1 }, (_, i) => points[get](i * stride)).sort(),
@@ -56,7 +57,7 @@ export function rangesWithoutSpikes(points, ends = []) {
     let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);
     let to = from + (isLong ? width : size);
     for (const { [k]: end } of ends)
-      if (Math.max(to, end) - Math.min(from, end) <= FARTHEST * width) [from, to] = [Math.min(from, end), Math.max(to, end)];
+      if (Math.max(to, end) - Math.min(from, end) <= farthest * width) [from, to] = [Math.min(from, end), Math.max(to, end)];
     return [from, to];
   });
 }

@@ -38,7 +38,7 @@ test('fewer points are advised where there are fewer, and they count', () => {
 test('of a polyline of few points more are advised', () => {
   const sketch = { ...sketchOf('saddle'), algorithm: /** @type {const} */ ('polyline') };
   assert.match(describeStatus('stalled', { ...sketch, points: 5 }, { leaps: true })[1], /choose more of them/);
-  assert.match(describeStatus('stalled', { ...sketch, points: 64 }, { leaps: true })[1], /gap between the ends/);
+  assert.match(describeStatus('stalled', { ...sketch, points: 64 }, { leaps: true })[1], /too wavy/);
 });
 
 test('while an end moves no other path was looked for', () => {
@@ -76,6 +76,20 @@ test('where a formula bends or jumps, that is why a path is stuck', () => {
   assert.match(advice('absorb*x'), /less steep/);
   assert.match(advice('1/x', 'stalled', true), /gap between the ends/);
   assert.match(advice('floor(x)', 'stalled', true), /as floor makes one/);
+});
+
+test('of a surface that is smooth by its formula no gap is told, but that it is wavy', () => {
+  const advice = (/** @type {string} */ z) => {
+    const sketch = sketchOf('own-graph');
+    return describeStatus('iteration-limit', { ...sketch, texts: { ...sketch.texts, z } }, { leaps: true })[1];
+  };
+  for (const z of ['sin(20*x)*sin(20y)', '1e3x^2 - y^10', 'exp(-x) + k*(x + 1)']) assert.match(advice(z), /too wavy/, z);
+  for (const z of ['1/x', 'x^0.5', 'x^-1', 'x^y', 'sqrt(x)', 'asin (x)', 'tan(x)']) assert.match(advice(z), /gap/, z);
+});
+
+test('a trace that runs out of steps is too long', () => {
+  const sketch = { ...sketchOf('parametricTorus'), task: /** @type {const} */ ('trace') };
+  assert.match(describeStatus('iteration-limit', sketch)[1], /shorten the length/);
 });
 
 test('only what was looked for among all is called the shortest path', () => {

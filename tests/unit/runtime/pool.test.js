@@ -241,6 +241,8 @@ describe('the exceptions of the main thread', () => {
     ['shortestPath', [0, 0], () => 0],
     ['geodesics', [0, 0], [0, 1], { max: 0 }],
     ['distanceField', [0, 0], { resolution: 1000 }],
+    ['distanceField', [0, 0], { exact: true, onProgress: () => 0 }],
+    ['distanceField', [0, 0], { speed: 1 }],
   ]).entries())
     test(`arguments ${i}, of ${method}`, async () => {
       const surface = /** @type {any} */ (surfpath.surface(saddle));
@@ -252,6 +254,8 @@ describe('the exceptions of the main thread', () => {
           return true;
         },
       );
+      const own = method === 'lengths' || method === 'shortestPaths' ? ', signal, onProgress' : ', signal';
+      expected.message = expected.message.replace(/; the options are .*$/, `$&${own}`);
       await assert.rejects(anything(pool)[method](saddle, ...given), (error) => {
         assert.deepEqual(error, expected);
         return true;

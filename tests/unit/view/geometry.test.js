@@ -163,6 +163,15 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.ok(implicit.defines && !('PARAMETER_LINES' in implicit.defines));
     });
 
+    test('what is too large for 32 bits is refused, all of what is not is drawn', () => {
+      const sized = (/** @type {string} */ size) => surfpath.parametric({ x: `${size}u`, y: `${size}v`, z: 'u', u: [-1, 1], v: [-1, 1] });
+      assert.equal(draw.surfaceGeometry(sized('9e17'), { resolution: 8 }).index?.count, 3 * 2 * 8 * 8);
+      assert.throws(() => draw.surfaceGeometry(sized('1e19')), {
+        name: 'RangeError',
+        message: /^surfaceGeometry: most of the surface lies beyond 1e18, .* use a larger unit$/,
+      });
+    });
+
     test('surfaceMaterial and fitCamera say which argument is wrong', () => {
       const none = /** @type {any} */ (undefined);
       const wrong = (/** @type {RegExp} */ message, name = 'TypeError') => ({ name, message });
@@ -218,6 +227,26 @@ for (const [title, { draw, THREE }] of await loadReleases())
       }
     });
 
+    test('fitCamera tilts a hair what would be seen along `up`: x is to the right then', () => {
+      const geometry = draw.surfaceGeometry(torus, { resolution: 16 });
+      const point = new THREE.Vector3();
+      for (const up of [
+        [0, 0, 1],
+        [0, 2, 0],
+        [-1, 0, 0],
+      ])
+        for (const towards of [up, up.map((x) => -x)]) {
+          const camera = new THREE.PerspectiveCamera(32, 1);
+          camera.up.fromArray(up);
+          const target = draw.fitCamera(camera, geometry, towards);
+          camera.updateMatrixWorld();
+          const tilt = camera.position.clone().sub(target).angleTo(point.fromArray(towards));
+          assert.ok(tilt > 0 && tilt < 0.002, `${towards}: ${tilt}`);
+          const right = point.set(up[0] ? 0 : 1, up[0] ? 1 : 0, 0).project(camera);
+          assert.ok(right.x > 0.01 && Math.abs(right.y) < 0.01, `${towards}: ${right.toArray()}`);
+        }
+    });
+
     test('fitCamera leaves out spikes, but no place that should be seen', () => {
       const pole = surfpath.graph({ z: '1/(x^2 + y^2)', x: [-2, 2], y: [-2, 2] });
       const geometry = draw.surfaceGeometry(pole, { resolution: 47 });
@@ -228,5 +257,21 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.ok((geometry.boundingSphere?.radius ?? 0) > 100);
       assert.ok(distanceOf() < 20, `${distanceOf()}`);
       assert.ok(distanceOf([0.25, 0, 16]) > 25, `${distanceOf([0.25, 0, 16])}`);
+    });
+
+    test('fitCamera shows every place that should be seen, however far away', () => {
+      const geometry = draw.surfaceGeometry(surfpath.graph({ z: '1000 x y', x: [-1, 1], y: [-1, 1] }));
+      const camera = new THREE.PerspectiveCamera(32, 1.5);
+      camera.up.set(0, 0, 1);
+      const shown = [
+        [0, 0, 0],
+        [0.5, 0.1, 50],
+      ];
+      draw.fitCamera(camera, geometry, [0.4, -0.9, 0.5], 0.1, shown);
+      camera.updateMatrixWorld();
+      for (const place of shown) {
+        const { x, y } = new THREE.Vector3().fromArray(place).project(camera);
+        assert.ok(Math.abs(x) < 1 && Math.abs(y) < 1, `${place}: ${x}, ${y}`);
+      }
     });
   });

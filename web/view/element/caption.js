@@ -18,6 +18,11 @@ export class Caption {
     this.element.setAttribute('role', 'status');
   }
 
+  /** Says why there is nothing to see yet, where nothing else is said. */
+  wait() {
+    if (!this.element.textContent) this.#say('Computing…', false);
+  }
+
   /** Says the length, in place of any complaint. @param {Path | null} path */
   tell(path) {
     this.#say(path ? describePath(path) : '', false);

@@ -20,3 +20,10 @@ export function turn() {
   queue = mine.then(breathe);
   return mine;
 }
+
+/** The browser has drawn what there is, or has not within a tenth of a second: of a page out of sight it draws nothing. @returns {Promise<void>} */
+export const drawn = () =>
+  new Promise((resolve) => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, 100);
+  });
