@@ -45,10 +45,14 @@ function settle(question, line, near, most) {
   const width = scale.length;
   /** @type {Route | null} */
   let route = null;
+  let tried = '';
   for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
     const first = cut(question.sides, line, width, { near, lead: LEADS[k] });
     /* Without a shore it is what not following creases is. */
     if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
+    const places = `${first?.joints.map(({ place }) => place)}`;
+    if (places === tried) break;
+    tried = places;
     const pieces = first && landed(question, first);
     route = pieces && join(question, pieces);
   }
