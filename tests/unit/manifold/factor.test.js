@@ -90,6 +90,8 @@ test('a multiple of the metric of space, times a density: as many times as long'
   const metric = { xx: 'a + 1', xy: 0, xz: 0, yy: 'a + 1', yz: 0, zz: 4 };
   const [plain, dense] = [{}, { metric, density: 0.75, parameters: { a: 3 } }].map((more) => make({ ...drum, ...more }));
   isMultiple(dense.shortestPath(top, below), plain.shortestPath(top, below), 1.5);
+  const [traced, multiple] = [plain, dense].map((surface, i) => surface.trace([0, 0, 0.5], [1, 0.3, 0], i ? 3 : 2));
+  isMultiple(multiple, traced, 1.5);
   dense.set({ a: 5 });
   assert.ok(dense.shortestPath(top, [0.5, 0.2, -0.5]).length > 0.75 * Math.sqrt(6) * Math.hypot(1.093, 0.496) - 1e-9);
   for (const surface of [plain, dense]) surface.dispose();
