@@ -148,3 +148,18 @@ export function makePath(raw) {
     history: raw.history,
   };
 }
+
+/** A path as it is where all lengths are so many times as long. @param {Path} path @param {number} factor @returns {Path} */
+export function scaled(path, factor) {
+  if (factor === 1) return path;
+  /** @template {{ energy: number, gradientNorm: number }} T @param {T} one @returns {T} */
+  const rise = (one) => ({ ...one, energy: factor ** 2 * one.energy, gradientNorm: factor ** 2 * one.gradientNorm });
+  const { length, lengthError, conjugate, history } = path;
+  return {
+    ...rise(path),
+    length: factor * length,
+    lengthError: factor * lengthError,
+    conjugate: conjugate && factor * conjugate,
+    history: history.map(rise),
+  };
+}

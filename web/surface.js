@@ -11,7 +11,7 @@ import { measureField, readFieldOptions } from './mesh/field.js';
 import { meshSurface } from './mesh/mesh.js';
 import { evaluateNormals } from './mesh/normals.js';
 import { projectOnto } from './mesh/projection.js';
-import { isGeodesic, MOST_POINTS, makePath, readOptions, readStart } from './path.js';
+import { isGeodesic, MOST_POINTS, makePath, readOptions, readStart, scaled } from './path.js';
 import { emptyPath } from './runtime/result.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
 import { COMPARED_POINTS, ELEMENTS } from './search/candidates.js';
@@ -91,9 +91,10 @@ export class Surface {
     const { solve, start, via } = readOptions(caller, options);
     const stops = via.map((point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
-    if (stops.length > 0) return passThrough(this.#manifold.field(), caller, places, solve, start);
+    const asked = this.#inSpace(solve);
+    if (stops.length > 0) return this.#scaled(passThrough(this.#manifold.field(), caller, places, asked, start));
     const near = start === 'global' ? start : readStart(caller, start, this.#manifold.variables.length);
-    return findPath(this.#manifold.field(), places, solve, near);
+    return this.#scaled(findPath(this.#manifold.field(), places, asked, near));
   }
 
   /**
@@ -113,14 +114,16 @@ export class Surface {
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     const field = this.#manifold.field();
-    const found = findGeodesics(field, ends, solve, max).filter(
+    const asked = this.#inSpace(solve);
+    const found = findGeodesics(field, ends, asked, max).filter(
       ({ index, status }) => (index === 0 && !AT_NO_REST.includes(status)) || status === 'out-of-memory',
     );
     // The shortest is looked for in more ways than all of them are.
-    const shortest = findPath(field, ends, solve, 'global');
+    const shortest = findPath(field, ends, asked, 'global');
     const mayBeIt = (/** @type {Path} */ { length, lengthError }) => length - lengthError <= shortest.length + shortest.lengthError;
     const isKnown = !shortest.converged || found.some((path) => isGeodesic(path) && mayBeIt(path));
-    return isKnown ? found : [shortest, ...found.filter((path) => !mayBeIt(path))].slice(0, max);
+    const all = isKnown ? found : [shortest, ...found.filter((path) => !mayBeIt(path))].slice(0, max);
+    return all.map((path) => this.#scaled(path));
   }
 
   /**
@@ -162,7 +165,7 @@ export class Surface {
     const place = manifold.domain ? point : projectOnto(manifold, `${caller}: from`, settled, settled);
     if (!manifold.domain && gap(place, point) > FAR * manifold.extent)
       throw new RangeError(`${caller}: from is farther from the surface than a tenth of its bounds; project it first`);
-    return { mesh, distances: measureField(field, caller, place, mesh, exact) };
+    return { mesh, distances: measureField(field, caller, place, mesh, exact).map((distance) => manifold.factor * distance) };
   }
 
   /**
@@ -178,7 +181,8 @@ export class Surface {
     const caller = Surface.#enter(this, 'trace');
     const asked = readTrace(caller, direction, length, this.#manifold.variables);
     const start = this.#manifold.readPoint(caller, 'from', from);
-    return traceFrom(this.#manifold, caller, start, asked, readTraceOptions(caller, options));
+    asked.length /= this.#manifold.factor;
+    return this.#scaled(traceFrom(this.#manifold, caller, start, asked, readTraceOptions(caller, options)));
   }
 
   /**
@@ -255,6 +259,16 @@ export class Surface {
     return caller;
   }
 
+  /** Options as they are where length is that of space. @param {import('./runtime/heap.js').SolveOptions} options */
+  #inSpace(options) {
+    return { ...options, gradientTolerance: options.gradientTolerance / this.#manifold.factor ** 2 };
+  }
+
+  /** @param {Path} path where length is that of space */
+  #scaled(path) {
+    return scaled(path, this.#manifold.factor);
+  }
+
   /** @param {string} caller */
   #checkPositions(caller) {
     if (this.#manifold.kind === 'metric') throw new RangeError(`${caller}: a surface given by E, F and G has no positions in space`);
@@ -270,9 +284,10 @@ export class Surface {
     const { solve, start } = readPairOptions(caller, options);
     // Elements are sampled in the end, chords are what is solved; but what is compared has points.
     if (shapeless && solve.algorithm === ELEMENTS) solve.points = start === 'global' ? COMPARED_POINTS : 1;
+    const asked = this.#inSpace(solve);
     for (const ends of readPairs(caller, pairs, this.#manifold.variables, this.#manifold.domain)) {
       if (ends === NOT_FINITE || ends === OFF_SURFACE) yield makePath(emptyPath(ends));
-      else yield findPath(this.#manifold.field(), ends, solve, start === 'global' ? start : null);
+      else yield this.#scaled(findPath(this.#manifold.field(), ends, asked, start === 'global' ? start : null));
     }
   }
 }

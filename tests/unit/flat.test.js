@@ -181,7 +181,7 @@ test('a path around the rim is a geodesic on the surface that was given', () => 
 test('under a density of 2 paths are twice as long; a parameter that changes makes another body', () => {
   const f = 'x^2 + y^2 + (k*z)^2 - 1';
   const bounds = within([1.2, 1.2, 1.2]);
-  const [body, dense] = [{}, { density: 2 }].map((more) => surfpath.implicit({ f, bounds, parameters: { k: 100 }, ...more }));
+  const [body, dense] = [{}, { density: '2 + 0x' }].map((more) => surfpath.implicit({ f, bounds, parameters: { k: 100 }, ...more }));
   const ends = [
     [0.6307, 0.704, -1],
     [-0.3066, -0.1419, 1],

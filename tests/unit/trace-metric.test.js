@@ -161,7 +161,7 @@ test('the same density in parametric and implicit form: the same way, the same c
 
 test('four times the metric of space: twice as long; conjugate points are not looked for', () => {
   const sphere = { kind: 'implicit', f: 'x^2 + y^2 + z^2 - 1' };
-  const scaled = make({ ...sphere, metric: { xx: 4, xy: 0, xz: 0, yy: 4, yz: 0, zz: 4 } });
+  const scaled = make({ ...sphere, metric: { xx: '4 + 0x', xy: 0, xz: 0, yy: 4, yz: 0, zz: 4 } });
   const [long, short] = [scaled.trace([1, 0, 0], [0, 1, 1], 8), make(sphere).trace([1, 0, 0], [0, 1, 1], 4)];
   assert.ok(apart(long.points.subarray(-3), short.points.subarray(-3)) < 1e-11);
   assert.deepEqual([long.conjugate, short.conjugate && short.conjugate < 4], [null, true]);

@@ -12,7 +12,7 @@ import { Graphs } from './graphs.js';
 import { Installation, writeRecords } from './installation.js';
 import { KIND, SHAPE } from './kind.js';
 import { freeName, lowerShape, steepnessOf } from './lowered.js';
-import { compileMetric, METRIC, readMeasure } from './metric.js';
+import { compileMetric, factorOf, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
 import { scaleOf } from './scale.js';
 import { compileShape, evaluateRanges, readShape } from './shapes.js';
@@ -31,11 +31,12 @@ export class Manifold {
   /** @type {import('./shapes.js').Shape} */ #shape;
   /** @type {'auto' | { u?: boolean, v?: boolean }} */ #periodic;
   /**
-   * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; and the reference direction of its frame.
-   * @type {ReturnType<typeof compileShape> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, isCreased: boolean, hasFloors: boolean }}
+   * With what measures length, if it is not space alone; its own E, F and G, once somebody asks; the reference direction of its frame; and, where length is that of space
+   * times a number, that: it is left out of all that is compiled.
+   * @type {ReturnType<typeof compileShape> & { metric: ReturnType<typeof compileMetric>, own: ReturnType<typeof compileMetric>, reference: number[] | null, factor: number, isCreased: boolean, hasFloors: boolean }}
    */
   #compiled;
-  /** What measures length, if it is not space alone. @type {import('./metric.js').Measure} */ #measure;
+  /** What measures length, if it is not space alone: as it is defined. @type {import('./metric.js').Measure} */ #defined;
   /** @type {ReferenceFinder | null} */ #finder = null;
   /** The direction that the frame of a tube or sweep should refer to. @type {number[] | null} */ #reference = null;
   #installation;
@@ -49,7 +50,7 @@ export class Manifold {
   /** @param {import('../runtime/solver.js').Solver} solver @param {string} kind of the definition @param {any} definition @param {import('./shapes.js').Shape} [shape] what it says of the shape */
   constructor(solver, kind, definition, shape = readShape(kind, definition)) {
     this.#shape = shape;
-    this.#measure = readMeasure(kind, definition);
+    this.#defined = readMeasure(kind, definition);
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#solver = solver;
     this.#installation = new Installation(solver);
@@ -96,6 +97,16 @@ export class Manifold {
   /** Diagonal of the bounds; 0 without. */
   get extent() {
     return this.box ? diagonalOf(this.box) : 0;
+  }
+
+  /** What all lengths are to be multiplied by. */
+  get factor() {
+    return this.#compiled.factor || 1;
+  }
+
+  /** What measures length, if it is not space alone, nor that times a number. */
+  get #measure() {
+    return this.#compiled.factor ? {} : this.#defined;
   }
 
   /** Coordinates of a point, as the definition calls them. */
@@ -234,15 +245,27 @@ export class Manifold {
     const reference = this.#reference;
     const { apply } = this.#solver;
     const [creases, measured] = [new Creases(), new Creases()];
-    const metric = compileMetric(this.kind, this.#measure, this.#shape, reference, this.parameters, apply, measured);
+    /* Compiled even where it is not needed: it says what is wrong with a definition. */
+    const metric = compileMetric(this.kind, this.#defined, this.#shape, reference, this.parameters, apply, measured);
     const compiled = compileShape(this.kind, this.#shape, reference, this.parameters, apply, creases);
-    const isCreased = creases.nodes.length + measured.nodes.length > 0;
-    return { ...compiled, metric, own: null, reference, isCreased, hasFloors: creases.floors.length + measured.floors.length > 0 };
+    const factor = this.#findFactor();
+    const all = factor ? [creases] : [creases, measured];
+    const isCreased = all.some(({ nodes }) => nodes.length > 0);
+    const hasFloors = all.some(({ floors }) => floors.length > 0);
+    return { ...compiled, metric: factor ? null : metric, own: null, reference, factor, isCreased, hasFloors };
   }
 
-  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now. */
+  #findFactor() {
+    return factorOf(this.#defined, this.parameters, this.#solver.apply);
+  }
+
+  /** Puts the present parameters into effect; compiles again only where a frame needs another reference direction now, or a constant density is positive no more. */
   #refresh() {
-    if (this.#compiled.reference === this.#reference) return this.#installation.writeParameters(this.parameters);
+    const factor = this.#findFactor();
+    if (this.#compiled.reference === this.#reference && !this.#compiled.factor === !factor) {
+      this.#compiled = { ...this.#compiled, factor };
+      return this.#installation.writeParameters(this.parameters);
+    }
     this.#compiled = this.#compile();
     this.#installation.uninstall();
     this.#install();

@@ -2,7 +2,7 @@
 
 import { refuse } from '../arguments.js';
 import { checkExpression } from '../definition.js';
-import { compile } from '../expression/compile.js';
+import { compile, evaluateConstant } from '../expression/compile.js';
 
 /** @typedef {import('../expression/compile.js').Compiled} Compiled */
 
@@ -37,6 +37,24 @@ export function readMeasure(kind, { density, metric }) {
     checkExpression(kind, `metric.${name}`, metric[name]);
   }
   return { density, metric: { ...metric } };
+}
+
+/**
+ * By how much all lengths are those of space multiplied, where that is the same everywhere; 0: it is not, or not by a positive number.
+ * @param {Measure} measure @param {Record<string, number>} parameters @param {import('../expression/compile.js').Apply} apply
+ */
+export function factorOf({ density = 1, metric }, parameters, apply) {
+  const read = (/** @type {import('../definition.js').Expression} */ source) => evaluateConstant(source, parameters, apply);
+  try {
+    const factor = read(density);
+    const [xx, xy, yy, xz, yz, zz] = metric ? TENSOR.implicit.order.map((name) => read(metric[name])) : [1, 0, 1, 0, 0, 1];
+    const isSpace = xx === yy && xx === zz && [xy, xz, yz].every((x) => x === 0);
+    const root = Math.sqrt(factor * Math.abs(factor) * xx);
+    return isSpace && root > 0 && root < Infinity ? root : 0;
+  } catch {
+    /* Coordinates are no constants; nor are E, F and G what an implicit surface has. */
+    return 0;
+  }
 }
 
 /** S_u·S_u, S_u·S_v and S_v·S_v as nodes. @param {import('../expression/compile.js').Formulas} formulas @param {number[]} position nodes of x, y, z @param {string[]} variables */

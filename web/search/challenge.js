@@ -19,11 +19,12 @@ const STEPS = 100;
  * The path, or one that is shorter, of a way that could not be followed roughly. Where such a way is shorter than all that were found there is a shorter path,
  * and what is known of it is only that: `stalled`.
  * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ * @param {RawPath} [known] one that holds, where the best may be shorter
  * @returns {RawPath}
  */
-export function challenge(problem, options, best, tried) {
+export function challenge(problem, options, best, tried, known) {
   const { isSpatial, positions, solve } = problem;
-  let path = besideStraight(problem, options, best, tried);
+  let path = besideStraight(problem, options, best, tried, known);
   if (!holds({ path })) return path;
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
@@ -47,11 +48,11 @@ export function challenge(problem, options, best, tried) {
 
 /**
  * The path, or that of the straight line, where few chords strayed from this and it is shorter, or what was found is none and not surely shorter.
- * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried
+ * @param {Problem} problem @param {SolveOptions} options @param {RawPath} best @param {Tried[]} tried @param {RawPath} [known] one that holds: then it must be shorter than that, too
  */
-function besideStraight(problem, options, best, tried) {
+function besideStraight(problem, options, best, tried, known) {
   const found = holds({ path: best });
-  const most = found ? best.length * (1 - MARGIN) : best.length + best.lengthError;
+  const most = found ? best.length * (1 - MARGIN) : Math.min(best.length + best.lengthError, known?.length ?? Infinity);
   const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && (!found || estimate(path) < most));
   const straight = line ? problem.solve(line.to, null, found ? within(options, STEPS) : options) : best;
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;

@@ -5,7 +5,7 @@ import { DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from 
 import { asAsked, holds, isOnSurface, solveFrom } from './candidates.js';
 import { estimate } from './distinct.js';
 import { refine } from './poles.js';
-import { FINEST, ROUGHLY } from './rough.js';
+import { FINEST, ROUGHLY, UNSURE } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -29,10 +29,12 @@ const shortestFirst = (paths) => paths.filter(({ length }) => length > 0).sort((
  */
 export function shorterThan(problem, options, best, { failed, unknown }) {
   const least = best ? best.length * (1 - options.tolerance) - best.lengthError : Infinity;
-  const shortest = shortestFirst(failed).reduce(
-    (/** @type {RawPath | null} */ found, path) => shorterAnyway(problem, path, found?.length ?? least, options) ?? found,
-    null,
-  );
+  let shortest = /** @type {RawPath | null} */ (null);
+  for (const path of shortestFirst(failed)) {
+    /* Of two that do not hold, that one is better which is shorter at most. */
+    if (shortest && !holds({ path: shortest }) && !(estimate(path) < estimate(shortest))) continue;
+    shortest = shorterAnyway(problem, path, shortest?.length ?? least, options) ?? shortest;
+  }
   return shortest ?? (best && stalledBeside(problem, unknown, options, best));
 }
 
@@ -79,11 +81,13 @@ function shorterAnyway(problem, path, least, options) {
   /* Who allows fewer steps than that takes wants to know where they end. */
   if (options.maxIterations < ROUGHLY.maxIterations) return path;
   const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
-  if (!holds(finer)) return path;
-  if (estimate(finer.path) < least) {
+  const isClear = lengthError <= UNSURE * length && length + lengthError < least;
+  if (!holds(finer) && (isClear || !isOnSurface(finer.path))) return path;
+  /* One not at rest yet may come to anything. */
+  if (!holds(finer) || estimate(finer.path) < least) {
     const refined = solveFrom(problem, finer, options);
+    if (refined.length < least && (holds({ path: refined }) || refined.lengthError < lengthError)) return refined;
     if (!holds({ path: refined })) return path;
-    if (refined.length < least) return refined;
   }
   return length + lengthError < least ? path : null;
 }

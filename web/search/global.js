@@ -98,7 +98,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))
     return [asAsked(corner, options)];
-  return most === 1 ? [challenge(problem, options, found[0], tried)] : found;
+  return most === 1 ? [challenge(problem, options, found[0], tried, found[1])] : found;
 }
 
 /**
@@ -128,7 +128,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways, besid
   usable.push(...over.filter(({ path }) => path.length < lengthOfShortest(usable) - path.lengthError).slice(0, 1));
   const chosen = distinct(usable);
   const shorter = most === 1 && shorterThan(problem, options, chosen[0]?.path, { failed, unknown });
-  if (shorter) return [shorter];
+  if (shorter) return [shorter, ...chosen.map(({ path }) => path)];
   if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
   return [withoutAny(problem, options, status, { tried, failed, beside })];
 }

@@ -21,7 +21,8 @@ const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 const [AT_REST, NEAR_REST] = [1e-9, 1e-4];
 
 /** An error of this part of the length is that of nodes which do not see a metric between them; of this one, it may be. */
-const [UNSEEN, UNSURE] = [0.1, 0.01];
+const UNSEEN = 0.1;
+export const UNSURE = 0.01;
 
 /** @param {RawPath} path @returns {boolean} more points may help */
 export const isTooCoarse = ({ status, length, lengthError }) =>

@@ -26,7 +26,8 @@ const turning = (k, a) => ({
   F: `(${k} - 1)*sin(${a})*cos(${a})`,
   G: `${k}*sin(${a})^2 + cos(${a})^2`,
 });
-const identity = { xx: 1, xy: 0, xz: 0, yy: 1, yz: 0, zz: 1 };
+/* With a coordinate: else it is left out. */
+const identity = { xx: '1 + 0x', xy: 0, xz: 0, yy: 1, yz: 0, zz: 1 };
 
 /** @param {any} definition @param {number[]} from @param {number[]} to @param {object} [options] */
 function solve(definition, from, to, options = {}) {

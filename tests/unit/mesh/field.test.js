@@ -290,7 +290,7 @@ test('a density and a metric are measured by the graph, too', () => {
 
 test('twice the density, twice the distance', () => {
   const plane = { kind: 'parametric', x: 'u', y: 'v', z: 0, u: [0, 1], v: [0, 1] };
-  const [one, two] = [{}, { density: 2 }].map((own) =>
+  const [one, two] = [{}, { density: '2 + 0x' }].map((own) =>
     surfpath.surface(/** @type {any} */ ({ ...plane, ...own })).distanceField([0, 0], { resolution: 8 }),
   );
   for (const [i, distance] of one.distances.entries()) assert.ok(Math.abs(two.distances[i] - 2 * distance) < 1e-6 * distance + 1e-12);

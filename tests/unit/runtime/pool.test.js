@@ -34,6 +34,7 @@ const DEFINITIONS = {
   globe: gallery.globe,
   trefoil: gallery.trefoil,
   halfPlane: { kind: 'metric', E: '1/v^2', F: 0, G: '1/v^2', u: [-3, 3], v: [0.05, 5] },
+  dense: { ...gallery.saddle, density: 2.5 },
   hindered: { ...gallery.saddle, density: '1 + a exp(-x^2)', parameters: { a: -0 } },
 };
 

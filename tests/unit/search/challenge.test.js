@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { emptyPath } from '../../../web/runtime/result.js';
-import { CONVERGED, SHEET_JUMP, STALLED } from '../../../web/runtime/status.js';
+import { CONVERGED, SHEET_JUMP, STALLED, TOLERANCE_NOT_MET } from '../../../web/runtime/status.js';
 import { challenge } from '../../../web/search/challenge.js';
 import { anything } from '../../helpers/refuses.js';
 
@@ -71,6 +71,15 @@ describe('a way that was not followed', () => {
       assert.equal(challenge(anything(flat), OPTIONS, best, [straight]).length, shortest);
       assert.equal(asked.length, 1);
     }
+  });
+
+  test('the straight line, where what may be shorter does not hold: its path, unless one that holds is known to be shorter', () => {
+    const open = { ...path(TOLERANCE_NOT_MET, 5), lengthError: 4 };
+    const { problem } = plane(path(CONVERGED, 8));
+    const flat = anything({ ...problem, domain: { poles: [], tips: [], around: [], periodic: [false, false] }, branches: [] });
+    const straight = { ...tried(corner, STALLED, 7), start: null };
+    assert.equal(challenge(flat, OPTIONS, open, [straight]).length, 8);
+    assert.equal(challenge(flat, OPTIONS, open, [straight], path(CONVERGED, 7)), open);
   });
 
   test('straight starts, and paths that hold, are none', () => {

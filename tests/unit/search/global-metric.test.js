@@ -264,6 +264,50 @@ test('a density of foam: the shortest path is the shortest of the geodesics, see
   foam.dispose();
 });
 
+describe('hills of a density, which elements that are no path jump over', () => {
+  /** @param {number[][]} hills height, x, y, width² @param {number[]} from @param {number[]} to @param {any} [options] */
+  const pathOver = (hills, from, to, options) => {
+    const density = ['1', ...hills.map(([height, x, y, wide]) => `${height}exp(-((x - ${x})^2 + (y - ${y})^2)/${wide})`)].join(' + ');
+    const surface = make({ kind: 'graph', z: 0, x: [-1, 1], y: [-1, 1], density });
+    const path = surface.shortestPath(from, to, options);
+    surface.dispose();
+    return path;
+  };
+
+  test('what they lead to was known: that is the path, not the straight one, 35 % longer', () => {
+    const hills = [
+      [44, -0.19, 0.41, 0.16],
+      [68, -0.73, 0.11, 0.06],
+      [86, 0.6, -0.7, 0.2],
+      [30, -0.05, 0.87, 0.06],
+    ];
+    for (const points of [64, 1000]) {
+      const path = pathOver(hills, [0.76, -0.71], [-0.99, 0.66], { points });
+      assert.ok(path.converged && Math.abs(path.length / 42.402824566034 - 1) < 1e-9, `${points}: ${path.status} ${path.length}`);
+    }
+  });
+
+  test('what they lead to is shorter: what was solved of it, with its error, not a longer path that converges', () => {
+    const hills = [
+      [2694, -0.37, -0.72, 0.239],
+      [1565, 0.18, 0.12, 0.097],
+      [727, -0.16, -0.87, 0.237],
+    ];
+    const path = pathOver(hills, [-0.79, -0.94], [0.61, -0.79]);
+    assert.ok(path.status === 'tolerance-not-met' && path.length < 510 && path.lengthError < 50, `${path.length} ± ${path.lengthError}`);
+  });
+
+  test('where nothing holds: what elements lead to that begin anew from chords, with a hundredth of the error', () => {
+    const hills = [
+      [54, 0.46, -0.66, 0.223],
+      [1825, 0.15, 0.36, 0.151],
+      [596, 0.35, -0.42, 0.234],
+    ];
+    const path = pathOver(hills, [0.29, 0.51], [-0.77, -0.56]);
+    assert.ok(Math.abs(path.length - 361.6) < 3 && path.lengthError < 3, `${path.length} ± ${path.lengthError}`);
+  });
+});
+
 test('walls of a density, two cells of the graph wide, with doors: no longer than any way through doors and walls, seed 1', () => {
   const random = createRandom(1);
   for (let pair = 0; pair < 12; pair++) {
