@@ -45,7 +45,8 @@ function settle(question, line, near, most) {
   const width = scale.length;
   /** @type {Route | null} */
   let route = null;
-  let tried = '';
+  /** @type {string | null} */
+  let tried = null;
   for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
     const first = cut(question.sides, line, width, { near, lead: LEADS[k] });
     /* Without a shore it is what not following creases is. */
