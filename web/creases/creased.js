@@ -30,8 +30,12 @@ const [ROUGH, ROUGHER, LOOSE] = [2e-3, 0.02, 0.04];
 const ASTRAY = 0.1;
 /** A way through the graph, whose edges may pass what is narrow, is shorter than a path by no more than this part. */
 const COARSE = 0.25;
+/** Polylines are measured to this part where what measures length jumps. */
+const EXACT = 1.0003;
 /** A path that is longer than the graph's way by no more than this needs no finer look. */
 const NEARLY = 1.003;
+/** A graph whose way is longer than a path by this sees too little. */
+const BLIND = 1.05;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 /** Polylines lead the same way that are nowhere farther apart than this part of their length, or than the second if they cross the same creases. */
@@ -59,11 +63,13 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const settled = field.domain ? ends : ends.map((end) => settleEnd(field, end));
   const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
-  const { best, least, most } = findRoute(
-    { field, sides, ends: asked, budget: { steps: MOST_NEWTON } },
-    findWays(field, asked, start, finer),
-    start,
-  );
+  const ways = findWays(field, asked, start, finer);
+  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
+  /* A graph that knows no way nearly as short may know none where the shortest leads. */
+  if (best && start === 'global' && !finer && ways.distance < Infinity && ways.distance > lengthOf(best.legs) * BLIND) {
+    const other = findCreased(field, ends, options, start, 1);
+    if (other && Math.min(other.path?.length ?? Infinity, other.most) < lengthOf(best.legs)) return other;
+  }
   const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
   return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
 }
@@ -107,7 +113,10 @@ function findRoute(question, { ways, distance }, start) {
       }
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, sides.scale, APART)));
-    if (best && lengthOf(best.legs) <= Math.min(least?.measured ?? Infinity, distance * NEARLY, ...missed.map(({ length }) => length)))
+    if (
+      best &&
+      lengthOf(best.legs) <= Math.min((least?.measured ?? Infinity) * EXACT, distance * NEARLY, ...missed.map(({ length }) => length))
+    )
       break;
   }
   /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */

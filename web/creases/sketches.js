@@ -5,7 +5,7 @@ import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
 import { measureLine, relax } from '../search/routes.js';
 import { gap } from '../vector.js';
-import { slopeOf } from './crease.js';
+import { beyond, slopeOf } from './crease.js';
 import { nodesOf, span } from './legs.js';
 import { sizeOf, steepnessBy } from './linear.js';
 
@@ -107,17 +107,31 @@ export function isBeside(line, other, scale, part) {
 }
 
 /**
- * The surface with its creases rounded, more widely where ends are far from each other: on it there is a path where jumps let none settle.
+ * The surface with its creases rounded, more widely where ends are far from each other, jumps on their dear sides: on it there is a path where jumps let none settle.
  * @param {Field} field @param {Sides} sides @param {ArrayLike<number>[]} lines along which paths may lead @param {number} within this part of their length
  */
 function round({ domain, run }, sides, lines, within) {
   const width = domain ? 2 : 3;
-  const measured = lines.map((line) => sides.measure(line));
+  const places = lines.flatMap((line) => {
+    const measured = sides.measure(line);
+    return nodesOf(line, width).map((place, i) => ({ place, seen: measured[i] }));
+  });
   const reach = within * Math.min(...lines.map((line) => span(line, sides.scale)));
   const widths = Array.from({ length: sides.count }, (_, crease) => {
-    const places = measured.flat().sort((a, b) => Math.abs(a[crease]) - Math.abs(b[crease]));
-    const steep = places.slice(0, 8).map((seen) => steepnessBy(slopeOf(sides, seen, crease, width), sides.scale));
-    return reach * Math.max(...steep);
+    const near = places.sort((a, b) => Math.abs(a.seen[crease]) - Math.abs(b.seen[crease])).slice(0, 8);
+    const steep = near.map(({ seen }) => steepnessBy(slopeOf(sides, seen, crease, width), sides.scale));
+    return dearSide(sides, crease, near[0]) * reach * Math.max(...steep);
   });
-  return sides.rounded(widths.map((x) => (x > 0 && x < Infinity ? x : reach)))?.run ?? run;
+  return sides.rounded(widths.map((x) => (x && Math.abs(x) < Infinity ? x : reach)))?.run ?? run;
+}
+
+/** On which side of a crease lengths are longer, 1 or −1: the sign of what vanishes there. @param {Sides} sides @param {number} crease @param {{ place: number[], seen: number[] }} from near it */
+function dearSide(sides, crease, { place, seen }) {
+  const signs = seen.slice(0, sides.count).map((x) => Math.sign(x) || 1);
+  const [here, there] = [signs, beyond(signs, crease)].map((on) => {
+    const side = sides.on(on);
+    const measures = side?.groups.includes(3) ? 3 : 0;
+    return sizeOf(side?.jets(place)[0].filter((_, i) => side.groups[i] === measures) ?? []);
+  });
+  return there > here ? -signs[crease] : signs[crease];
 }

@@ -51,19 +51,20 @@ export class Creases {
 
   /** As {@link call}, with √(g² + w²) for |g|. @param {readonly number[]} widths @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
   #round(widths, graph, calculus, name, operands) {
-    const size = (/** @type {Jet} */ jet) => {
+    const number = (/** @type {number} */ x) => calculus.constant(graph.constant(x));
+    const width = (/** @type {Jet} */ jet) => {
       this.nodes.push(jet.value);
-      return calculus.call('hypot', [jet, calculus.constant(graph.parameter(widths[this.nodes.length - 1]))]);
+      return calculus.constant(graph.parameter(widths[this.nodes.length - 1]));
     };
+    const size = (/** @type {Jet} */ jet) => calculus.call('hypot', [jet, width(jet)]);
     const [a] = operands;
     if (name === 'abs') return size(a);
-    if (name === 'sign') return calculus.call('divide', [a, size(a)]);
+    if (name === 'sign') return jump(calculus, number, a, width(a));
     if (name !== 'min' && name !== 'max') return calculus.call(name, operands);
-    const half = calculus.constant(graph.constant(0.5));
     return operands.reduce((one, other) => {
       const gap = size(calculus.call('subtract', [one, other]));
       const both = calculus.call(name === 'max' ? 'add' : 'subtract', [calculus.call('add', [one, other]), gap]);
-      return calculus.call('multiply', [half, both]);
+      return calculus.call('multiply', [number(0.5), both]);
     });
   }
 
@@ -72,4 +73,16 @@ export class Creases {
     this.nodes.push(node);
     return this.#sides && (Math.sign(graph.numberOf(node)) || this.#sides[this.nodes.length - 1]);
   }
+}
+
+/**
+ * For the sign of g, ±(2((1 + x/√(1 + x²))/2)⁴ − 1), x = g/w: it jumps where g has the sign of w, the dear side's. On the other one (w/g)⁸ is left of it, which does not push paths away;
+ * on this one (w/g)², which still draws them out of it.
+ * @param {Calculus} calculus @param {(x: number) => Jet} number @param {Jet} g @param {Jet} w
+ */
+function jump(calculus, number, g, w) {
+  const call = (/** @type {string} */ name, /** @type {Jet[]} */ ...operands) => calculus.call(name, operands);
+  const x = call('divide', g, w);
+  const risen = call('add', call('divide', x, call('hypot', x, number(1))), number(1));
+  return call('multiply', call('sign', w), call('subtract', call('divide', call('pow', risen, number(4)), number(8)), number(1)));
 }

@@ -349,6 +349,47 @@ for (const [name, density, inside, corners] of LAKES)
     lake.dispose();
   });
 
+test('dear lakes are passed on the right side, and through the gap between them, though the graph sees none', () => {
+  const square = /** @type {const} */ ([-1, 1]);
+  /** @param {string} density @param {number[]} from @param {number[]} to @param {...number} by */
+  const pass = (density, from, to, ...by) => {
+    const lakes = surfpath.graph({ z: 0, x: square, y: square, density });
+    const path = lakes.shortestPath(from, to, by.length > 0 ? { start: [...from, ...by, ...to] } : {});
+    lakes.dispose();
+    assert.equal(path.status, 'converged', density);
+    return path.length;
+  };
+  const isNear = (/** @type {number} */ length, /** @type {number} */ exact) =>
+    assert.ok(Math.abs(length - exact) <= 1e-9, `${length}, exact ${exact}`);
+  const two = 'max(0.2 - hypot(x, y - 0.3), 0.1 - hypot(x - 0.4, y - 0.3))';
+  /* A string drawn taut. */
+  for (const dear of [50, 1000])
+    isNear(pass(`${(dear + 1) / 2} + ${(dear - 1) / 2}*sign(${two})`, [-0.2, 0], [0.4, 0.5]), 0.8065008196603698);
+  const one = '25.5 + 24.5*sign(1 - (0.95x + 0.2y)^2/0.36 - (0.95y - 0.2x + 0.25)^2/0.034)';
+  isNear(pass(one, [-0.63, 0.27], [0.53, -0.48]), pass(one, [-0.63, 0.27], [0.53, -0.48], 0.62, -0.3));
+});
+
+test('three lakes in one sign, of a maximum: where the lakes inside it are equally far nothing is bent', () => {
+  const lakes = [
+    [0.11546404, -0.0705, -0.6095],
+    [0.10106041, 0.5371, -0.2017],
+    [0.01077444, 0.4516, -0.684],
+  ].map(([r, x, y]) => `${r} - (x - ${x})^2 - (y - ${y})^2`);
+  const plane = surfpath.implicit({
+    f: 'z',
+    bounds: [
+      [-1, 1],
+      [-1, 1],
+      [-0.5, 0.5],
+    ],
+    density: `6 + 5*sign(max(${lakes}))`,
+  });
+  const path = plane.shortestPath([0.8288, -0.5906, 0], [-0.7495, -0.3529, 0]);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - 1.65046107925) <= 1e-9, `${path.length}`);
+  plane.dispose();
+});
+
 test('a maximum of 0 and a sign has the crease of the sign alone', () => {
   const [asked, plain] = ['1 + 3*max(0, sign(0.6 - hypot(x, y)))', '2.5 + 1.5*sign(0.6 - hypot(x, y))'].map((density) =>
     surfpath.graph({ z: '0', x: [-2, 2], y: [-2, 2], density }),
