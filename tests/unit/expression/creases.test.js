@@ -127,15 +127,18 @@ test('beyond a crease the side goes on, to the bit', () => {
   assert.deepEqual(onSides('min(u, v, 2)', [1, 1], [-5, -7]).slice(0, 1), [2]);
 });
 
-test('rounded, |g| is √(g² + w²), and sign, min and max are made of it, with first and second derivatives', () => {
+test('rounded, |g| is √(g² + w²), of which min and max are made, and sign rises on the side that the sign of w tells, with first and second derivatives', () => {
   const creases = new Creases({ widths: [0, 1, 2, 3] });
   const { graph, jet, data } = compiled('abs(u) + sign(v) + max(u, v^2) - min(u*v, 0.3)', creases);
-  const widths = [0.3, 0.2, 0.4, 0.1];
-  assert.ok(data.length >= widths.length);
-  const point = [0.2, -0.4];
-  const values = evaluateGraph(graph, point, widths, apply);
-  const rounded = (/** @type {string} */ g, /** @type {number} */ w) => `sqrt((${g})^2 + ${w * w})`;
-  const byHand = `${rounded('u', 0.3)} + v/${rounded('v', 0.2)} + (u + v^2 + ${rounded('u - v^2', 0.4)})/2 - (u*v + 0.3 - ${rounded('u*v - 0.3', 0.1)})/2`;
-  const actual = jet.map((id) => values[id]);
-  assertNear(actual, byDual(byHand, point), 'rounded');
+  for (const side of [1, -1]) {
+    const widths = [0.3, side * 0.2, 0.4, 0.1];
+    assert.ok(data.length >= widths.length);
+    const point = [0.2, -0.4];
+    const values = evaluateGraph(graph, point, widths, apply);
+    const rounded = (/** @type {string} */ g, /** @type {number} */ w) => `sqrt((${g})^2 + ${w * w})`;
+    const risen = `((1 + ${side}*v/${rounded('v', 0.2)})/2)^4`;
+    const byHand = `${rounded('u', 0.3)} + ${side}*(2*${risen} - 1) + (u + v^2 + ${rounded('u - v^2', 0.4)})/2 - (u*v + 0.3 - ${rounded('u*v - 0.3', 0.1)})/2`;
+    const actual = jet.map((id) => values[id]);
+    assertNear(actual, byDual(byHand, point), 'rounded');
+  }
 });
