@@ -34,6 +34,8 @@ const COARSE = 0.25;
 const EXACT = 1.0003;
 /** A path that is longer than the graph's way by no more than this needs no finer look. */
 const NEARLY = 1.003;
+/** A way of the graph may lead to a path shorter by so much. */
+const UNTOLD = 1.01;
 /** A graph whose way is longer than a path by this sees too little. */
 const BLIND = 1.05;
 /** A path is the straight line in space if it is longer by no more than this part. */
@@ -113,8 +115,15 @@ function findRoute(question, { ways, distance }, start) {
       }
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, sides.scale, APART)));
+    const isOpen = measured.some(
+      (way) =>
+        best &&
+        way.measured <= lengthOf(best.legs) * UNTOLD &&
+        !understood.some((other) => isBeside(way.line, other.line, sides.scale, ALIKE)),
+    );
     if (
       best &&
+      !isOpen &&
       lengthOf(best.legs) <= Math.min((least?.measured ?? Infinity) * EXACT, distance * NEARLY, ...missed.map(({ length }) => length))
     )
       break;
