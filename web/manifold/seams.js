@@ -69,8 +69,8 @@ function repeats({ jets, metrics, tensors }, range, { direction, span, sizes }, 
 }
 
 /**
- * Whether a surface closes smoothly in a direction: S, what measures length on it, and the first derivatives agree on both edges, the edges are curves, not
- * points, and the formulas repeat.
+ * Whether a surface closes smoothly in a direction: S, or E, F and G, and the first derivatives agree on both edges, the edges are curves, not
+ * points, and the formulas repeat. A density that does may have a crease there, as elsewhere.
  * @param {Sampled} surface @param {Range} range @param {Edge} edge @param {Gluing} gluing
  */
 function closes(surface, range, edge, gluing) {
@@ -83,7 +83,7 @@ function closes(surface, range, edge, gluing) {
   const turned = (/** @type {number} */ k) => Array(3).fill(k === direction ? 1 : gluing.sign);
   return (
     [0, 1].every((k) => agree([...list(low, k), ...list(high, k)], turned(k))) &&
-    agree([...surface.metrics(before), ...surface.metrics(places)], signsOf(direction, gluing, surface.tensors !== null)) &&
+    (!surface.tensors || agree([...surface.metrics(before), ...surface.metrics(places)], signsOf(direction, gluing, true))) &&
     repeats(surface, range, edge, gluing)
   );
 }

@@ -20,6 +20,25 @@ describe('periodic directions', () => {
     assert.deepEqual(periodic(gallery.saddle), { u: false, v: false });
   });
 
+  test('are found where a density repeats, with a crease or a jump on the seam, too: the path is the one that a seam elsewhere leaves alone', () => {
+    for (const density of ['0.3 + abs(sin(u))', '1.5 + 0.5*sign(sin(u))']) {
+      const [on, off] = [0, -1].map((from) => surfpath.surface({ ...gallery.cylinder, u: [from, `2pi + ${from}`], density }));
+      assert.deepEqual(on.domain?.periodic, { u: true, v: false });
+      for (const [a, b] of [
+        [5.3, 0.3, 0.96, 0.9],
+        [6, 0.2, 0.3, -0.4],
+      ].map(([u, v, s, t]) => [
+        [u, v],
+        [s, t],
+      ])) {
+        const [path, other] = [on, off].map((surface) => surface.shortestPath(a, b));
+        assert.ok(path.converged && other.converged, density);
+        assert.ok(Math.abs(path.length - other.length) <= 1e-9 * path.length, `${density}: ${path.length}, ${other.length}`);
+      }
+    }
+    assert.deepEqual(periodic({ ...gallery.cylinder, density: '1 + u' }), { u: false, v: false });
+  });
+
   test('are not where it only meets itself, or all but closes', () => {
     const crease = { x: 'sin(u)', y: 'sin(u/2)', z: 'v', u: [0, '2*pi'], v: [0, 1] };
     assert.deepEqual(periodic(crease), { u: false, v: false });
