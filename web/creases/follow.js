@@ -31,7 +31,7 @@ const TORN = 1e-9;
  */
 export function follow(question, line, near, most) {
   for (let passed = 0; passed <= MOST_PASSED; passed++) {
-    const route = settle(question, line, near, most);
+    const route = comeToRest(question, line, near, most);
     const past = route && !question.field.isPlain ? pastCorner(question, route) : null;
     if (!past) return route;
     [line, near] = [past, 0];
@@ -40,7 +40,7 @@ export function follow(question, line, near, most) {
 }
 
 /** As {@link follow}, corners or not. @param {Question} question @param {Float64Array} line @param {number} near @param {number} most @returns {Route | null} */
-function settle(question, line, near, most) {
+function comeToRest(question, line, near, most) {
   const { scale } = question.sides;
   const width = scale.length;
   /** @type {Route | null} */

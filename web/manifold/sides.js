@@ -133,7 +133,7 @@ export class Sides {
     return this.#find(keyOf(signs), () => ({ sides: this.#which.map((crease) => signs[crease]) }))?.side ?? null;
   }
 
-  /** The surface with its creases rounded: √(g² + w²) in place of |g|. null: there is no room. @param {number[]} widths w of each crease @returns {Side | null} */
+  /** The surface with its creases rounded, jumps on the side that the sign of w tells: √(g² + w²) in place of |g|. null: there is no room. @param {number[]} widths w of each crease @returns {Side | null} */
   rounded(widths) {
     const { solver, parameters } = this.#given;
     const first = Object.keys(parameters).length;
