@@ -6,14 +6,13 @@
 
 /* No step is longer than this part of the length, so that a short feature on a flat surface is not jumped over. */
 static const double LONGEST_STEP = 0.125;
-/* Steps that are still shorter than this part of the coordinates after so many are kept so by rounding, as where f has no gradient. */
+/* So many steps in a row that are shorter than this part of the coordinates are kept so by rounding, as where f has no gradient. Past a
+ * pole there are many, but not as many. */
 static const double SHORTEST_STEP = 1e-6;
-enum { PATIENCE = 511 /* all bits of a number below 2^9 */ };
+enum { PATIENCE = 512 };
 /* A direction whose tangent part is smaller than this is normal to the surface. */
 static const double NORMAL = 1e-10;
 static const double ROUNDING = 1e-15;
-/* Nearer than this part of the length to where it ended the first time, a path may end again. */
-static const double CLOSE = 1e-13;
 /* An end that may be farther off, in parts of the length, and not only by rounding of the coordinates, is within no tolerance. */
 static const double MOST_ERROR = 1e-2, MOST_ROUNDING = 1e-12;
 
@@ -73,15 +72,17 @@ static void sample(const struct sp_trace *trace, struct sp_stride *stride, struc
 /* Steps until the length is reached or something stops it. A wall shortens trace->length to where it stands. */
 static enum sp_status run(struct sp_trace *trace, struct samples *samples) {
     struct sp_stride stride;
+    int32_t short_steps = 0;
     while (trace->travelled < trace->length) {
         double left = trace->length - trace->travelled;
         if (trace->tried++ == trace->max_steps) return SP_ITERATION_LIMIT;
-        if (!(trace->tried & PATIENCE) && trace->walls && trace->step < SHORTEST_STEP * trace->scale) return sp_trace_verdict(trace);
+        short_steps = trace->step < SHORTEST_STEP * trace->scale ? short_steps + 1 : 0;
+        if (short_steps == PATIENCE && trace->walls) return sp_trace_verdict(trace);
         if (trace->step > LONGEST_STEP * trace->length) trace->step = LONGEST_STEP * trace->length;
         stride.h = trace->step < left ? trace->step : left;
         if (!sp_trace_attempt(trace, &stride)) {
             if (trace->step > ROUNDING * (trace->travelled + 0.1 * trace->here.rounding.position)) continue;
-            return !trace->walls && left <= CLOSE * trace->length ? SP_CONVERGED : sp_trace_verdict(trace);
+            return sp_trace_verdict(trace);
         }
         double wall = sp_trace_wall(trace, &stride);
         if (wall <= stride.h) {
@@ -109,14 +110,15 @@ static enum sp_status travel(struct sp_trace *trace, const struct sp_traveller *
 static enum sp_status depart(struct sp_trace *trace, const struct sp_trace_request *request, struct sp_traveller *start, int32_t *normal) {
     struct sp_request ends = {0};
     int32_t dimension = sp_kind_of(trace->surface)->dimension;
-    double from[3] = {0}, largest = 0, speed = 0, sum = 0;
+    int finite = 1;
+    double from[3] = {0}, largest = 0, speed = 0;
     for (int32_t j = 0; j < dimension; j++) {
         double part = absolute(request->direction[j]);
         from[j] = ends.from[j] = ends.to[j] = request->from[j], largest = part > largest ? part : largest;
-        sum += part;
+        finite &= is_finite(part);
     }
-    *normal = sum == 0;
-    if (!(largest > 0 && is_finite(sum) && request->length >= 0 && is_finite(request->length))) return SP_NOT_FINITE;
+    *normal = finite && largest == 0;
+    if (!(largest > 0 && finite && request->length >= 0 && is_finite(request->length))) return SP_NOT_FINITE;
     trace->scale = sp_start_scale(trace->surface, &ends);
     enum sp_status status = sp_start_end(trace->surface, trace->scale, from);
     if (status != SP_CONVERGED) return status;
@@ -192,6 +194,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     struct samples samples = {.dimension = sp_kind_of(surface)->dimension, .count = options->point_count + 2};
     struct sp_traveller start = {.state = {0}};
     sp_pair *positions;
+    double missed = 0;
     if (!take(surface, arena, &samples, &positions, result)) return SP_OUT_OF_MEMORY;
     trace.ode = sp_flow_ode(surface);
     enum sp_status status = depart(&trace, request, &start, &result->normal);
@@ -200,13 +203,17 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     if (status < 0) return status;
     if (status != SP_CONVERGED) {
         trace.walls = 0, trace.max_steps *= 2;
-        if (travel(&trace, &start, trace.travelled, &samples) != SP_CONVERGED && status != SP_TOLERANCE_NOT_MET) return SP_NOT_FINITE;
+        /* In other steps, which may end a little before the edge, or beyond it. */
+        travel(&trace, &start, trace.travelled, &samples);
+        for (int32_t j = 0; j < 2 && surface->kind == SP_PARAMETRIC; j++)
+            trace.here.state[SP_PLACE + j] = larger(surface->lower[j], smaller(trace.here.state[SP_PLACE + j], surface->upper[j]));
+        missed = trace.length - trace.travelled + trace.tolerance * trace.length;
     }
     while (samples.done < samples.count)
         add_sample(&samples, trace.here.state);
     enum sp_status written = write_points(&trace, &samples, positions, result);
     if (written != SP_CONVERGED) return written;
-    result->length = trace.length, result->length_error = sp_trace_error(&trace);
+    result->length = trace.length, result->length_error = sp_trace_error(&trace) + missed;
     if (surface->kind == SP_PARAMETRIC || surface->metric != SP_TENSOR) result->conjugate = trace.conjugate;
     result->steps = trace.accepted;
     write_end(&trace, result);

@@ -105,6 +105,56 @@ test('ends on the edge of the rectangle', () => {
   assert.equal(again.status, 'converged');
 });
 
+test('past a pole, again and again, however closely: a great circle', () => {
+  const globe = surfpath.parametric({ x: 'cos(v) cos(u)', y: 'cos(v) sin(u)', z: 'sin(v)', u: ['-pi', 'pi'], v: ['-pi/2', 'pi/2'] });
+  for (const [below, direction, length] of /** @type {[number, number[], number][]} */ ([
+    [1e-3, [0.3, -1], 7],
+    [1e-2, [0.01, -1], 20],
+    [0.1, [1e-5, -1], 6.5],
+    [1, [1e-9, 1], 13],
+  ])) {
+    const v = Math.PI / 2 - below;
+    const [sin, cos] = [Math.sin(v), Math.cos(v)];
+    const speed = Math.sqrt((direction[0] * cos) ** 2 + direction[1] ** 2);
+    const [east, north] = [(direction[0] * cos) / speed, direction[1] / speed];
+    const path = globe.trace([0, v], direction, length);
+    const start = [cos, 0, sin];
+    const end = start.map((x, k) => x * Math.cos(length) + [-sin * north, east, cos * north][k] * Math.sin(length));
+    const miss = norm(subtract(end, pointOf(path, -1)));
+    assert.ok(
+      path.converged && miss <= path.lengthError && path.lengthError < 1e-4,
+      `${below}: ${path.status}, ${miss}, ${path.lengthError}`,
+    );
+  }
+  globe.dispose();
+});
+
+test('into a pole, or to a rim, with any tolerance: it ends there, as nearly as it says', () => {
+  const long = surfpath.parametric({ x: 'cos(v) cos(u)', y: 'cos(v) sin(u)', z: '3 sin(v)', u: ['-pi', 'pi'], v: ['-pi/2', 'pi/2'] });
+  const bell = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 'exp(-v^2)', u: ['-pi', 'pi'], v: [0, 2] });
+  const throat = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: '2 sqrt(v - 1)', u: ['-pi', 'pi'], v: [1, 4] });
+  for (const tolerance of [1e-2, 1e-6, 1e-9, 1e-12])
+    for (let i = 0; i < 6; i++) {
+      for (const [surface, v, up, tip] of /** @type {const} */ ([
+        [long, 0.2 * i - 0.5, 1, [0, 0, 3]],
+        [bell, 0.3 + 0.25 * i, -1, [0, 0, 1]],
+      ])) {
+        const path = surface.trace([i - 2.6, v], [0, up], 20, { tolerance });
+        const miss = norm(subtract([...tip], pointOf(path, -1)));
+        assert.equal(path.status, 'edge-reached', `${tolerance}, ${v}`);
+        assert.ok(miss <= path.lengthError, `${tolerance}, ${v}: misses by ${miss}, estimate ${path.lengthError}`);
+      }
+      assert.equal(throat.trace([i - 2.6, 1.3 + 0.4 * i], [0, -1], 9, { tolerance }).status, 'edge-reached');
+    }
+  for (const surface of [long, bell, throat]) surface.dispose();
+});
+
+test('the length of a direction does not matter, as long as it is a number', () => {
+  const flat = surfpath.graph({ z: 0, x: [-3, 3], y: [-3, 3] });
+  for (const size of [1e-307, 1, 1.7e308]) assert.deepEqual(flat.trace([0, 0], [size, size], 1), flat.trace([0, 0], [1, 1], 1));
+  flat.dispose();
+});
+
 test('a trace of length 0 stays', () => {
   const path = saddle.trace([0.5, 0.25], [1, 0], 0, { points: 2 });
   assert.deepEqual([path.status, path.length, ...path.points], ['converged', 0, ...Array(4).fill([0.5, 0.25, 0.1875]).flat()]);
