@@ -74,6 +74,14 @@ static int is_cell_steep(const struct grid *grid, const struct sp_form *form, in
     return (e + g) * (e + g) > STEEP * (e * g - f * f);
 }
 
+/* Counts the form at a vertex in the mean; one that is not finite, beside a pole of a metric, is none. */
+static void add_form(struct grid *grid, const struct sp_form *form, int lane) {
+    double *sum = grid->builder->graph->form, e = form->e[lane], f = form->f[lane], g = form->g[lane];
+    if (!is_finite(e + f + g)) return;
+    double part = 1.0 / grid->builder->graph->vertex_count;
+    sum[0] += part * e, sum[1] += part * f, sum[2] += part * g;
+}
+
 /* Normals and steepness at the vertices (offset 0), or at the middles of cells nothing (offset 1); and the largest curvature there,
  * infinite where it is not a number. */
 static double inspect(struct grid *grid, int32_t offset) {
@@ -93,6 +101,7 @@ static double inspect(struct grid *grid, int32_t offset) {
                 if (offset || (lane && other == j)) continue;
                 double *at = grid->normals + 3 * vertex_at(grid, i, j + lane);
                 at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
+                add_form(grid, &point.geometry.form, lane);
                 grid->steep += is_cell_steep(grid, &point.geometry.form, lane, i, j + lane);
             }
         }

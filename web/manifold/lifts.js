@@ -58,14 +58,65 @@ export function liftEnds(glued, from, to, start) {
   return swap ? [turnNear(glued, from, to), to] : [from, turnNear(glued, to, from)];
 }
 
-/** A point on its lift nearest to another, and on the neighbouring ones. @param {Glued} glued @param {number[]} point @param {number[]} near @returns {number[][]} */
-export function neighbours(glued, point, near) {
-  const { lower, upper, periodic, turn } = glued;
-  let lifts = [turnNear(glued, point, near)];
+/** @param {number[]} form e, f, g @param {number[]} a @param {number[]} b */
+const product = ([e, f, g], a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
+
+/**
+ * Whole periods, two where both directions have them, of which all others are made; as short as possible (Lagrange, Gauss), so that the shortest straight
+ * line to any lift leads to one beside the nearest.
+ * @param {Glued} glued @param {number[]} form
+ */
+function latticeOf({ lower, upper, periodic, turn }, form) {
+  const lattice = [0, 1].map((j) => [0, 1].map((i) => (i === j ? upper[j] - lower[j] : 0)));
+  for (let isReduced = !!turn || !periodic[0] || !periodic[1]; !isReduced; ) {
+    const [a, b] = lattice;
+    const large = product(form, a, a) <= product(form, b, b) ? 1 : 0;
+    const short = lattice[1 - large];
+    const before = product(form, lattice[large], lattice[large]);
+    const times = Math.round(product(form, a, b) / product(form, short, short));
+    const reduced = lattice[large].map((x, i) => x - times * short[i]);
+    isReduced = !(product(form, reduced, reduced) < before);
+    if (!isReduced) lattice[large] = reduced;
+  }
+  return lattice;
+}
+
+/**
+ * By how many vectors of the lattice a lift is farther from the nearest one than by periods alone; 0 where the surface is not sheared.
+ * @param {Glued} glued @param {number[]} form @param {number[][]} lattice @param {number[]} away what leads to the lift
+ */
+function shearOf({ periodic, turn }, form, [a, b], away) {
+  const whole = (/** @type {number} */ x) => (Number.isFinite(x) ? Math.round(x) : 0);
+  if (turn || (a[1] === 0 && b[0] === 0 && periodic[0] && periodic[1])) return [0, 0];
+  const area = a[0] * b[1] - a[1] * b[0];
+  if (periodic[0] && periodic[1]) return [away[0] * b[1] - away[1] * b[0], a[0] * away[1] - a[1] * away[0]].map((x) => whole(x / area));
+  /* What the way between the walls leads along the period. */
+  return [a, b].map((period, j) => {
+    const across = away.map((x, i) => (i === j ? 0 : x));
+    return periodic[j] ? whole(product(form, period, across) / product(form, period, period)) : 0;
+  });
+}
+
+/**
+ * A point on its lift nearest to another, and on the neighbouring ones, as a form measures them.
+ * @param {Glued} glued @param {number[]} point @param {number[]} near @param {number[]} [form] e, f, g: of the surface, on an average
+ * @returns {number[][]}
+ */
+export function neighbours(glued, point, near, form = [1, 0, 1]) {
+  const { periodic, turn } = glued;
+  const lattice = latticeOf(glued, form);
+  const nearest = turnNear(glued, point, near);
+  const shear = shearOf(
+    glued,
+    form,
+    lattice,
+    nearest.map((x, j) => x - near[j]),
+  );
+  let lifts = [nearest.map((x, i) => x - shear[0] * lattice[0][i] - shear[1] * lattice[1][i])];
   for (const j of [0, 1]) {
     if (!periodic[j]) continue;
     const step = (/** @type {number[]} */ lift, /** @type {number} */ by) => {
-      if (j !== turn?.direction) return lift.map((x, i) => (i === j ? x + by * (upper[j] - lower[j]) : x));
+      if (j !== turn?.direction) return lift.map((x, i) => x + by * lattice[j][i]);
       const turned = turnOn(glued, lift, by);
       const beside = [...near];
       beside[j] = turned[j];

@@ -34,6 +34,7 @@ export const BESIDE_POINT = 3;
  * @property {boolean} singular the normal vanishes along a curve
  * @property {boolean} resolved its lengths are nearly those of the surface
  * @property {boolean} coarse a finer one finds ways that it does not
+ * @property {number[]} form parametric: e, f, g of the surface, on an average
  */
 
 export class Heap extends Memory {
@@ -208,6 +209,7 @@ export class Heap extends Memory {
       singular: word(layout.sp_graph_singular) !== 0,
       resolved: word(layout.sp_graph_resolved) !== 0,
       coarse: word(layout.sp_graph_coarse) !== 0,
+      form: block ? Array.from(this.doubles(at + layout.sp_graph_form, 3)) : [1, 0, 1],
     };
   }
 

@@ -98,13 +98,14 @@ export const sp_graph_options_loose = 60;
 export const sp_graph_options_reach = 64;
 export const sp_graph_options_level = 72;
 
-export const sp_graph_bytes = 96;
+export const sp_graph_bytes = 120;
 export const sp_graph_spacing = 0;
 export const sp_graph_vertex_count = 36;
 export const sp_graph_unique = 44;
 export const sp_graph_singular = 48;
 export const sp_graph_resolved = 88;
 export const sp_graph_coarse = 92;
+export const sp_graph_form = 96;
 
 export const sp_graph_answer_bytes = 24;
 export const sp_graph_answer_distance = 0;

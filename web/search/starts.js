@@ -32,7 +32,7 @@ const FINE = 2;
 export function* findStarts(problem, isAll, straight) {
   const { from, to, domain, isPlain } = problem;
   /** @type {Start[]} */
-  const starts = domain ? neighbours(domain, to, from).map((end) => ({ to: end, start: null })) : [];
+  const starts = domain ? neighbours(domain, to, from, problem.graph(0)?.form).map((end) => ({ to: end, start: null })) : [];
   if (straight && isBadEnd(problem, straight.path.status)) return yield { starts, status: OFF_SURFACE };
   const along = (/** @type {Looked} */ { candidates, status, distance }) => {
     for (const start of candidates) starts.push({ to: Array.from(start.subarray(-from.length)), start });
