@@ -4,6 +4,7 @@
 export function describe(value) {
   if (value === null) return 'null';
   if (typeof value === 'string') return `'${value.length > 40 ? `${value.slice(0, 40)}…` : value}'`;
+  if (typeof value === 'bigint') return `${value}n`;
   if (Array.isArray(value)) return `an array of ${value.length}`;
   if (typeof value !== 'object') return typeof value === 'function' ? 'a function' : String(value);
   const type = Object.prototype.toString.call(value).slice(8, -1);

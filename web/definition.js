@@ -113,7 +113,7 @@ export function checkDefinition(caller, definition, required, expressions) {
 /** @param {string} caller @param {any} periodic @returns {'auto' | { u?: boolean, v?: boolean }} a copy */
 export function checkPeriodic(caller, periodic = 'auto') {
   if (periodic === 'auto') return periodic;
-  const isChoice = typeof periodic === 'object' && periodic !== null;
+  const isChoice = typeof periodic === 'object' && periodic !== null && !(Symbol.iterator in periodic);
   const bad = isChoice
     ? Object.entries(periodic).find(([name, value]) => !['u', 'v'].includes(name) || !(typeof value === 'boolean' || value === undefined))
     : [];

@@ -38,7 +38,8 @@ import { STATUS } from './runtime/status.js';
  *   paper's sign test and line search
  * @property {number} [points] K, inner points of the polyline: 1 … 100,000, default 64, or 2n + 1 for more than 31 points on the way
  * @property {'global' | 'straight' | ArrayLike<number> | Path} [start] default 'global': the shortest of all paths that a graph search of the surface found;
- *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends included) or an earlier path: a warm start
+ *   'straight': the locally shortest path near the straight line of the parameters (implicit: of space, projected); a polyline (u v or x y z, ends
+ *   included, 2 to 1,000,000 points; what leads out of the rectangle is moved to its edge) or an earlier path: a warm start
  * @property {readonly ArrayLike<number>[]} [via] points (u v or x y z) that the path passes in this order, by the shortest piece from each to the next
  * @property {number} [maxIterations] Newton steps at most, in all stages of a path together, default 100; 'elements', which has many stages: 400
  * @property {number} [gradientTolerance] stop at ‖∇E‖ ≤ this, the paper's test; default: a scale-free Newton decrement of 1e-7 ('paper': 1e-6)
@@ -98,11 +99,13 @@ export function readOptions(caller, given, others = []) {
 
 /**
  * The numbers of a given start: of a polyline, or of an earlier path.
- * @param {string} caller @param {'straight' | ArrayLike<number> | Path} start @param {number} dimension 2 or 3
+ * @param {string} caller @param {'straight' | ArrayLike<number> | Path} start
+ * @param {import('./manifold/domain.js').Range & { periodic: boolean[] } | null} domain the rectangle, whose edges stand for what leads out of it; null: implicit
  * @returns {Float64Array | null} null: straight
  */
-export function readStart(caller, start, dimension) {
+export function readStart(caller, start, domain) {
   if (start === 'straight') return null;
+  const dimension = domain ? 2 : 3;
   const path = /** @type {any} */ (start);
   const isGiven = typeof path === 'object' && path !== null && typeof path.status === 'string';
   if (isGiven && !(path.points instanceof Float64Array))
@@ -119,7 +122,8 @@ export function readStart(caller, start, dimension) {
     throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
-  return Float64Array.from(readFinite(`${caller}: options.start`, numbers));
+  const line = Float64Array.from(readFinite(`${caller}: options.start`, numbers));
+  return domain ? line.map((x, i) => (domain.periodic[i & 1] ? x : Math.min(Math.max(x, domain.lower[i & 1]), domain.upper[i & 1]))) : line;
 }
 
 /** Whether it is a geodesic, certified as far as it can be. @param {Path} path */

@@ -89,11 +89,11 @@ export class Surface {
   shortestPath(from, to, options) {
     const caller = Surface.#enter(this, 'shortestPath');
     const { solve, start, via } = readOptions(caller, options);
-    const stops = via.map((point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
+    const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
     const asked = this.#inSpace(solve);
     if (stops.length > 0) return this.#scaled(passThrough(this.#manifold.field(), caller, places, asked, start));
-    const near = start === 'global' ? start : readStart(caller, start, this.#manifold.variables.length);
+    const near = start === 'global' ? start : readStart(caller, start, this.#manifold.field().domain);
     return this.#scaled(findPath(this.#manifold.field(), places, asked, near));
   }
 

@@ -14,6 +14,17 @@ const ring = surfpath.surface(gallery.parametricTorus);
 
 /** @typedef {import('../../web/index.js').Path} Path */
 
+test('a start that leads out of the rectangle leads along its edge', () => {
+  const arch = surfpath.graph({ z: 'sqrt(x*(1 - x) + 0.1)', x: [0, 1], y: [0, 1] });
+  const [outside, within] = [
+    [5, 5],
+    [1, 1],
+  ].map((middle) => arch.shortestPath([0, 0], [1, 1], { start: [0, 0, ...middle, 1, 1] }));
+  assert.equal(outside.status, 'converged');
+  assert.deepEqual(outside, within);
+  arch.dispose();
+});
+
 describe('options', () => {
   /** @type {[unknown, Function, RegExp][]} */
   const bad = [
@@ -32,6 +43,8 @@ describe('options', () => {
     [{ algorithm: 'elements', tolerance: 0 }, RangeError, /between 1e-15 and 0.1/],
     [{ algorithm: 'elements', tolerance: '1e-9' }, TypeError, /tolerance must be a number/],
     [{ via: 3 }, TypeError, /via must be an array of points, not 3/],
+    // biome-ignore lint/suspicious/noSparseArray: what a stranger may write
+    [{ via: [[0, 0], , [1, 1]] }, TypeError, /options.via\[1\] must be .* not undefined/],
     [{ via: [[0, 9]] }, RangeError, /via\[0\]\[1\] = 9 lies outside the range of v/],
     [{ via: [[0, 0]], start: [0, 0, 1, 1] }, RangeError, /start must be 'global' or 'straight' where options.via is given/],
     [{ points: 0 }, RangeError, /points must be a whole number from 1 to 100000, not 0/],
