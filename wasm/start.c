@@ -48,7 +48,7 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
 }
 
 /* Twelve steps to a zero of a square divide its gradient by 2^12, to one of a third power by 130^2. */
-static const double VANISHED = 1e-3;
+static const double VANISHED = 1e-3, FAR = 100; /* of what is near: steps that lead farther tell of another place */
 
 int sp_start_is_multiple(const struct sp_surface *surface, const double place[3], double near) {
     for (int corner = 0; corner < 4; corner++) {
@@ -58,8 +58,9 @@ int sp_start_is_multiple(const struct sp_surface *surface, const double place[3]
         surface->value(1, beside, before);
         sp_implicit_settle(surface, 1, beside, near);
         surface->value(1, beside, after);
+        double moved = absolute(beside[0][0] - place[0]) + absolute(beside[1][0] - place[1]) + absolute(beside[2][0] - place[2]);
         struct sp_vector from = sp_load(before + 1), to = sp_load(after + 1);
-        if (sp_any(~(sp_dot(to, to) < VANISHED * VANISHED * sp_dot(from, from)))) return 0;
+        if (moved > FAR * near || sp_any(~(sp_dot(to, to) < VANISHED * VANISHED * sp_dot(from, from)))) return 0;
     }
     return 1;
 }

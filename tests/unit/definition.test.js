@@ -44,7 +44,12 @@ describe('definitions', () => {
     ['a periodic that is a word', { ...gallery.saddle, periodic: 'yes' }, TypeError, /periodic must be 'auto' or .* not 'yes'/],
     ['a periodic that is a list', { ...gallery.saddle, periodic: ['u'] }, TypeError, /periodic must be 'auto' or .* not an array of 1/],
     ['a periodic that is a number', { ...gallery.saddle, periodic: { u: 1 } }, TypeError, /periodic must be .* not u: 1/],
-    ['a parameter that is a BigInt', { ...gallery.saddle, parameters: { a: 1n } }, TypeError, /parameter a must be a finite number, not 1n$/],
+    [
+      'a parameter that is a BigInt',
+      { ...gallery.saddle, parameters: { a: 1n } },
+      TypeError,
+      /parameter a must be a finite number, not 1n$/,
+    ],
     ['a parameter that is NaN', { ...gallery.saddle, parameters: { a: NaN } }, RangeError, /parameter a must be a finite number/],
     ['a parameter that is text', { ...gallery.saddle, parameters: { a: '1' } }, TypeError, /parameter a must be a finite number, not '1'/],
     ['parameters that are no object', { ...gallery.saddle, parameters: 3 }, TypeError, /parameters must be an object of numbers/],

@@ -172,6 +172,21 @@ describe('ends', () => {
     assertNoPath(sphere.shortestPath([3, 0, 0], [0, 1, 0]), 'off-surface');
     assertNoPath(sphere.shortestPath([1, 0, 0], [0, 0, 3]), 'off-surface');
     assertNoPath(sphere.shortestPath([3, 0, 0], [3, 0, 0]), 'off-surface');
+    /* However far: on the way there the gradient falls as that of a power does, which is singular at any place. */
+    const cushion = surfpath.implicit({ f: 'x^4 + y^4 + z^4 - 1' });
+    for (const far of [
+      [0, 3, 3],
+      [0, 9, 9],
+      [90, 90, 90],
+    ])
+      assertNoPath(cushion.shortestPath([1, 0, 0], far), 'off-surface');
+    const double = surfpath.implicit({ f: '(x^4 + y^4 + z^4 - 1)^2' });
+    for (const at of [
+      [0, 1, 0],
+      [0, 1.04, 0],
+    ])
+      assertNoPath(double.shortestPath([1, 0, 0], at), 'singular-metric');
+    for (const surface of [cushion, double]) surface.dispose();
   });
 });
 
