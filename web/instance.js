@@ -124,7 +124,10 @@ export class Surfpath {
 /** @type {Map<unknown, Promise<WebAssembly.Module>>} modules compiled so far, by their addresses, or the entry whose own they are */
 const compiled = new Map();
 
-/** @typedef {{ wasm?: WasmSource }} LoadOptions wasm: another place to take the module from */
+/**
+ * @typedef {object} LoadOptions
+ * @property {WasmSource} [wasm] another place to take the module from
+ */
 
 /** Compiles the module, for one who is named. @typedef {(caller: string, options?: LoadOptions) => Promise<WebAssembly.Module>} Compile */
 

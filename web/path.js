@@ -48,7 +48,13 @@ import { STATUS } from './runtime/status.js';
  */
 
 /** Options of paths that many pairs share. @typedef {Omit<PathOptions, 'start' | 'via'> & { start?: 'global' | 'straight' }} PairOptions */
-/** Options of all geodesics between two points; max: at most this many, default 16. @typedef {Omit<PathOptions, 'start' | 'via'> & { start?: 'global', max?: number }} GeodesicsOptions */
+/**
+ * @typedef {object} OfAll
+ * @property {'global'} [start] no other: all paths are looked for
+ * @property {number} [max] paths at most, 1 … 100,000, default 16
+ */
+
+/** Options of all geodesics between two points. @typedef {Omit<PathOptions, 'start' | 'via'> & OfAll} GeodesicsOptions */
 
 const ALGORITHMS = new Map([
   ['elements', 0],

@@ -104,8 +104,10 @@ function findSources(field, caller, from, places) {
     open.delete(nearest);
     add(nodes[nearest], far[count + nearest]);
   }
-  if (far.every((length) => length === Infinity))
-    throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; is the point inside the bounds?`);
+  if (far.every((length) => length === Infinity || length === 0)) {
+    const asked = field.domain ? 'are the formulas finite there, and is what measures length positive?' : 'is the point inside the bounds?';
+    throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; ${asked}`);
+  }
   return sources;
 }
 

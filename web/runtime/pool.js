@@ -25,9 +25,15 @@ import { unpackError, writeDefinition } from './wire.js';
  * @property {number} [workers] how many at most, 1 … 256; default: as many as the machine has processors
  * @property {URL | string} [worker] where worker.js is; default: beside pool.js
  */
-/** @typedef {{ signal?: AbortSignal }} Cancellable signal: aborting it rejects the call with its reason, and frees the workers within 50 ms */
+/**
+ * @typedef {object} Cancellable
+ * @property {AbortSignal} [signal] aborting it rejects the call with its reason, and frees the workers within 50 ms
+ */
 /** @typedef {{ done: number, total: number }} Pairs so many of so many are solved */
-/** @typedef {{ onProgress?: (progress: Pairs) => void }} Progress onProgress: called after each chunk of pairs, never after the call is settled */
+/**
+ * @typedef {object} Progress
+ * @property {(progress: Pairs) => void} [onProgress] called after each chunk of pairs, never after the call is settled
+ */
 
 /** The entry that the pool belongs to. @typedef {Pick<typeof import('../index.js'), 'compileModule' | 'ExpressionError' | 'load'>} Entry */
 

@@ -23,7 +23,17 @@ import {
 } from './layout.js';
 
 /** @typedef {import('./memory.js').Memory} Memory */
-/** @typedef {{ energy: number, gradientNorm: number, decrement: number, step: number, points?: Float64Array }} Iterate */
+
+/**
+ * One Newton step, or where the path came to rest.
+ * @typedef {object} Iterate
+ * @property {number} energy E = (n + 1) Σ |chord|², that of elements put on the scale of the last ones
+ * @property {number} gradientNorm ‖∇E‖
+ * @property {number} decrement √(gᵀH⁻¹g / E), scale-free; NaN where nobody needed it
+ * @property {number} step 1: a full Newton step; 0 where the path came to rest
+ * @property {Float64Array} [points] with `record`: x y z of that path
+ */
+
 /**
  * @typedef {object} RawPath what sp_solve_path or sp_trace_path wrote, copied
  * @property {number} status

@@ -229,6 +229,11 @@ test('mistakes throw, and say which', () => {
   assert.throws(() => abstract.distanceField([0, 0], { exact: true }), /^RangeError: distanceField: .*no positions/);
   const endless = surfpath.implicit({ f: 'z' });
   assert.throws(() => endless.distanceField([0, 0, 0]), /^RangeError: distanceField: .*bounds/);
+  for (const density of [0, '0*x', -1, '-1 - x^2']) {
+    const none = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1], density });
+    assert.throws(() => none.distanceField([0.5, 0], { resolution: 4 }), /^RangeError: distanceField: .*is what measures length positive/);
+    none.dispose();
+  }
   const outside = surfpath.implicit({
     f: 'z',
     bounds: [
