@@ -235,6 +235,12 @@ describe('attributes', () => {
     // Another attribute than the wrong one: the old surface is not asked for a path.
     assert.equal((await change('hill', 'to', '0.8,0.2'))[1], 'error');
     assert.equal((await change('hill', 'z', 'h exp(-4(u^2 + v^2))'))[1], 'path');
+    // A number alone is no point, as in the attribute.
+    await page.$eval('#hill', (element) => {
+      /** @type {any} */ (element).to = 5;
+    });
+    await page.waitForFunction(() => /** @type {any} */ (window).seen.events.at(-1)[1] === 'error');
+    assert.match((await words('hill')) ?? '', /to must be/);
     await change('hill', 'to', '0.8,0.1');
     await change('hill', 'parameters', 'h=0.5');
     assert.equal(await words('hill'), 'Length 1.9402');

@@ -63,7 +63,7 @@ function readScript(caller, worker) {
  * @returns {{ signal?: AbortSignal, onProgress?: (progress: Pairs) => void, options: any }}
  */
 function readCall(caller, given, isBatch) {
-  if (typeof given !== 'object' || given === null) return { options: given };
+  if (typeof given !== 'object' || given === null || Symbol.iterator in given) return { options: given };
   const { signal, ...others } = given;
   if (signal !== undefined && (typeof signal?.aborted !== 'boolean' || typeof signal.addEventListener !== 'function'))
     refuse(`${caller}: options.signal`, 'an AbortSignal', signal);

@@ -272,6 +272,8 @@ test('settings, signals and listeners are checked', async () => {
     assert.throws(() => createPool(anything({ worker })), { name: 'TypeError', message: /^createPool: options.worker must be the URL/ });
   assert.throws(() => createPool({ worker: './worker.js' }), /of a path make one with new URL\('\.\/worker\.js', import\.meta\.url\)/);
   const surface = surfpath.surface(gallery.saddle);
+  for (const given of [[], new Map([['tolerance', 0.1]])])
+    await assert.rejects(pool.lengths(gallery.saddle, [0, 0, 1, 1], anything(given)), /lengths: options must be an object, not an /);
   await assert.rejects(pool.lengths(anything(surface), []), /lengths: .* pass the definition, not a Surface/);
   surface.dispose();
   const { lengths, shortestPath } = pool;
