@@ -207,7 +207,9 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
         travel(&trace, &start, trace.travelled, &samples);
         for (int32_t j = 0; j < 2 && surface->kind == SP_PARAMETRIC; j++)
             trace.here.state[SP_PLACE + j] = larger(surface->lower[j], smaller(trace.here.state[SP_PLACE + j], surface->upper[j]));
-        missed = trace.length - trace.travelled + trace.tolerance * trace.length;
+        /* Where nothing tells how to go on, all that is left is missed. */
+        double length = status == SP_TOLERANCE_NOT_MET ? request->length : trace.length;
+        missed = length - trace.travelled + trace.tolerance * trace.length;
     }
     while (samples.done < samples.count)
         add_sample(&samples, trace.here.state);

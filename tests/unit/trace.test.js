@@ -129,6 +129,25 @@ test('past a pole, again and again, however closely: a great circle', () => {
   globe.dispose();
 });
 
+test('a trace that comes to rest at a line where its formulas are not smooth says how much is left', () => {
+  const plane = /** @type {const} */ ({ x: 'u', y: 'v', z: 0, u: [-2, 2], v: [-2, 2] });
+  for (const definition of [
+    { ...plane, z: '(u^2)^0.6' },
+    { ...plane, density: '1 + (u^2)^0.25' },
+  ]) {
+    const surface = surfpath.parametric(definition);
+    let early = 0;
+    for (let i = 0; i < 20; i++) {
+      const path = surface.trace([0.3 + 0.025 * i, 0.1], [-1, 0.02 * i - 0.2], 6, { tolerance: 1e-9 });
+      if (path.status !== 'tolerance-not-met') continue;
+      early++;
+      assert.ok(path.length + path.lengthError >= 6, `${i}: ${path.length}, ${path.lengthError}`);
+    }
+    assert.ok(early > 0);
+    surface.dispose();
+  }
+});
+
 test('into a pole, or to a rim, with any tolerance: it ends there, as nearly as it says', () => {
   const long = surfpath.parametric({ x: 'cos(v) cos(u)', y: 'cos(v) sin(u)', z: '3 sin(v)', u: ['-pi', 'pi'], v: ['-pi/2', 'pi/2'] });
   const bell = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 'exp(-v^2)', u: ['-pi', 'pi'], v: [0, 2] });
