@@ -9,7 +9,7 @@ static const double LONGEST_STEP = 0.125;
 /* So many steps in a row that are shorter than this part of the coordinates are kept so by rounding, as where f has no gradient. Past a
  * pole there are many, but not as many. */
 static const double SHORTEST_STEP = 1e-6;
-enum { PATIENCE = 512 };
+enum { PATIENCE = 512, ROUNDS = 4 };
 /* A direction whose tangent part is smaller than this is normal to the surface. */
 static const double NORMAL = 1e-10;
 static const double ROUNDING = 1e-15;
@@ -188,6 +188,14 @@ static void write_end(const struct sp_trace *trace, struct sp_trace_result *resu
     result->turn_error = root(trace->accepted * trace->spread[2]);
 }
 
+/* Whether a path ends at an edge long before its length, which it had where a step leapt over the rim of a formula. */
+static int ends_at_rim(struct sp_trace *trace) {
+    trace->walls = 1;
+    int ends = trace->length - trace->travelled > MOST_ERROR * trace->length && sp_trace_verdict(trace) == SP_EDGE_REACHED;
+    trace->walls = 0;
+    return ends;
+}
+
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_trace_request *request,
                             const struct sp_trace_options *options, struct sp_arena *arena, struct sp_trace_result *result) {
     struct sp_trace trace = {.surface = surface, .tolerance = options->tolerance, .max_steps = options->max_steps, .walls = 1};
@@ -204,7 +212,11 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     if (status != SP_CONVERGED) {
         trace.walls = 0, trace.max_steps *= 2;
         /* In other steps, which may end a little before the edge, or beyond it. */
-        travel(&trace, &start, trace.travelled, &samples);
+        for (int round = 0; round < ROUNDS; round++) {
+            travel(&trace, &start, trace.travelled, &samples);
+            if (!ends_at_rim(&trace)) break;
+            status = SP_EDGE_REACHED;
+        }
         for (int32_t j = 0; j < 2 && surface->kind == SP_PARAMETRIC; j++)
             trace.here.state[SP_PLACE + j] = larger(surface->lower[j], smaller(trace.here.state[SP_PLACE + j], surface->upper[j]));
         /* Where nothing tells how to go on, all that is left is missed. */

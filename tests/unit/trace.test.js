@@ -168,6 +168,18 @@ test('into a pole, or to a rim, with any tolerance: it ends there, as nearly as 
   for (const surface of [long, bell, throat]) surface.dispose();
 });
 
+test('a step that leaps over the rim of a formula is taken back where other steps end there', () => {
+  const pipe = surfpath.parametric({ x: 'u', y: 'v', z: 'sqrt(1 - u^2)', u: [-1, 1], v: [-5, 5] });
+  const arc = Math.PI / 2 - Math.asin(0.2);
+  const length = arc * Math.sqrt(1 + 0.2 ** 2 * (1 - 0.2 ** 2));
+  for (const tolerance of [1e-2, 1e-4, 1e-6, 1e-12, 1e-14]) {
+    const path = pipe.trace([0.2, 0.3], [1, 0.2], 20, { tolerance });
+    assert.equal(path.status, 'edge-reached');
+    assert.ok(Math.abs(path.length - length) <= path.lengthError && path.lengthError < 0.02, `${tolerance}: ${path.length}`);
+  }
+  pipe.dispose();
+});
+
 test('the length of a direction does not matter, as long as it is a number', () => {
   const flat = surfpath.graph({ z: 0, x: [-3, 3], y: [-3, 3] });
   for (const size of [1e-307, 1, 1.7e308]) assert.deepEqual(flat.trace([0, 0], [size, size], 1), flat.trace([0, 0], [1, 1], 1));
