@@ -188,12 +188,18 @@ static void write_end(const struct sp_trace *trace, struct sp_trace_result *resu
     result->turn_error = root(trace->accepted * trace->spread[2]);
 }
 
-/* Whether a path ends at an edge long before its length, which it had where a step leapt over the rim of a formula. */
-static int ends_at_rim(struct sp_trace *trace) {
-    trace->walls = 1;
-    int ends = trace->length - trace->travelled > MOST_ERROR * trace->length && sp_trace_verdict(trace) == SP_EDGE_REACHED;
-    trace->walls = 0;
-    return ends;
+/* The way to where a path ended, without walls: in other steps, which may end a little before an edge, or beyond it; or at the rim of a
+ * formula that a step leapt over: then up to there. */
+static enum sp_status retrace(struct sp_trace *trace, const struct sp_traveller *start, struct samples *samples, enum sp_status status) {
+    trace->max_steps *= 2;
+    for (int round = 0; round < ROUNDS; round++) {
+        trace->walls = 0;
+        travel(trace, start, trace->travelled, samples);
+        if (trace->length - trace->travelled <= MOST_ERROR * trace->length) return status;
+        trace->walls = 1, status = sp_trace_verdict(trace);
+        if (status != SP_EDGE_REACHED) break;
+    }
+    return SP_TOLERANCE_NOT_MET;
 }
 
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_trace_request *request,
@@ -210,15 +216,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_tr
     status = travel(&trace, &start, request->length, &samples);
     if (status < 0) return status;
     if (status != SP_CONVERGED) {
-        trace.walls = 0, trace.max_steps *= 2;
-        /* In other steps, which may end a little before the edge, or beyond it. */
-        for (int round = 0; round < ROUNDS; round++) {
-            travel(&trace, &start, trace.travelled, &samples);
-            if (!ends_at_rim(&trace)) break;
-            status = SP_EDGE_REACHED;
-        }
-        for (int32_t j = 0; j < 2 && surface->kind == SP_PARAMETRIC; j++)
-            trace.here.state[SP_PLACE + j] = larger(surface->lower[j], smaller(trace.here.state[SP_PLACE + j], surface->upper[j]));
+        status = retrace(&trace, &start, &samples, status);
         /* Where nothing tells how to go on, all that is left is missed. */
         double length = status == SP_TOLERANCE_NOT_MET ? request->length : trace.length;
         missed = length - trace.travelled + trace.tolerance * trace.length;

@@ -21,9 +21,12 @@ export function refuseNumber(name, what, value) {
   refuse(name, what, value, typeof value === 'number' ? RangeError : TypeError);
 }
 
-/** Named values: no array, and no Map, whose entries would go unnoticed. @param {string} name @param {unknown} value @param {string} [what] */
+/** Whether it holds named values: no array, and no Map, whose entries would go unnoticed. @param {unknown} value @returns {value is Record<string, any>} */
+export const isNamed = (value) => typeof value === 'object' && value !== null && !(Symbol.iterator in value);
+
+/** Named values. @param {string} name @param {unknown} value @param {string} [what] */
 export function checkObject(name, value, what = 'an object') {
-  if (typeof value !== 'object' || value === null || Symbol.iterator in value) refuse(name, what, value);
+  if (!isNamed(value)) refuse(name, what, value);
 }
 
 /** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */

@@ -1,6 +1,6 @@
 /** Definitions of surfaces, and points on them, as callers write them: checked, with errors that name what is wrong. */
 
-import { checkObject, describe, readFinite, refuse, refuseNumber } from './arguments.js';
+import { checkObject, describe, isNamed, readFinite, refuse, refuseNumber } from './arguments.js';
 import { editDistance } from './expression/advice.js';
 
 /** @typedef {string | number} Expression a formula, or a number */
@@ -113,7 +113,7 @@ export function checkDefinition(caller, definition, required, expressions) {
 /** @param {string} caller @param {any} periodic @returns {'auto' | { u?: boolean, v?: boolean }} a copy */
 export function checkPeriodic(caller, periodic = 'auto') {
   if (periodic === 'auto') return periodic;
-  const isChoice = typeof periodic === 'object' && periodic !== null && !(Symbol.iterator in periodic);
+  const isChoice = isNamed(periodic);
   const bad = isChoice
     ? Object.entries(periodic).find(([name, value]) => !['u', 'v'].includes(name) || !(typeof value === 'boolean' || value === undefined))
     : [];

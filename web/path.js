@@ -1,6 +1,7 @@
 /** Options in, Path out: what a caller may ask of a path, checked, and how the solver's answer is handed back as plain data. */
 
 import { checkBoolean, checkOptions, readFinite, readTolerance, refuse, refuseNumber, wholeNumber } from './arguments.js';
+import { confine } from './manifold/domain.js';
 import { STATUS } from './runtime/status.js';
 
 /**
@@ -106,7 +107,7 @@ export function readOptions(caller, given, others = []) {
 /**
  * The numbers of a given start: of a polyline, or of an earlier path.
  * @param {string} caller @param {'straight' | ArrayLike<number> | Path} start
- * @param {import('./manifold/domain.js').Range & { periodic: boolean[] } | null} domain the rectangle, whose edges stand for what leads out of it; null: implicit
+ * @param {import('./manifold/domain.js').Domain | null} domain the rectangle, whose edges stand for what leads out of it; null: implicit
  * @returns {Float64Array | null} null: straight
  */
 export function readStart(caller, start, domain) {
@@ -129,7 +130,7 @@ export function readStart(caller, start, domain) {
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
   const line = Float64Array.from(readFinite(`${caller}: options.start`, numbers));
-  return domain ? line.map((x, i) => (domain.periodic[i & 1] ? x : Math.min(Math.max(x, domain.lower[i & 1]), domain.upper[i & 1]))) : line;
+  return domain ? confine(domain, line) : line;
 }
 
 /** Whether it is a geodesic, certified as far as it can be. @param {Path} path */

@@ -92,9 +92,9 @@ export class Surface {
     const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
     const asked = this.#inSpace(solve);
-    if (stops.length > 0) return this.#scaled(passThrough(this.#manifold.field(), caller, places, asked, start));
-    const near = start === 'global' ? start : readStart(caller, start, this.#manifold.field().domain);
-    return this.#scaled(findPath(this.#manifold.field(), places, asked, near));
+    const field = this.#manifold.field();
+    if (stops.length > 0) return this.#scaled(passThrough(field, caller, places, asked, start));
+    return this.#scaled(findPath(field, places, asked, start === 'global' ? start : readStart(caller, start, field.domain)));
   }
 
   /**

@@ -237,7 +237,7 @@ describe('attributes', () => {
     assert.equal((await change('hill', 'z', 'h exp(-4(u^2 + v^2))'))[1], 'path');
     // A number alone is no point, as in the attribute.
     await page.$eval('#hill', (element) => {
-      /** @type {any} */ (element).to = 5;
+      /** @type {any} */ (element).to = 0;
     });
     await page.waitForFunction(() => /** @type {any} */ (window).seen.events.at(-1)[1] === 'error');
     assert.match((await words('hill')) ?? '', /to must be/);

@@ -163,7 +163,12 @@ test('into a pole, or to a rim, with any tolerance: it ends there, as nearly as 
         assert.equal(path.status, 'edge-reached', `${tolerance}, ${v}`);
         assert.ok(miss <= path.lengthError, `${tolerance}, ${v}: misses by ${miss}, estimate ${path.lengthError}`);
       }
-      assert.equal(throat.trace([i - 2.6, 1.3 + 0.4 * i], [0, -1], 9, { tolerance }).status, 'edge-reached');
+      const v = 1.3 + 0.4 * i;
+      const path = throat.trace([i - 2.6, v], [0, -1], 9, { tolerance });
+      const length = Math.sqrt(v * (v - 1)) + Math.asinh(Math.sqrt(v - 1));
+      assert.ok(path.status === 'edge-reached' || path.status === 'tolerance-not-met', `${tolerance}, ${v}: ${path.status}`);
+      const miss = Math.abs(path.length - length);
+      assert.ok(miss <= path.lengthError, `${tolerance}, ${v}: ${path.status}, misses by ${miss}, estimate ${path.lengthError}`);
     }
   for (const surface of [long, bell, throat]) surface.dispose();
 });

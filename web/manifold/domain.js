@@ -90,19 +90,30 @@ function describeEdges(glued, written, surface) {
 const MOST_TURNS = 1e9;
 
 /**
+ * Moves places that lie beyond walls of the rectangle onto these.
+ * @template {number[] | Float64Array} T
+ * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {T} places u v of each @returns {T} these
+ */
+export function confine({ lower, upper, periodic }, places) {
+  for (let i = 0; i < places.length; i++) if (!periodic[i & 1]) places[i] = Math.min(Math.max(places[i], lower[i & 1]), upper[i & 1]);
+  return places;
+}
+
+/**
  * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction, as far as numbers tell one place of a turn from the next.
  * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages @param {string[]} variables of a point
  */
-export function enterDomain({ lower, upper, periodic }, point, name, variables) {
-  return point.map((x, j) => {
+export function enterDomain(domain, point, name, variables) {
+  const { lower, upper, periodic } = domain;
+  point.forEach((x, j) => {
     const [low, high] = [lower[j], upper[j]];
     const slack = (periodic[j] ? MOST_TURNS : 1e-12) * (high - low);
     if (x < low - slack || x > high + slack)
       throw new RangeError(
         `${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${variables[j]}, [${low}, ${high}]`,
       );
-    return periodic[j] ? x : Math.min(Math.max(x, low), high);
   });
+  return confine(domain, [...point]);
 }
 
 /** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */

@@ -68,17 +68,17 @@ const product = ([e, f, g], a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] *
  */
 function latticeOf({ lower, upper, periodic, turn }, form) {
   const lattice = [0, 1].map((j) => [0, 1].map((i) => (i === j ? upper[j] - lower[j] : 0)));
-  for (let isReduced = !!turn || !periodic[0] || !periodic[1]; !isReduced; ) {
+  if (turn || !periodic[0] || !periodic[1]) return lattice;
+  for (;;) {
     const [a, b] = lattice;
     const large = product(form, a, a) <= product(form, b, b) ? 1 : 0;
     const short = lattice[1 - large];
     const before = product(form, lattice[large], lattice[large]);
     const times = Math.round(product(form, a, b) / product(form, short, short));
     const reduced = lattice[large].map((x, i) => x - times * short[i]);
-    isReduced = !(product(form, reduced, reduced) < before);
-    if (!isReduced) lattice[large] = reduced;
+    if (!(product(form, reduced, reduced) < before)) return lattice;
+    lattice[large] = reduced;
   }
-  return lattice;
 }
 
 /**
@@ -87,9 +87,10 @@ function latticeOf({ lower, upper, periodic, turn }, form) {
  */
 function shearOf({ periodic, turn }, form, [a, b], away) {
   const whole = (/** @type {number} */ x) => (Number.isFinite(x) ? Math.round(x) : 0);
-  if (turn || (a[1] === 0 && b[0] === 0 && periodic[0] && periodic[1])) return [0, 0];
+  const isTorus = periodic[0] && periodic[1];
+  if (turn || (isTorus && a[1] === 0 && b[0] === 0)) return [0, 0];
   const area = a[0] * b[1] - a[1] * b[0];
-  if (periodic[0] && periodic[1]) return [away[0] * b[1] - away[1] * b[0], a[0] * away[1] - a[1] * away[0]].map((x) => whole(x / area));
+  if (isTorus) return [away[0] * b[1] - away[1] * b[0], a[0] * away[1] - a[1] * away[0]].map((x) => whole(x / area));
   /* What the way between the walls leads along the period. */
   return [a, b].map((period, j) => {
     const across = away.map((x, i) => (i === j ? 0 : x));

@@ -105,7 +105,7 @@ function findSources(field, caller, from, places) {
     add(nodes[nearest], far[count + nearest]);
   }
   if (far.every((length) => length === Infinity || length === 0)) {
-    const asked = field.domain ? 'are the formulas finite there, and is what measures length positive?' : 'is the point inside the bounds?';
+    const asked = field.domain ? 'are its formulas finite there, and lengths positive?' : 'is the point inside the bounds?';
     throw new RangeError(`${caller}: the graph of the surface reaches no vertex of the mesh from there; ${asked}`);
   }
   return sources;

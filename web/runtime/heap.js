@@ -209,7 +209,7 @@ export class Heap extends Memory {
       singular: word(layout.sp_graph_singular) !== 0,
       resolved: word(layout.sp_graph_resolved) !== 0,
       coarse: word(layout.sp_graph_coarse) !== 0,
-      form: block ? Array.from(this.doubles(at + layout.sp_graph_form, 3)) : [1, 0, 1],
+      form: block ? Array.from(this.doubles(at + layout.sp_graph_form, 3)) : [],
     };
   }
 

@@ -3,6 +3,7 @@
  * path is pushed aside at one place after the other, and wound once more around a tube there, and compared with what it comes to rest at.
  */
 
+import { confine } from '../manifold/domain.js';
 import { cross, dot, gap, minus, norm, unit } from '../vector.js';
 import { holds, leaps, solveFrom } from './candidates.js';
 import { distinct, estimate } from './distinct.js';
@@ -245,9 +246,4 @@ function acrossAt({ between, domain }, { numbers, places, along, halfWave }, mid
     unit([...turned(i), 0])
       .slice(0, 2)
       .map((x) => scale * x);
-}
-
-/** Moves places beyond walls onto these. @param {import('../manifold/domain.js').Domain} domain @param {Float64Array} places */
-function confine({ lower, upper, periodic }, places) {
-  for (let i = 0; i < places.length; i++) if (!periodic[i % 2]) places[i] = Math.min(Math.max(places[i], lower[i % 2]), upper[i % 2]);
 }

@@ -110,7 +110,7 @@ export class SurfacePathElement extends TypedElement {
   /** Also where the attribute says so already, if the reader has dragged it away. @param {0 | 1} end @param {ArrayLike<number> | string | null | undefined} point */
   #setEnd(end, point) {
     const name = ['from', 'to'][end];
-    const text = point && (typeof point === 'object' ? Array.from(point).join(',') : String(point));
+    const text = typeof point === 'object' && point ? Array.from(point).join(',') : (point?.toString() ?? null);
     /* A framework may set what is there each time it draws. */
     if (text === this.getAttribute(name) && String(this.#ends[end]) === String(this.#asked[end])) return;
     reflect(this, name, text || null);

@@ -231,7 +231,10 @@ test('mistakes throw, and say which', () => {
   assert.throws(() => endless.distanceField([0, 0, 0]), /^RangeError: distanceField: .*bounds/);
   for (const density of [0, '0*x', -1, '-1 - x^2']) {
     const none = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1], density });
-    assert.throws(() => none.distanceField([0.5, 0], { resolution: 4 }), /^RangeError: distanceField: .*is what measures length positive/);
+    assert.throws(
+      () => none.distanceField([0.5, 0], { resolution: 4 }),
+      /^RangeError: distanceField: .*formulas finite there, and lengths positive/,
+    );
     none.dispose();
   }
   const outside = surfpath.implicit({
