@@ -29,6 +29,17 @@ export function checkObject(name, value, what = 'an object') {
   if (!isNamed(value)) refuse(name, what, value);
 }
 
+/**
+ * All fields of an object as its own, inherited ones too, but for what every object has: as who reads them one by one finds them.
+ * @param {any} given @returns {Record<string, any>}
+ */
+export function allFields(given) {
+  /** @type {Record<string, any>} */
+  const fields = {};
+  for (const name in given) if (Object.hasOwn(given, name) || !(name in Object.prototype)) fields[name] = given[name];
+  return fields;
+}
+
 /** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
 export function checkOptions(caller, options = {}, known) {
   checkObject(`${caller}: options`, options);

@@ -1,6 +1,6 @@
 /** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
 
-import { checkOptions, describe, isNamed, refuse, wholeNumber } from '../arguments.js';
+import { allFields, checkOptions, describe, isNamed, refuse, wholeNumber } from '../arguments.js';
 import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
 import { makePath } from '../path.js';
@@ -64,7 +64,7 @@ function readScript(caller, worker) {
  */
 function readCall(caller, given, isBatch) {
   if (!isNamed(given)) return { options: given };
-  const { signal, ...others } = given;
+  const { signal, ...others } = allFields(given);
   if (signal !== undefined && (typeof signal?.aborted !== 'boolean' || typeof signal.addEventListener !== 'function'))
     refuse(`${caller}: options.signal`, 'an AbortSignal', signal);
   if (!isBatch) return { signal, options: others };

@@ -1,28 +1,41 @@
 /** What goes between a pool and its workers, where it is more than structured cloning carries: definitions as text, errors with their class. */
 
+import { allFields, isNamed } from '../arguments.js';
+
 /** Marks what JSON has no word for. No definition has a field of this name. */
 const MARK = '\0';
 
 /**
  * A definition as text, equal for equal ones, so that workers know a surface again.
  * @param {unknown} definition
- * @returns {string} throws a TypeError for what text cannot hold: functions, cycles, a Map
+ * @returns {string} throws a TypeError for what text cannot hold: functions, cycles, a BigInt, a Map
  */
 export function writeDefinition(definition) {
-  if (typeof definition !== 'object') throw new TypeError('a definition is an object');
-  return JSON.stringify(definition, function (name, value) {
-    if (typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)))
-      return { [MARK]: Object.is(value, -0) ? '-0' : String(value) };
-    if (ArrayBuffer.isView(value)) return Array.from(/** @type {Float64Array} */ (value));
-    const isList = Array.isArray(value) || typeof value === 'string';
-    if (
-      ['function', 'symbol'].includes(typeof value) ||
-      (value === undefined && Array.isArray(this)) ||
-      (!isList && value?.[Symbol.iterator])
-    )
+  if (!isNamed(definition)) throw new TypeError('a definition is an object');
+  const fields = Object.entries(allFields(definition)).filter(([_, value]) => value !== undefined);
+  const texts = fields.map(([name, value]) => {
+    try {
+      return `${JSON.stringify(name)}:${JSON.stringify(value, replace)}`;
+    } catch {
       throw new TypeError(`the definition's ${name} cannot be posted to a worker; leave it out`);
-    return value;
+    }
   });
+  return `{${texts}}`;
+}
+
+/** What JSON has no word for, as it can be read again; throws where that cannot be. @this {any} @param {string} _ @param {any} value */
+function replace(_, value) {
+  if (typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)))
+    return { [MARK]: Object.is(value, -0) ? '-0' : String(value) };
+  if (ArrayBuffer.isView(value)) return Array.from(/** @type {Float64Array} */ (value));
+  const isList = Array.isArray(value) || typeof value === 'string';
+  if (
+    ['function', 'symbol'].includes(typeof value) ||
+    (value === undefined && Array.isArray(this)) ||
+    (!isList && value?.[Symbol.iterator])
+  )
+    throw new TypeError();
+  return value;
 }
 
 /** @param {string} text of {@link writeDefinition} @returns {any} */

@@ -337,3 +337,24 @@ describe('a program', () => {
     assert.equal(await play(program), '1.000000000\n');
   });
 });
+
+test('options and definitions have the fields that they inherit, as on the main thread; what cannot be posted is named', async () => {
+  const inherited = Object.create(gallery.saddle);
+  const surface = surfpath.surface(inherited);
+  const options = Object.create({ points: 5, start: 'straight' });
+  const [from, to] = [[...gallery.saddle.from], [...gallery.saddle.to]];
+  assert.deepEqual(await pool.shortestPath(inherited, from, to, options), surface.shortestPath(from, to, options));
+  surface.dispose();
+  await assert.rejects(
+    pool.shortestPath(gallery.saddle, from, to, Object.create({ tolerance: 7 })),
+    /^RangeError: shortestPath: options.tolerance/,
+  );
+  /** @type {Record<string, unknown>} */
+  const cyclic = {};
+  cyclic.itself = cyclic;
+  for (const big of [1n, [1n], cyclic, () => 1, new Map()])
+    await assert.rejects(pool.shortestPath(anything({ ...gallery.saddle, big }), from, to), {
+      name: 'TypeError',
+      message: "the definition's big cannot be posted to a worker; leave it out",
+    });
+});
