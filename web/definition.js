@@ -161,11 +161,9 @@ export function checkBounds(caller, bounds) {
     refuse(`${caller}: bounds`, 'three ranges, [[xmin, xmax], [ymin, ymax], [zmin, zmax]]', bounds);
   const box = [];
   for (const [i, range] of bounds.entries()) {
-    const ends = readRange(caller, range, `bounds[${i}]`);
-    if (typeof ends[0] !== 'number' || typeof ends[1] !== 'number')
-      throw new TypeError(`${caller}: bounds[${i}] must be two numbers, not ${ends.map(describe)}`);
+    const ends = readNumbers(caller, `bounds[${i}]`, range, ['min', 'max']);
     if (!(ends[0] < ends[1])) throw new RangeError(`${caller}: bounds[${i}] must be two numbers, the smaller first, not ${ends}`);
-    box.push(ends[0], ends[1]);
+    box.push(...ends);
   }
   return box;
 }

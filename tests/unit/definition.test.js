@@ -87,7 +87,20 @@ describe('definitions', () => {
   test('implicit refuses bounds that are no box', () => {
     const f = 'x^2+y^2+z^2-1';
     refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1]] })), TypeError, /bounds must be three ranges, \[\[xmin, xmax\], \[ymin/);
-    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1], [0, 1], 2] })), TypeError, /bounds\[2\] must be a range/);
+    refuses(() => surfpath.implicit(anything({ f, bounds: [[0, 1], [0, 1], 2] })), TypeError, /bounds\[2\] must be \[min, max\]/);
+    refuses(
+      () =>
+        surfpath.implicit({
+          f,
+          bounds: [
+            [0, 1],
+            [0, 1],
+            [Number.NaN, 1],
+          ],
+        }),
+      RangeError,
+      /bounds\[2\]\[0\] must be a finite number, not NaN/,
+    );
     const reversed = anything([
       [0, 1],
       [1, 0],

@@ -401,7 +401,7 @@ describe('mesh', () => {
       [-1, 1],
       [-1, 1],
     ]);
-    refuses(() => surfpath.implicit({ f: 'x', bounds }), TypeError, /bounds\[0\] must be two numbers, not '-1',1/);
+    refuses(() => surfpath.implicit({ f: 'x', bounds }), TypeError, /bounds\[0\]\[0\] must be a finite number, not '-1'/);
     refuses(() => saddle.mesh(anything({ reslution: 8 })), TypeError, /there is no option 'reslution'; the options are resolution/);
     refuses(() => saddle.mesh(anything(null)), TypeError, /options must be an object/);
     refuses(() => surfpath.implicit({ f: 'x' }).mesh(), RangeError, /inside its bounds; give them in its definition/);
