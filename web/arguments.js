@@ -21,6 +21,11 @@ export function refuseNumber(name, what, value) {
   refuse(name, what, value, typeof value === 'number' ? RangeError : TypeError);
 }
 
+/** Throws where one of some names is wanted: a RangeError if it is a name. @param {string} name @param {string} what @param {unknown} value @returns {never} */
+export function refuseName(name, what, value) {
+  refuse(name, what, value, typeof value === 'string' ? RangeError : TypeError);
+}
+
 /** Whether it holds named values: no array, and no Map, whose entries would go unnoticed. @param {unknown} value @returns {value is Record<string, any>} */
 export const isNamed = (value) => typeof value === 'object' && value !== null && !(Symbol.iterator in value);
 

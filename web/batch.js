@@ -11,8 +11,7 @@ import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
  * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' }}
  */
 export function readPairOptions(caller, given) {
-  const { solve, start, via } = readOptions(caller, given);
-  if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
+  const { solve, start } = readOptions(caller, given);
   if (start !== 'global' && start !== 'straight')
     throw new RangeError(`${caller}: options.start must be 'global' or 'straight', the same for all pairs`);
   return { solve, start };

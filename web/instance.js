@@ -1,6 +1,6 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
-import { checkObject, checkOptions, refuse } from './arguments.js';
+import { checkObject, checkOptions, refuseName } from './arguments.js';
 import { DISPOSE } from './dispose.js';
 import { PARAMETRIC_KINDS } from './manifold/shapes.js';
 import { compileSolver, Solver } from './runtime/solver.js';
@@ -91,7 +91,7 @@ export class Surfpath {
   surface(definition) {
     checkObject('surface: the definition', definition);
     const { kind } = definition;
-    if (!KINDS.includes(kind)) refuse('surface: kind', `one of ${KINDS.join(', ')}`, kind, RangeError);
+    if (!KINDS.includes(kind)) refuseName('surface: kind', `one of ${KINDS.join(', ')}`, kind);
     return Surfpath.#add(this, kind, definition);
   }
 
@@ -138,13 +138,13 @@ const compiled = new Map();
  */
 export function makeCompile(inlined) {
   return async (caller, options) => {
-    const { wasm } = checkOptions(caller, options, ['wasm']);
-    const key = wasm instanceof URL ? wasm.href : (wasm ?? inlined);
+    const { wasm = inlined } = checkOptions(caller, options, ['wasm']);
+    const key = wasm instanceof URL ? wasm.href : wasm;
     /* Bytes are the caller's, and an answer is read once. */
     if (typeof key === 'object') return compileSolver(caller, () => key);
     let module = compiled.get(key);
     if (!module) {
-      module = compileSolver(caller, () => wasm ?? inlined());
+      module = compileSolver(caller, () => (wasm === inlined ? inlined() : wasm));
       compiled.set(key, module);
       module.catch(() => compiled.delete(key));
     }

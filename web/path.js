@@ -1,6 +1,6 @@
 /** Options in, Path out: what a caller may ask of a path, checked, and how the solver's answer is handed back as plain data. */
 
-import { checkBoolean, checkOptions, readFinite, readTolerance, refuse, refuseNumber, wholeNumber } from './arguments.js';
+import { checkBoolean, checkOptions, readFinite, readTolerance, refuse, refuseName, refuseNumber, wholeNumber } from './arguments.js';
 import { confine } from './manifold/domain.js';
 import { STATUS } from './runtime/status.js';
 
@@ -62,7 +62,7 @@ const ALGORITHMS = new Map([
   ['polyline', 1],
   ['paper', 2],
 ]);
-const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance', 'via'];
+const KNOWN = ['algorithm', 'points', 'start', 'maxIterations', 'gradientTolerance', 'record', 'tolerance'];
 export const MOST_POINTS = 100_000;
 const MOST_ITERATIONS = 10_000;
 
@@ -70,7 +70,7 @@ const MOST_ITERATIONS = 10_000;
  * Checks the options of a path and fills in the defaults.
  * @param {string} caller name of the function, for messages
  * @param {PathOptions | undefined} given
- * @param {string[]} [others] options that are the caller's own, and not read here
+ * @param {string[]} [others] options that this caller takes besides
  * @returns {{ solve: import('./runtime/heap.js').SolveOptions, start: 'global' | 'straight' | ArrayLike<number> | Path, via: unknown[] }}
  */
 export function readOptions(caller, given, others = []) {
@@ -80,7 +80,7 @@ export function readOptions(caller, given, others = []) {
   const { algorithm = gradientTolerance === undefined ? 'elements' : 'polyline' } = options;
   const { maxIterations = algorithm === 'elements' ? 400 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
-  if (code === undefined) refuse(`${caller}: options.algorithm`, "'elements', 'polyline' or 'paper'", algorithm, RangeError);
+  if (code === undefined) refuseName(`${caller}: options.algorithm`, "'elements', 'polyline' or 'paper'", algorithm);
   if (options.tolerance !== undefined && algorithm !== 'elements')
     throw new RangeError(
       `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
@@ -89,7 +89,7 @@ export function readOptions(caller, given, others = []) {
     throw new RangeError(
       `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,
     );
-  if (gradientTolerance !== undefined && !(typeof gradientTolerance === 'number' && gradientTolerance > 0 && gradientTolerance < Infinity))
+  if (gradientTolerance !== undefined && !(Number.isFinite(gradientTolerance) && gradientTolerance > 0))
     refuseNumber(`${caller}: options.gradientTolerance`, 'a positive number', gradientTolerance);
   checkBoolean(caller, 'record', record);
   if (!Array.isArray(via)) refuse(`${caller}: options.via`, 'an array of points', via);

@@ -88,7 +88,7 @@ export class Surface {
    */
   shortestPath(from, to, options) {
     const caller = Surface.#enter(this, 'shortestPath');
-    const { solve, start, via } = readOptions(caller, options);
+    const { solve, start, via } = readOptions(caller, options, ['via']);
     const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
     const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
     const asked = this.#inSpace(solve);
@@ -107,9 +107,8 @@ export class Surface {
    */
   geodesics(from, to, options) {
     const caller = Surface.#enter(this, 'geodesics');
-    const { solve, start, via } = readOptions(caller, options, ['max']);
+    const { solve, start } = readOptions(caller, options, ['max']);
     const { max = MOST_GEODESICS } = options ?? {};
-    if (via.length > 0) throw new RangeError(`${caller}: options.via is for shortestPath`);
     wholeNumber(caller, 'max', max, 1, MOST_POINTS);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
     const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];

@@ -141,7 +141,7 @@ describe('definitions', () => {
 
   test('surface refuses kinds that do not exist', () => {
     refuses(() => surfpath.surface(anything(null)), TypeError, /surface: the definition must be an object/);
-    refuses(() => surfpath.surface(anything({ f: 'x' })), RangeError, /kind must be one of parametric, .*, not undefined/);
+    refuses(() => surfpath.surface(anything({ f: 'x' })), TypeError, /kind must be one of parametric, .*, not undefined/);
     refuses(() => surfpath.surface(anything({ kind: 'constructor' })), RangeError, /kind must be one of .*, not 'constructor'/);
     refuses(() => surfpath.surface(anything({ kind: 'metric' })), TypeError, /the definition needs E, F, G, u, v; E is missing/);
   });

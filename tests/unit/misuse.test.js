@@ -67,7 +67,7 @@ test('a function in place of a value is told as one, not with its source', () =>
     /points must be a whole number .*, not a function$/,
   );
   refuses(() => surface.shortestPath(anything(secret), [1, 1]), TypeError, /from must be \[u, v\], not a function$/);
-  refuses(() => surfpath.surface(anything({ kind: class Kind {} })), RangeError, /, not a function$/);
+  refuses(() => surfpath.surface(anything({ kind: class Kind {} })), TypeError, /, not a function$/);
 });
 
 test('points are told by the names of their definition', () => {
@@ -162,4 +162,35 @@ test('what is disposed in the middle of a call, by a getter, ends it', async () 
     y: anything([0, 1]),
   };
   refuses(() => instance.graph(definition), Error, /^graph: this instance was disposed$/);
+});
+
+test('a name of no use is out of range, what is no name is of the wrong type', () => {
+  const surface = plane();
+  const [from, to] = [
+    [0, 0],
+    [1, 1],
+  ];
+  for (const wrong of [1, null, {}]) {
+    refuses(() => surface.shortestPath(from, to, { algorithm: anything(wrong) }), TypeError, /options\.algorithm must be 'elements', /);
+    refuses(() => surfpath.surface(anything({ kind: wrong })), TypeError, /^surface: kind must be one of /);
+  }
+  refuses(() => surface.shortestPath(from, to, { algorithm: anything('fast') }), RangeError, /, not 'fast'$/);
+  refuses(() => surfpath.surface(anything({ kind: 'ball' })), RangeError, /, not 'ball'$/);
+});
+
+test('a call that takes no via does not offer it', () => {
+  const surface = plane();
+  refuses(
+    () => surface.geodesics([0, 0], [1, 1], anything({ via: [] })),
+    TypeError,
+    /^geodesics: there is no option 'via'; (?!.*via).*, max$/,
+  );
+  refuses(() => surface.shortestPath([0, 0], [1, 1], anything({ max: 1 })), TypeError, /no option 'max'; .*, via$/);
+});
+
+test('a module that is not there is told with who wanted it, and where', async () => {
+  await assert.rejects(load({ wasm: anything(null) }), /^TypeError: load: options\.wasm must be a URL/);
+  const nowhere = new URL('file:///nope.wasm');
+  await assert.rejects(load({ wasm: nowhere }), /^Error: load: options\.wasm 'file:\/\/\/nope\.wasm' does not open: ENOENT/);
+  await assert.rejects(load({ wasm: new Response('', { status: 404 }) }), /^Error: load: options\.wasm answered 404; it should be/);
 });

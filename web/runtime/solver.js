@@ -33,7 +33,11 @@ async function open(caller, url) {
   if (!globalThis.location && !URL.canParse(target))
     throw new TypeError(`${caller}: options.wasm '${target}' has no base here: pass new URL('${target}', import.meta.url), or the bytes`);
   const files = target.startsWith('file:') && globalThis.process?.getBuiltinModule?.('node:fs/promises');
-  return files ? files.readFile(new URL(target)) : fetch(target);
+  try {
+    return await (files ? files.readFile(new URL(target)) : fetch(target));
+  } catch (error) {
+    throw new Error(`${caller}: options.wasm '${target}' does not open: ${/** @type {Error} */ (error).message}`);
+  }
 }
 
 /** @param {BufferSource} bytes @param {string} name of what they are @returns {Promise<WebAssembly.Module>} */
@@ -59,8 +63,9 @@ export async function compileSolver(caller, find) {
     return compile(/** @type {BufferSource} */ (found), `${caller}: options.wasm`);
   if (typeof Response !== 'function' || !(found instanceof Response))
     throw new TypeError(`${caller}: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module`);
-  if (!found.ok) throw new Error(`surfpath: ${found.url} answered ${found.status}; it should be the file surfpath.wasm`);
-  return compile(await found.arrayBuffer(), `${caller}: ${found.url}`);
+  const name = `${caller}: ${found.url || 'options.wasm'}`;
+  if (!found.ok) throw new Error(`${name} answered ${found.status}; it should be the file surfpath.wasm`);
+  return compile(await found.arrayBuffer(), name);
 }
 
 /** What a compiled surface needs from the solver: table slots, the addresses of its data and of a struct sp_surface, and where: see `generation`. @typedef {{ jet: number, value: number, data: number, record: number, generation: number }} Slots */

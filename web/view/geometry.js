@@ -1,7 +1,7 @@
 /** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkOptions, refuse } from '../arguments.js';
+import { checkOptions, refuseName } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
@@ -105,7 +105,7 @@ export function surfaceGeometry(surface, options = {}) {
   checkOptions(caller, options, NAMES);
   const { resolution, colour = 'none', from, exact } = options;
   if (typeof colour !== 'function' && !['none', 'curvature', 'distance'].includes(colour))
-    refuse(`${caller}: options.colour`, "'none', 'curvature', 'distance' or a function", colour, RangeError);
+    refuseName(`${caller}: options.colour`, "'none', 'curvature', 'distance' or a function", colour);
   if (colour === 'distance' && from === undefined) throw new TypeError(`${caller}: options.colour 'distance' needs options.from, a point`);
   const field = colour === 'distance' ? surface.distanceField(/** @type {ArrayLike<number>} */ (from), { resolution, exact }) : null;
   const whole = field ? field.mesh : surface.mesh({ resolution });
