@@ -1,6 +1,6 @@
 /** What the drawing modules ask of their arguments, and say when they do not get it. */
 
-import { refuse } from '../arguments.js';
+import { refuse, refuseNumber } from '../arguments.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 
@@ -36,4 +36,10 @@ export function readPoints(caller, given) {
   if (points.length < 6 || points.length % 3) throw new RangeError(`${caller}: path must hold x y z of two points or more`);
   if (!Array.prototype.every.call(points, Number.isFinite)) throw new RangeError(`${caller}: path must hold finite numbers`);
   return points;
+}
+
+/** @param {string} caller function, and what these belong to @param {Record<string, number>} sizes */
+export function checkPixels(caller, sizes) {
+  for (const [name, pixels] of Object.entries(sizes))
+    if (!(Number.isFinite(pixels) && pixels >= 0)) refuseNumber(caller + name, 'a number of pixels, 0 or more', pixels);
 }

@@ -25,7 +25,7 @@ const [HAIR, ALONG] = [1e-3, 1e-6];
  * @returns {Vector3} the point that the camera looks at: the target for its controls. Throws TypeError or RangeError naming the argument
  */
 export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
-  check(camera, geometry, towards, margin);
+  check(camera, geometry, towards, margin, shown);
   const all = geometry.getAttribute('position');
   const points = pointsWithin(all, rangesWithoutSpikes(all, shown, Infinity), shown) ?? all;
   const { center } = new Box3()
@@ -41,15 +41,17 @@ export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
   return target;
 }
 
-/** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {ArrayLike<number>} towards @param {number} margin */
-function check(camera, geometry, towards, margin) {
+/** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {ArrayLike<number>} towards @param {number} margin @param {any} shown */
+function check(camera, geometry, towards, margin, shown) {
   const caller = 'fitCamera';
   if (!camera?.isPerspectiveCamera) refuse(`${caller}: camera`, 'a PerspectiveCamera', camera);
   checkGeometry(caller, geometry);
   if (geometry.index?.count === 0) throw new RangeError(`${caller}: geometry has no triangles`);
   const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
   if (!(length > 0 && Number.isFinite(length))) refuse(`${caller}: towards`, 'a direction x y z, none of length 0', towards);
-  if (!(margin >= 0 && margin < 1)) refuseNumber(`${caller}: margin`, 'a number in [0, 1)', margin);
+  if (!(Number.isFinite(margin) && margin >= 0 && margin < 1)) refuseNumber(`${caller}: margin`, 'a number in [0, 1)', margin);
+  if (!Array.isArray(shown) || !shown.every((place) => place?.length === 3 && Array.from(place).every(Number.isFinite)))
+    refuse(`${caller}: shown`, 'an array of places, x y z each', shown);
 }
 
 /** A direction that is along `up`, a hair to the front: x is to the right then, if it can be. @param {Vector3} towards unit length @param {Vector3} up */

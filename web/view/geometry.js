@@ -1,7 +1,7 @@
 /** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
 
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkOptions, refuseName } from '../arguments.js';
+import { checkOptions, refuse, refuseName } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
 import { gaussianCurvature } from './curvature.js';
@@ -19,7 +19,7 @@ import { originOf } from './origin.js';
  * @typedef {object} GeometryOptions
  * @property {number} [resolution] cells a direction, as for `surface.mesh`
  * @property {'none' | 'curvature' | 'distance' | ((mesh: Mesh) => ArrayLike<number>)} [colour] 'curvature': Gaussian curvature, zero neutral; 'distance': geodesic
- *   distance `from` a point; or a function that gives one number a vertex of the mesh as it is drawn; default 'none'
+ *   distance `from` a point; or a function that gives one number a vertex of the mesh as it is drawn, NaN: grey; default 'none'
  * @property {ArrayLike<number>} [from] 'distance': u v or x y z
  * @property {boolean} [exact] 'distance': as for `surface.distanceField`
  */
@@ -70,6 +70,8 @@ function measure(surface, mesh, distances, colour, size) {
   const values = colour(mesh);
   const count = mesh.positions.length / 3;
   if (values?.length !== count) throw new RangeError(`surfaceGeometry: options.colour must give ${count} numbers, one a vertex`);
+  const odd = Array.prototype.findIndex.call(values, (x) => typeof x !== 'number');
+  if (odd >= 0) refuse('surfaceGeometry: what options.colour gives', 'numbers', values[odd]);
   return { values, scale: bandScale('values', values) };
 }
 

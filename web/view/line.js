@@ -3,8 +3,8 @@
 import { GreaterDepth, Group, Vector3 } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { checkOptions, refuseNumber } from '../arguments.js';
-import { readPoints } from './check.js';
+import { checkBoolean, checkOptions, refuseNumber } from '../arguments.js';
+import { checkPixels, readPoints } from './check.js';
 import { HALO, PATH } from './colours.js';
 import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
@@ -86,8 +86,8 @@ export class GeodesicLine extends Group {
     this.add(this.#body);
     checkOptions('GeodesicLine', options, NAMES);
     const { colour = PATH, width = 4, halo = HALO, haloWidth = 1.5, hidden = true, hiddenColour = colour, dash = 7 } = options;
-    for (const [name, pixels] of Object.entries({ width, haloWidth, dash }))
-      if (!(Number.isFinite(pixels) && pixels >= 0)) refuseNumber(`GeodesicLine: options.${name}`, 'a number of pixels, 0 or more', pixels);
+    checkPixels('GeodesicLine: options.', { width, haloWidth, dash });
+    checkBoolean('GeodesicLine', 'hidden', hidden);
     this.#isHiddenOwn = options.hiddenColour !== undefined;
     const border = halo === null ? 0 : haloWidth;
     this.#lift.value = liftOf(width / 2 + border);
@@ -133,7 +133,8 @@ export class GeodesicLine extends Group {
    * Recolours the line; what is not named stays.
    * @param {{ colour?: Colour, halo?: Colour, hiddenColour?: Colour }} colours hiddenColour: as colour until it is named once
    */
-  setColours({ colour, halo, hiddenColour }) {
+  setColours(colours) {
+    const { colour, halo, hiddenColour } = checkOptions('setColours', colours, ['colour', 'halo', 'hiddenColour']);
     const { hidden, line, halo: border } = this.#passes;
     this.#isHiddenOwn ||= hiddenColour !== undefined;
     const behind = this.#isHiddenOwn ? hiddenColour : colour;
@@ -148,6 +149,7 @@ export class GeodesicLine extends Group {
    * @param {number} order default 1
    */
   setOrder(order) {
+    if (!Number.isFinite(order)) refuseNumber('setOrder: order', 'a finite number', order);
     for (const [i, pass] of Object.values(this.#passes).entries()) pass.renderOrder = order + i;
   }
 
@@ -156,6 +158,7 @@ export class GeodesicLine extends Group {
    * @param {number} width in CSS pixels @param {number} height
    */
   setResolution(width, height) {
+    checkPixels('setResolution: ', { width, height });
     for (const pass of Object.values(this.#passes)) pass.size = [width, height];
   }
 

@@ -1,6 +1,8 @@
 /** A point on a surface as it is drawn: a small ball in a ring, of constant size on the screen; where the surface hides it, dimmer and without the ring. */
 
 import { Color, GreaterDepth, Group, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
+import { checkOptions } from '../arguments.js';
+import { checkPixels } from './check.js';
 import { HALO, PATH } from './colours.js';
 import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 
@@ -93,6 +95,7 @@ export class Marker extends Group {
 
   /** @param {number} radius of the ball, in CSS pixels @param {number} ring width of the ring around it */
   setRadius(radius, ring) {
+    checkPixels('setRadius: ', { radius, ring });
     for (const [i, { uniforms }] of this.#materials.entries()) {
       uniforms.radius.value = radius;
       uniforms.ringWidth.value = PASSES[i].hasRing ? ring : 0;
@@ -102,7 +105,8 @@ export class Marker extends Group {
   }
 
   /** What is not named stays. @param {{ colour?: import('three').ColorRepresentation, ring?: import('three').ColorRepresentation }} colours */
-  setColours({ colour, ring }) {
+  setColours(colours) {
+    const { colour, ring } = checkOptions('setColours', colours, ['colour', 'ring']);
     if (colour !== undefined) this.#colours.fill.set(colour);
     if (ring !== undefined) this.#colours.ring.set(ring);
   }

@@ -1,6 +1,7 @@
 /** The look of a surface: matte, lit on both sides, with thin antialiased parameter lines and contours that keep their width at any zoom. */
 
 import { DoubleSide, MeshStandardMaterial, Vector2, Vector3 } from 'three';
+import { checkBoolean, checkObject } from '../arguments.js';
 import { checkGeometry } from './check.js';
 import { drawFromOrigin, FarGeometry, PROJECT } from './far.js';
 
@@ -85,8 +86,11 @@ if (farSide) diffuseColor.rgb *= farShade;
  */
 export function surfaceMaterial(geometry, options = {}) {
   checkGeometry('surfaceMaterial', geometry);
+  checkObject('surfaceMaterial: options', options);
   const coloured = geometry.hasAttribute('contour') && geometry.hasAttribute('color');
   const { lines = !coloured, contours = true, ...parameters } = options;
+  checkBoolean('surfaceMaterial', 'lines', lines);
+  checkBoolean('surfaceMaterial', 'contours', contours);
   const { scale, cells = [CELLS, CELLS], isOneSided = false } = geometry.userData;
   const color = coloured ? '#ffffff' : '#cfd6dc';
   const material = new MeshStandardMaterial({

@@ -1,7 +1,7 @@
 /** Plays how a path converges: the iterates that `record` kept, one melting into the next, from cool to warm. */
 
 import { Color } from 'three';
-import { checkOptions, refuseNumber } from '../arguments.js';
+import { checkBoolean, checkOptions, refuse, refuseNumber } from '../arguments.js';
 import { readPoints } from './check.js';
 import { PATH, START } from './colours.js';
 
@@ -61,10 +61,13 @@ export class PathPlayer {
    * @param {PathPlayerOptions} [options]
    */
   constructor(line, path, options = {}) {
+    if (typeof line?.setPath !== 'function') refuse('PathPlayer: line', 'a GeodesicLine', line);
     checkOptions('PathPlayer', options, NAMES);
     const { duration = 1200, cool = START, warm = PATH, reducedMotion, onFrame = () => {} } = options;
     if (!(duration >= 0 && duration < Infinity))
       refuseNumber('PathPlayer: options.duration', 'a finite number that is not negative', duration);
+    if (typeof onFrame !== 'function') refuse('PathPlayer: options.onFrame', 'a function', onFrame);
+    if (reducedMotion !== undefined) checkBoolean('PathPlayer', 'reducedMotion', reducedMotion);
     this.#line = line;
     this.#duration = duration;
     this.#colours = { cool: new Color(cool), warm: new Color(warm), now: new Color() };
@@ -121,7 +124,8 @@ export class PathPlayer {
   }
 
   /** What is not named stays. @param {{ cool?: import('three').ColorRepresentation, warm?: import('three').ColorRepresentation }} colours */
-  setColours({ cool, warm }) {
+  setColours(colours) {
+    const { cool, warm } = checkOptions('setColours', colours, ['cool', 'warm']);
     if (cool !== undefined) this.#colours.cool.set(cool);
     if (warm !== undefined) this.#colours.warm.set(warm);
     this.scrub(this.#moment);

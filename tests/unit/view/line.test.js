@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, describe, test } from 'node:test';
 import { gallery } from '../../../web/gallery.js';
 import { load } from '../../../web/index.js';
+import { anything, refuses } from '../../helpers/refuses.js';
 import { loadReleases } from '../../helpers/three-releases.js';
 
 const surfpath = await load();
@@ -115,6 +116,37 @@ for (const [title, { draw, THREE }] of await loadReleases())
         line.dispose();
         assert.deepEqual([freed.size, scene.children.length], [4, 0]);
       });
+    });
+
+    test('what is drawn with is checked when it is given', () => {
+      const geometry = draw.surfaceGeometry(torus, { resolution: 4 });
+      const [line, marker] = [new draw.GeodesicLine(path), new draw.Marker()];
+      line.setColours(anything(undefined));
+      const fit = (/** @type {any[]} */ ...given) => draw.fitCamera(new THREE.PerspectiveCamera(), geometry, [1, 1, 1], ...given);
+      fit(0.1, [[3, 0, 0], new Float64Array(3)]);
+      /** @type {[() => unknown, Function, RegExp][]} */
+      const mistakes = [
+        [() => draw.surfaceMaterial(geometry, anything(null)), TypeError, /^surfaceMaterial: options must be an object, not null/],
+        [() => draw.surfaceMaterial(geometry, anything({ lines: 1 })), TypeError, /^surfaceMaterial: options.lines must be true or false/],
+        [() => draw.surfaceMaterial(geometry, anything({ contours: 'x' })), TypeError, /options.contours must be true or false/],
+        [() => draw.surfaceGeometry(torus, { colour: anything(() => Array(9409).fill('1')) }), TypeError, /must be numbers, not '1'/],
+        [() => fit('0.1'), TypeError, /^fitCamera: margin must be a number in/],
+        [() => fit(0.1, [9, 9, 9]), TypeError, /^fitCamera: shown must be an array of places, x y z each/],
+        [() => fit(0.1, [[Number.NaN, 0, 0]]), TypeError, /^fitCamera: shown must be/],
+        [() => fit(0.1, {}), TypeError, /^fitCamera: shown must be .*, not an object/],
+        [() => new draw.GeodesicLine(path, anything({ hidden: 1 })), TypeError, /^GeodesicLine: options.hidden must be true or false/],
+        [() => line.setColours(anything({ color: 'red' })), TypeError, /^setColours: there is no option 'color'/],
+        [() => line.setOrder(anything('x')), TypeError, /^setOrder: order must be a finite number/],
+        [() => line.setResolution(0, -1), RangeError, /^setResolution: height must be a number of pixels/],
+        [() => marker.setRadius(-1, 2), RangeError, /^setRadius: radius must be a number of pixels/],
+        [() => marker.setRadius(1, Number.NaN), RangeError, /^setRadius: ring must be a number of pixels/],
+        [() => marker.setColours(anything({ color: 'red' })), TypeError, /^setColours: there is no option 'color'/],
+        [() => new draw.PathPlayer(anything(null), path), TypeError, /^PathPlayer: line must be a GeodesicLine, not null/],
+        [() => new draw.PathPlayer(line, path, anything({ onFrame: 5 })), TypeError, /^PathPlayer: options.onFrame must be a function/],
+        [() => new draw.PathPlayer(line, path, anything({ reducedMotion: 1 })), TypeError, /options.reducedMotion must be true or false/],
+      ];
+      for (const [call, kind, message] of mistakes) refuses(call, kind, message);
+      for (const thing of [geometry, line, marker]) thing.dispose();
     });
 
     describe('PathPlayer', () => {
