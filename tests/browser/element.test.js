@@ -159,6 +159,34 @@ test('each says its path, to the digits of the library', async () => {
   assert.equal(await page.$eval('#torus', (element) => /** @type {any} */ (element).path.length), own.torus[1]);
 });
 
+test('an end is at once what was asked for, right or wrong', async () => {
+  const { page: other } = await openPage(browser.context, `${site.address}/empty`);
+  const seen = await other.evaluate(async () => {
+    await customElements.whenDefined('surface-path');
+    const element = /** @type {any} */ (document.createElement('surface-path'));
+    const next = (/** @type {string} */ type) => new Promise((resolve) => element.addEventListener(type, resolve, { once: true }));
+    Object.assign(element, { definition: { kind: 'graph', z: 'x*y', x: [-1, 1], y: [-1, 1] }, from: [-1, 0], to: [1, 0.5] });
+    const ends = [element.from, element.to];
+    document.querySelector('main')?.append(element);
+    await next('path');
+    element.from = [0, 0];
+    ends.push(element.from);
+    element.setAttribute('to', '0.5,0.25');
+    ends.push(element.to);
+    await next('path');
+    ends.push(element.from, element.to);
+    element.from = 5;
+    ends.push(element.from);
+    const { detail } = /** @type {any} */ (await next('error'));
+    return [...ends, element.from, detail.message];
+  });
+  await other.close();
+  assert.deepEqual(seen, [
+    ...[[-1, 0], [1, 0.5], [0, 0], [0.5, 0.25], [0, 0], [0.5, 0.25], [5], [5]],
+    'shortestPath: from must be [x, y], 2 numbers, not 1',
+  ]);
+});
+
 test('that it computes is seen before it does, and holds the page', async () => {
   const fresh = await browser.context.newPage();
   await fresh.addInitScript(() => {

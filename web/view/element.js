@@ -87,9 +87,9 @@ export class SurfacePathElement extends TypedElement {
     this.#renew(SURFACE);
   }
 
-  /** Where the path begins: u v, or x y z. Follows the handle. @returns {number[]} */
+  /** Where the path begins: u v, or x y z, as asked for. Follows the handle; empty where nothing says. @returns {number[]} */
   get from() {
-    return [...(this.#ends[0] ?? [])];
+    return this.#getEnd(0);
   }
 
   /** @param {ArrayLike<number> | string | null | undefined} point as the attribute, or numbers; null: as without the attribute */
@@ -99,12 +99,21 @@ export class SurfacePathElement extends TypedElement {
 
   /** Where it ends. @returns {number[]} */
   get to() {
-    return [...(this.#ends[1] ?? [])];
+    return this.#getEnd(1);
   }
 
   /** @param {ArrayLike<number> | string | null | undefined} point */
   set to(point) {
     this.#setEnd(1, point);
+  }
+
+  /** @param {0 | 1} end */
+  #getEnd(end) {
+    try {
+      return [...((this.#stale >= PATH ? this.#readEnds().ends : this.#ends)[end] ?? [])];
+    } catch {
+      return [];
+    }
   }
 
   /** Also where the attribute says so already, if the reader has dragged it away. @param {0 | 1} end @param {ArrayLike<number> | string | null | undefined} point */
@@ -173,7 +182,7 @@ export class SurfacePathElement extends TypedElement {
       what = this.#stale;
       this.#stale = 0;
       if (what === SURFACE) this.#build(surfpath);
-      if (what >= PATH) this.#placeEnds();
+      if (what >= PATH) ({ asked: this.#asked, ends: this.#ends } = this.#readEnds());
       if (what >= PATH) this.#solve();
       this.#isUndrawn = true;
       this.#isUnplayed = what >= PATH;
@@ -196,10 +205,9 @@ export class SurfacePathElement extends TypedElement {
   }
 
   /** Where a reader has dragged an end it stays, until another place is asked for. */
-  #placeEnds() {
+  #readEnds() {
     const asked = readEnds((name) => this.getAttribute(name), this.definition);
-    this.#ends = asked.map((point, i) => (String(point) === String(this.#asked[i]) ? this.#ends[i] : point));
-    this.#asked = asked;
+    return { asked, ends: asked.map((point, i) => (String(point) === String(this.#asked[i]) ? this.#ends[i] : point)) };
   }
 
   /** @param {Surfpath} surfpath */
