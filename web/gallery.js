@@ -17,6 +17,7 @@
  * @property {readonly [number, number, number]} [camera] unit vector towards a good place to look from, z upwards
  */
 
+/** @template T @typedef {T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T} Frozen */
 /** @typedef {import('./instance.js').AnyDefinition} AnyDefinition */
 /** @typedef {Extract<AnyDefinition, { kind: 'implicit' }>} ImplicitDefinition */
 /** @typedef {ImplicitDefinition & Required<Pick<ImplicitDefinition, 'bounds'>>} BoundedDefinition */
@@ -332,11 +333,11 @@ const entries = {
 /**
  * @template T
  * @param {T} value plain data
- * @returns {T} the same, unchangeable all the way down
+ * @returns {Frozen<T>} the same, unchangeable all the way down
  */
 function freeze(value) {
   if (typeof value === 'object' && value !== null) Object.values(value).forEach(freeze);
-  return Object.freeze(value);
+  return /** @type {any} */ (Object.freeze(value));
 }
 
 /** Named surfaces with a title, a formula to show, a source and a pair of points that makes a good picture: plain data, frozen. */

@@ -197,3 +197,14 @@ test('formulas that were rewritten say the same', () => {
     }
   }
 });
+
+test('it is frozen, and its types say so', () => {
+  assert.throws(() => {
+    // @ts-expect-error for reading only
+    gallery.saddle.title = '';
+  }, TypeError);
+  assert.throws(() => {
+    // @ts-expect-error for reading only
+    gallery.saddle.u[0] = 0;
+  }, TypeError);
+});
