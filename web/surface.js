@@ -29,6 +29,15 @@ import { passThrough } from './via.js';
 /** @typedef {import('./mesh/field.js').FieldOptions} FieldOptions */
 /** @typedef {import('./mesh/field.js').DistanceField} DistanceField */
 
+/**
+ * @typedef {object} ParameterDomain
+ * @property {[number, number]} u range of u, as the definition has it
+ * @property {[number, number]} v range of v
+ * @property {{ u: boolean, v: boolean }} periodic which directions wrap: they have no edges
+ * @property {{ along: 'u' | 'v', sign: number, offset: number }} [turn] where there is a seam at which the surface is turned over or shifted: one turn on along that
+ *   direction, the place with the other coordinate w is the one that had it at sign · w + offset
+ */
+
 /** So far from an implicit surface, in parts of the diagonal of its bounds, a point is on it: as in wasm/start.c. */
 const FAR = 0.1;
 /** More than are found as a rule: mirror images on a torus are nine, and their doubles. */
@@ -61,9 +70,8 @@ export class Surface {
   }
 
   /**
-   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces. `turn`, where there is such a seam: one turn on along that
-   * direction, the place with the other coordinate w is the one that had it at sign · w + offset.
-   * @returns {{ u: [number, number], v: [number, number], periodic: { u: boolean, v: boolean }, turn?: { along: 'u' | 'v', sign: number, offset: number } } | null}
+   * The closed parameter rectangle and which of its directions wrap; null for implicit surfaces.
+   * @returns {ParameterDomain | null}
    */
   get domain() {
     Surface.#enter(this, 'domain');
@@ -199,7 +207,7 @@ export class Surface {
   /**
    * The point of the surface closest to a point of space.
    * @param {ArrayLike<number>} point x y z
-   * @param {ArrayLike<number>} [near] where to start: u v (default: the nearest point of a grid) or x y z (default: the point itself and, where that leads nowhere
+   * @param {ArrayLike<number>} [near] where to start: u v (default: those points of a grid that are nearer than all beside them) or x y z (default: the point itself and, where that leads nowhere
    *   or far, the nearest vertex of a mesh inside the bounds)
    * @returns {number[]} u v, or x y z
    */

@@ -14,9 +14,10 @@ import { spread } from './spread.js';
 /**
  * @typedef {object} FieldOptions
  * @property {number} [resolution] of the mesh, as for `mesh`
- * @property {boolean} [exact] true: the length of the shortest path to each vertex, to 1e-9, begun from the paths to its neighbours, in about 1 ms
- *   a vertex (0.3 ms where no curvature is positive, up to 10 ms where many paths are about as long); default false: of the shortest way through a graph:
- *   a few per cent too long at most, 0.5 % typically, seldom too short by less, more where a metric counts one direction much more than the other
+ * @property {boolean} [exact] true: the length of the shortest path to each vertex, to 1e-9, begun from the paths to its neighbours, in 0.1 to 1 ms a vertex (up to
+ *   10 ms where many paths are about as long, 100 ms from a point where the surface is singular, 400 ms under a density with creases); default false: of the
+ *   shortest way through a graph: on smooth surfaces of moderate slopes 0.5 % too long as a rule, up to a few per cent; a fifth and more in places where one
+ *   direction counts much more than the other, as on steep slopes; up to 4 % too short where there are waves of a dozen cells of the graph and less
  */
 
 /**
