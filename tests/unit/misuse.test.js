@@ -191,6 +191,6 @@ test('a call that takes no via does not offer it', () => {
 test('a module that is not there is told with who wanted it, and where', async () => {
   await assert.rejects(load({ wasm: anything(null) }), /^TypeError: load: options\.wasm must be a URL/);
   const nowhere = new URL('file:///nope.wasm');
-  await assert.rejects(load({ wasm: nowhere }), /^Error: load: options\.wasm 'file:\/\/\/nope\.wasm' does not open: ENOENT/);
+  await assert.rejects(load({ wasm: nowhere }), /^Error: load: options\.wasm 'file:\/\/\/nope\.wasm' failed: ENOENT/);
   await assert.rejects(load({ wasm: new Response('', { status: 404 }) }), /^Error: load: options\.wasm answered 404; it should be/);
 });

@@ -32,8 +32,8 @@ export const RADICAL = operator('sqrt', 6, 1);
 
 export const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
 
-/** Letters of any script, but π is always a word of its own, as in 2πr. */
-export const NAME = /(?:(?!π)[\p{L}_])(?:(?!π)[\p{L}\d_₀-₉])*/uy;
+/** Letters of any script, with their marks, but π is always a word of its own, as in 2πr. */
+export const NAME = /(?!π)[\p{L}_](?:(?!π)[\p{L}\p{M}\w₀-₉])*/uy;
 
 export const SUPERSCRIPT = /⁻?[⁰¹²³⁴-⁹]+/y;
 

@@ -36,7 +36,7 @@ async function open(caller, url) {
   try {
     return await (files ? files.readFile(new URL(target)) : fetch(target));
   } catch (error) {
-    throw new Error(`${caller}: options.wasm '${target}' does not open: ${/** @type {Error} */ (error).message}`);
+    throw new Error(`${caller}: options.wasm '${target}' failed: ${/** @type {Error} */ (error).message}`);
   }
 }
 

@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { all, create } from 'mathjs';
 import { constants } from '../../../web/expression/functions.js';
 import { LIMITS, parse } from '../../../web/expression/parse.js';
+import { load } from '../../../web/index.js';
 import { allowance } from '../../helpers/allowance.js';
 import { evaluateNumber } from '../../helpers/dual.js';
 import { createRandom } from '../../helpers/random.js';
@@ -179,4 +180,10 @@ test('monstrous texts are refused at once', () => {
     }
     assert.ok(least <= allowance(10), `${text.slice(0, 8)}… takes ${least} ms`);
   }
+});
+
+test('a letter may have its mark as a character of its own', async () => {
+  const surface = (await load()).graph({ z: 'e\u0301 x', x: [0, 1], y: [0, 1], parameters: { 'e\u0301': 2 } });
+  assert.equal(surface.evaluate([1, 0])[2], 2);
+  surface.dispose();
 });
