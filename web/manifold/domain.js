@@ -3,7 +3,7 @@
 import { gap } from '../vector.js';
 import { edgeOf, FRACTIONS, linePlaces, POSITION_GAP, reach } from './rectangle.js';
 import { findSeams } from './seams.js';
-import { findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning } from './tips.js';
+import { findFree, findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning } from './tips.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Sampled} Sampled */
@@ -12,7 +12,7 @@ import { findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning
 /** @typedef {import('./tips.js').Tip} Tip */
 /** @typedef {{ across: number, period: number, pieces: Piece[] }} Pinches lines within the rectangle that are one point: the coordinate across them, how far it is around where the pieces form a ring (both edges may be one such point) or 0, and what lies between them, in order: pieces with poles */
 /** @typedef {Domain & { slabs: number[] }} Piece slabs: what a path is long, at least, that crosses so many equal parts of it, each; where length is that of space */
-/** @typedef {Glued & { written: Range, poles: number[], tips: Tip[], around: { along: number, most: number }[], pinches: Pinches | null }} Domain written: the rectangle as its definition has it, one turn; poles: edges that collapse to a point, 1 + 2 · coordinate + side; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
+/** @typedef {Glued & { written: Range, poles: number[], free: number[], tips: Tip[], around: { along: number, most: number }[], pinches: Pinches | null }} Domain written: the rectangle as its definition has it, one turn; poles: edges that collapse to a point, 1 + 2 · coordinate + side; free: those along which a density or a metric makes ways free; tips: these, and edges that almost do; around: of the edges of tips along which the direction across turns by more than half a turn, the coordinate along them, and what that changes by in HALF_AROUND */
 
 /** Radians: half a turn, and some. */
 const HALF_AROUND = 1.2 * Math.PI;
@@ -83,7 +83,15 @@ function describeEdges(glued, written, surface) {
       const { along } = edgeOf(pole);
       return { along, most: (HALF_AROUND / turned(pole)) * (upper[along] - lower[along]) };
     });
-  return { ...glued, written: { lower: written.lower, upper: written.upper }, poles, tips, around, pinches: null };
+  return {
+    ...glued,
+    written: { lower: written.lower, upper: written.upper },
+    poles,
+    free: findFree(surface, range),
+    tips,
+    around,
+    pinches: null,
+  };
 }
 
 /** After more the numbers' last digits are a millionth of a turn. */

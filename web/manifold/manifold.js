@@ -17,6 +17,7 @@ import { ReferenceFinder } from './reference.js';
 import { scaleOf } from './scale.js';
 import { compileShape, evaluateRanges, readShape } from './shapes.js';
 import { Sides } from './sides.js';
+import { squaresOf } from './tips.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
 /** @typedef {import('./installation.js').Installed} Installed */
@@ -231,6 +232,7 @@ export class Manifold {
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
       run: (call) => this.run(call, domain, isOwn),
       jets: (places) => this.evaluate('jet', places),
+      squares: (places, along) => squaresOf(this.#sampled)(places, along),
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,
@@ -339,6 +341,15 @@ export class Manifold {
     };
   }
 
+  /** @returns {import('./rectangle.js').Sampled} */
+  get #sampled() {
+    return {
+      jets: (points) => this.evaluate('jet', points),
+      metrics: (points) => this.#evaluateMetric(points),
+      tensors: this.#tensors(),
+    };
+  }
+
   /** The rectangle, and the reference direction of a frame, as the parameters make them. @param {string} caller */
   #readRange(caller) {
     if (this.kind === 'implicit') return null;
@@ -349,13 +360,8 @@ export class Manifold {
 
   /** Finds out which directions are periodic, and tells the solver. @param {import('./seams.js').Asked | null} range */
   #settle(range) {
-    const surface = {
-      jets: (/** @type {number[]} */ points) => this.evaluate('jet', points),
-      metrics: (/** @type {number[]} */ points) => this.#evaluateMetric(points),
-      tensors: this.#tensors(),
-    };
     const periodic = this.kind === 'metric' && this.#periodic === 'auto' ? {} : this.#periodic;
-    if (range) this.domain = findDomain(periodic, surface, range);
+    if (range) this.domain = findDomain(periodic, this.#sampled, range);
     this.#writeRecord();
   }
 

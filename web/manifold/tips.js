@@ -14,6 +14,8 @@ const NEAR_POINT = 0.05;
 const SAME_POINT = 0.1;
 /** The surface is smooth at a point if derivatives around it differ from those of a plane by less. */
 const FLAT = 1e-5;
+/** A density makes ways along an edge free up to this part of what they are beside it: `sqrt(cos(v))` at π/2 is the root of a rounding. */
+const FREE = 1e-6;
 /** So near to a point, in parts of the range, and twice as far, a metric tells what it is at it. */
 const BESIDE = 1e-4;
 /** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of the secant method find the place. */
@@ -30,15 +32,26 @@ const ROUNDING = 2e-15;
  * Edges that are one point: a pole, an apex. They are compared with the line beside them: the surface may be far larger elsewhere.
  * @param {Sampled} surface @param {Range} range
  */
-export function findPoles({ jets, tensors }, range) {
-  const isPoint = tensors ? hasNoLength(tensors, range) : isOnePlace(jets);
-  return [0, 1, 2, 3]
-    .filter((edge) => {
-      const [direction, side] = [edge >> 1, edge & 1];
-      const beside = linePlaces(range, direction, Math.abs(side - FRACTIONS[1]), FRACTIONS);
-      return isPoint(linePlaces(range, direction, side, FRACTIONS), beside, 1 - direction);
-    })
-    .map((edge) => edge + 1);
+export function findPoles(surface, range) {
+  return findEdges(range, surface.tensors ? hasNoLength(squaresOf(surface), range, POSITION_GAP) : isOnePlace(surface.jets));
+}
+
+/**
+ * Edges along which a density or a metric makes ways free, or almost, poles or not.
+ * @param {Sampled} surface @param {Range} range
+ */
+export function findFree(surface, range) {
+  const squares = squaresOf(surface);
+  return squares(range.lower, 0).length > 0 ? findEdges(range, hasNoLength(squares, range, FREE)) : [];
+}
+
+/** @param {Range} range @param {(places: number[], beside: number[], along: number) => boolean} isIt tells from an edge and the line beside it */
+function findEdges(range, isIt) {
+  return [1, 2, 3, 4].filter((edge) => {
+    const { across, along, side } = edgeOf(edge);
+    const beside = linePlaces(range, across, Math.abs(side - FRACTIONS[1]), FRACTIONS);
+    return isIt(linePlaces(range, across, side, FRACTIONS), beside, along);
+  });
 }
 
 /**
@@ -203,14 +216,34 @@ function isOnePlace(jets) {
   };
 }
 
-/** Where E, F and G measure length they tell what is a point: the speed along the edge vanishes. @param {Sampler} tensors @param {Range} range */
-function hasNoLength(tensors, range) {
+/**
+ * The square of the speed along a coordinate at each of some places, where a density or a metric measures it; none where space does.
+ * @param {Sampled} surface @returns {(places: number[], along: number) => number[]}
+ */
+export function squaresOf({ jets, metrics, tensors }) {
+  if (tensors) return (places, along) => tensors(places).map((tensor) => tensor[2 * along]);
+  return (places, along) => {
+    const sampled = jets(places);
+    /* Behind x, y and z: the square of the density. */
+    return metrics(places).map((measured, i) => {
+      const speed = vector(sampled, i, along ? 6 : 3);
+      return measured[3] * dot(speed, speed);
+    });
+  };
+}
+
+/**
+ * Whether the speed along an edge vanishes, up to a part of what it is beside it: where E, F and G measure length that tells what is a point.
+ * @param {ReturnType<typeof squaresOf>} squares @param {Range} range @param {number} near
+ */
+function hasNoLength(squares, range, near) {
   const span = [0, 1].map((j) => range.upper[j] - range.lower[j]);
-  const lengthOf = (/** @type {ArrayLike<number>} */ tensor, /** @type {number} */ j) => Math.sqrt(Math.abs(tensor[2 * j])) * span[j];
+  const lengths = (/** @type {number[]} */ places, /** @type {number} */ j) =>
+    squares(places, j).map((square) => Math.sqrt(Math.abs(square)) * span[j]);
   return (/** @type {number[]} */ places, /** @type {number[]} */ beside, /** @type {number} */ along) => {
-    const lengths = tensors(beside).flatMap((tensor) => [lengthOf(tensor, 0), lengthOf(tensor, 1)]);
-    const least = POSITION_GAP * Math.max(0, ...lengths.filter(Number.isFinite));
-    return tensors(places).every((tensor) => lengthOf(tensor, along) <= least);
+    const around = [...lengths(beside, 0), ...lengths(beside, 1)];
+    const least = near * Math.max(0, ...around.filter(Number.isFinite));
+    return lengths(places, along).every((length) => length <= least);
   };
 }
 

@@ -12,6 +12,7 @@ import { BESIDE, distinct, firsts, isAmong } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
+import { challengeByEdges } from './free-edges.js';
 import { besidePoles, overPoles } from './poles.js';
 import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { findStarts } from './starts.js';
@@ -98,7 +99,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))
     return [asAsked(corner, options)];
-  return most === 1 ? [challenge(problem, options, found[0], tried, found[1])] : found;
+  return most === 1 ? [challengeByEdges(problem, options, challenge(problem, options, found[0], tried, found[1]))] : found;
 }
 
 /**

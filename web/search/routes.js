@@ -43,6 +43,7 @@ import { findStarts } from './starts.js';
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>) => T} run
  * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
+ * @property {(places: number[], along: number) => number[]} squares of the speed along a coordinate, where a density or a metric measures it
  * @property {(box: number[], resolution: number) => import('../mesh/mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
  */
 
@@ -177,7 +178,7 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, graphs, isPlain, isSpatial, positions, run } = field;
+  const { kind, domain, graphs, isPlain, isSpatial, positions, squares, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const branches = branchesOf(field);
@@ -196,6 +197,7 @@ function pose(field, [from, to], find) {
       isPlain,
       isSpatial,
       positions,
+      squares,
       domain,
       solve: (end, start, asked, passage = null) =>
         watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),
