@@ -20,6 +20,9 @@ static const double LOOSE = 2;
 /* On a surface with creases no chord's middle is farther from it than this part of the chord. */
 static const double FARTHEST_MIDDLE = 0.2;
 
+/* Edges all around have a mean direction near zero, those of half a plane one of 0.64. */
+static const double ONE_SIDED = 0.5;
+
 /* Newton comes to a node by halves: f is less steep there by this part, and more, than beside it. */
 static const double NODE = 1e-3;
 
@@ -225,6 +228,32 @@ static int join_around(struct sp_cells *cells, int32_t vertex) {
     return 1;
 }
 
+/* Whether the edges of a vertex lead to one side: there its sheet ends, as none does but at the walls of the box. */
+static int is_end(const struct sp_cells *cells, int32_t vertex) {
+    const struct sp_graph *graph = cells->builder->graph;
+    const int32_t *at = cells->list[vertex].at;
+    const double *here = sample_at(graph, vertex);
+    int32_t first = graph->first[vertex], end = graph->first[vertex + 1];
+    double sum[3] = {0};
+    for (int j = 0; j < 3; j++)
+        if (at[j] < REACH || at[j] >= cells->size[j] - REACH) return 0;
+    for (int32_t i = first; i < end; i++) {
+        const double *there = sample_at(graph, graph->edges[i].to);
+        double length = distance_between(here, there);
+        for (int j = 0; j < 3; j++)
+            sum[j] += (there[j] - here[j]) / length;
+    }
+    return norm(sum) > ONE_SIDED * (end - first);
+}
+
+/* Whether a smooth surface is missing where it is thinner than cells are wide: what is cut there may hang together by a longer way. */
+static int is_torn(const struct sp_cells *cells) {
+    int is_seen = cells->size[0] && !cells->builder->options->loose;
+    for (int32_t i = 0; is_seen && i < cells->count; i++)
+        if (is_end(cells, i)) return 1;
+    return 0;
+}
+
 int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     struct sp_graph *graph = builder->graph;
     struct sp_cells cells = {.builder = builder};
@@ -237,5 +266,6 @@ int32_t sp_graph_build_implicit(struct sp_builder *builder) {
     sp_builder_begin(builder);
     for (int32_t i = 0; i < cells.count; i++)
         if (!sp_builder_turn(builder, i) || !join_around(&cells, i)) return SP_OUT_OF_MEMORY;
+    graph->coarse = is_torn(&cells);
     return SP_CONVERGED;
 }

@@ -8,17 +8,18 @@ import { gap } from '../vector.js';
 
 /**
  * Cells a direction, by level of refinement; a surface that the first does not resolve begins with the second (a parametric one if it is far from that). The last
- * is loose on implicit surfaces: it joins what its cells join, creases or not.
+ * is loose on implicit surfaces: it joins what its cells join, creases or not. Smooth ones have one as fine before it that is not.
  */
 const RESOLUTION = [
   [64, 128, 256],
+  [40, 56, 96, 96],
   [40, 56, 96],
 ];
 /** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
 const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
-const IMPLICIT = 1;
+const [IMPLICIT, CREASED] = [1, 2];
 /** Which cells that share a face are joined though their sheets part: none, all, or those with a crease between them. As in wasm/graph.h. */
 const [STRICT, ANYHOW, OVER_CREASES] = [0, 1, 2];
 
@@ -30,6 +31,7 @@ export class Graphs {
   /** Legs between branch points, and from these to ends, by what was asked. @type {Map<string, import('../path.js').Path>} */ legs =
     new Map();
   #kind;
+  /** @type {number[]} by level */ #resolutions;
   /** How cells on both sides of a crease are joined. */ #creases;
   /** @type {Graph[]} by level */ #graphs = [];
   /** @type {Graph | null} around the last point that was asked for */ #flood = null;
@@ -37,6 +39,7 @@ export class Graphs {
   /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
   constructor(kind, isCreased) {
     this.#kind = kind;
+    this.#resolutions = RESOLUTION[kind === IMPLICIT && isCreased ? CREASED : kind];
     this.#creases = isCreased ? OVER_CREASES : STRICT;
   }
 
@@ -50,14 +53,15 @@ export class Graphs {
   find(heap, record, where, level) {
     const { domain } = where;
     const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : where.box;
-    const resolutions = RESOLUTION[this.#kind];
+    const resolutions = this.#resolutions;
     const resolution = Math.round(resolutions[level] * Math.sqrt(domain?.turn?.folds ?? 1));
     if (!box || !resolution) return null;
     const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
     const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose, level });
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
+    /* The last one is only for what stays apart without it. */
     /** @type {Graph | null} */
-    const finer = graph.coarse ? this.find(heap, record, where, 1) : null;
+    const finer = graph.coarse && resolutions[level + 2] ? this.find(heap, record, where, level + 1) : null;
     return finer?.status === CONVERGED ? finer : usable(graph);
   }
 
