@@ -228,13 +228,13 @@ static int join_around(struct sp_cells *cells, int32_t vertex) {
     return 1;
 }
 
-/* Whether the edges of a vertex lead to one side: there its sheet ends, as none does but at the walls of the box. */
+/* Whether the edges of a vertex lead to one side, and one cell on, on the other, the surface goes on where no cell has it. */
 static int is_end(const struct sp_cells *cells, int32_t vertex) {
     const struct sp_graph *graph = cells->builder->graph;
     const int32_t *at = cells->list[vertex].at;
     const double *here = sample_at(graph, vertex);
-    int32_t first = graph->first[vertex], end = graph->first[vertex + 1];
-    double sum[3] = {0};
+    int32_t first = graph->first[vertex], end = graph->first[vertex + 1], cell[3];
+    double sum[3] = {0}, beyond[3], normal[3];
     for (int j = 0; j < 3; j++)
         if (at[j] < REACH || at[j] >= cells->size[j] - REACH) return 0;
     for (int32_t i = first; i < end; i++) {
@@ -243,7 +243,14 @@ static int is_end(const struct sp_cells *cells, int32_t vertex) {
         for (int j = 0; j < 3; j++)
             sum[j] += (there[j] - here[j]) / length;
     }
-    return norm(sum) > ONE_SIDED * (end - first);
+    double all = norm(sum);
+    if (!(all > ONE_SIDED * (end - first))) return 0;
+    for (int j = 0; j < 3; j++)
+        beyond[j] = here[j] - cells->width[j] * sum[j] / all;
+    if (!sp_implicit_halve(cells->builder->surface, beyond, beyond, graph->spacing, beyond, normal)) return 0;
+    for (int j = 0; j < 3; j++)
+        cell[j] = (int32_t)((beyond[j] - cells->origin[j]) / cells->width[j]);
+    return sp_cells_at(cells, cell) < 0;
 }
 
 /* Whether a smooth surface is missing where it is thinner than cells are wide: what is cut there may hang together by a longer way. */

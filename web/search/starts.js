@@ -20,7 +20,7 @@ const FLOODS = [
   [8, 1],
   [0, 4],
 ];
-/** From this level on only what the one before does not resolve is refined. */
+/** A flood of this level is refined only where it does not resolve the surface. */
 const FINE = 2;
 
 /**
@@ -52,7 +52,7 @@ export function* findStarts(problem, isAll, straight) {
   const apart = isPlain && (!known || isAll) ? gap(from, to) : 0;
   const floods = apart > 0 ? FLOODS.map(([times, wide]) => [times * apart, wide]) : [[isPlain ? known : 0, 1]];
   for (const [reach, wide] of isOutside && !isFound ? floods : []) {
-    for (const looked of look(problem, (level) => problem.flood(level, reach, wide), 0, isAll)) {
+    for (const looked of look(problem, (level) => problem.flood(level, reach, wide), 0, isAll, FINE)) {
       status = looked.status;
       if (isOpen(status)) {
         status = looked.graph.vertices === FLOOD_CELLS ? OFF_SURFACE : DISCONNECTED;
@@ -69,8 +69,13 @@ export function* findStarts(problem, isAll, straight) {
   if (!isFound) yield { starts, status };
 }
 
-/** What graphs say of the ends, from a level on. @param {Problem} problem @param {(level: number) => Graph | null} find @param {number} level @param {boolean} isAll @returns {Generator<Looked, void>} */
-function* look({ domain, search }, find, level, isAll) {
+/**
+ * What graphs say of the ends, from a level on.
+ * @param {Problem} problem @param {(level: number) => Graph | null} find @param {number} level @param {boolean} isAll @param {number} [fine] no finer one is looked at than
+ *   one of this level that resolves the surface
+ * @returns {Generator<Looked, void>}
+ */
+function* look({ domain, search }, find, level, isAll, fine = Infinity) {
   for (let graph = find(level), before = null; graph; before = graph, graph = find(++level)) {
     /* A finer one was searched already in place of a coarse one. */
     if (graph === before) continue;
@@ -84,7 +89,7 @@ function* look({ domain, search }, find, level, isAll) {
     }
     const { status } = graph;
     yield { graph, ...(status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] }) };
-    if (level >= FINE && graph.resolved) return;
+    if (level >= fine && graph.resolved) return;
   }
 }
 
