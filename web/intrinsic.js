@@ -8,6 +8,7 @@ import { vector } from './manifold/rectangle.js';
 import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS } from './search/candidates.js';
+import { findFromInfinite } from './search/infinite-ends.js';
 import { findRaised } from './search/raised.js';
 import { settleEnd } from './search/routes.js';
 import { gap, norm } from './vector.js';
@@ -103,6 +104,12 @@ const shorter = (path, creased) => (creased && !(path.converged && path.length <
  * @returns {Path}
  */
 export function findPath(field, ends, options, start) {
+  const begun = options.algorithm === ELEMENTS ? findFromInfinite(field, ends, options, start, findFinite) : null;
+  return begun ?? findFinite(field, ends, options, start);
+}
+
+/** As {@link findPath}, where length is measured by numbers at both ends. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
+function findFinite(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
   if (!creased) return findSmooth(field, ends, options, start);
   if (creased.path && creased.path.length <= creased.most) return creased.path;

@@ -17,7 +17,7 @@ import { ReferenceFinder } from './reference.js';
 import { scaleOf } from './scale.js';
 import { compileShape, evaluateRanges, readShape } from './shapes.js';
 import { Sides } from './sides.js';
-import { squaresOf } from './tips.js';
+import { formsOf } from './tips.js';
 
 /** @typedef {import('./domain.js').Domain} Domain */
 /** @typedef {import('./installation.js').Installed} Installed */
@@ -230,9 +230,9 @@ export class Manifold {
       isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
       isSpatial: !isAbstract && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
-      run: (call) => this.run(call, domain, isOwn),
+      run: (call, part) => this.run(call, part ?? domain, isOwn),
       jets: (places) => this.evaluate('jet', places),
-      squares: (places, along) => squaresOf(this.#sampled)(places, along),
+      forms: (places) => formsOf(this.#sampled)(places),
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
       own: null,

@@ -98,7 +98,7 @@ export class Stretched {
       positions: null,
       run,
       jets: (places) => solver.evaluate(shape.call.jet, places, variables.length, jet),
-      squares: () => [],
+      forms: () => [],
       mesh: (within, resolution) => run((heap, _, { value }) => heap.meshImplicit(value, within, resolution)),
       pieces: [],
       own: null,

@@ -33,7 +33,7 @@ const ROUNDING = 2e-15;
  * @param {Sampled} surface @param {Range} range
  */
 export function findPoles(surface, range) {
-  return findEdges(range, surface.tensors ? hasNoLength(squaresOf(surface), range, POSITION_GAP) : isOnePlace(surface.jets));
+  return findEdges(range, surface.tensors ? hasNoLength(formsOf(surface), range, POSITION_GAP) : isOnePlace(surface.jets));
 }
 
 /**
@@ -41,8 +41,8 @@ export function findPoles(surface, range) {
  * @param {Sampled} surface @param {Range} range
  */
 export function findFree(surface, range) {
-  const squares = squaresOf(surface);
-  return squares(range.lower, 0).length > 0 ? findEdges(range, hasNoLength(squares, range, FREE)) : [];
+  const forms = formsOf(surface);
+  return forms(range.lower).length > 0 ? findEdges(range, hasNoLength(forms, range, FREE)) : [];
 }
 
 /** @param {Range} range @param {(places: number[], beside: number[], along: number) => boolean} isIt tells from an edge and the line beside it */
@@ -217,29 +217,29 @@ function isOnePlace(jets) {
 }
 
 /**
- * The square of the speed along a coordinate at each of some places, where a density or a metric measures it; none where space does.
- * @param {Sampled} surface @returns {(places: number[], along: number) => number[]}
+ * E, F and G at each of some places, where a density or a metric measures length; none where space does.
+ * @param {Sampled} surface @returns {(places: number[]) => ArrayLike<number>[]}
  */
-export function squaresOf({ jets, metrics, tensors }) {
-  if (tensors) return (places, along) => tensors(places).map((tensor) => tensor[2 * along]);
-  return (places, along) => {
+export function formsOf({ jets, metrics, tensors }) {
+  if (tensors) return tensors;
+  return (places) => {
     const sampled = jets(places);
     /* Behind x, y and z: the square of the density. */
     return metrics(places).map((measured, i) => {
-      const speed = vector(sampled, i, along ? 6 : 3);
-      return measured[3] * dot(speed, speed);
+      const [a, b] = [vector(sampled, i, 3), vector(sampled, i, 6)];
+      return [dot(a, a), dot(a, b), dot(b, b)].map((product) => measured[3] * product);
     });
   };
 }
 
 /**
  * Whether the speed along an edge vanishes, up to a part of what it is beside it: where E, F and G measure length that tells what is a point.
- * @param {ReturnType<typeof squaresOf>} squares @param {Range} range @param {number} near
+ * @param {ReturnType<typeof formsOf>} forms @param {Range} range @param {number} near
  */
-function hasNoLength(squares, range, near) {
+function hasNoLength(forms, range, near) {
   const span = [0, 1].map((j) => range.upper[j] - range.lower[j]);
   const lengths = (/** @type {number[]} */ places, /** @type {number} */ j) =>
-    squares(places, j).map((square) => Math.sqrt(Math.abs(square)) * span[j]);
+    forms(places).map((form) => Math.sqrt(Math.abs(form[2 * j])) * span[j]);
   return (/** @type {number[]} */ places, /** @type {number[]} */ beside, /** @type {number} */ along) => {
     const around = [...lengths(beside, 0), ...lengths(beside, 1)];
     const least = near * Math.max(0, ...around.filter(Number.isFinite));

@@ -19,7 +19,7 @@ import { estimate } from './distinct.js';
  * @property {boolean} isPlain length is that of space
  * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
- * @property {(places: number[], along: number) => number[]} squares of the speed along a coordinate, where a density or a metric measures it
+ * @property {(places: number[]) => ArrayLike<number>[]} forms E, F and G at places, where a density or a metric measures length
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('../runtime/heap.js').Passage | null) => RawPath} solve from `from`
  * @property {(line: Float64Array, options: SolveOptions) => RawPath} between from the first place of a line to its last one
  * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none

@@ -20,7 +20,7 @@ export function challengeByEdges(problem, { tolerance }, path) {
 }
 
 /** What the way over an edge is long, at most. @param {import('./candidates.js').Problem} problem @param {number} edge */
-function lengthOver({ from, to, domain, squares }, edge) {
+function lengthOver({ from, to, domain, forms }, edge) {
   const { lower, upper } = /** @type {import('../manifold/domain.js').Domain} */ (domain);
   const { across, along, side } = edgeOf(edge);
   const at = (side ? upper : lower)[across];
@@ -32,13 +32,13 @@ function lengthOver({ from, to, domain, squares }, edge) {
       place[across] += (at - end[across]) * t * t * t * t * (35 - t * (84 - t * (70 - 20 * t)));
       return place;
     });
-    return squares(places, across).reduce((sum, square, i) => {
+    return forms(places).reduce((sum, form, i) => {
       const both = middles[i] * (1 - middles[i]);
-      return sum + (140 * both * both * both * Math.sqrt(square) * Math.abs(at - end[across])) / parts;
+      return sum + (140 * both * both * both * Math.sqrt(form[2 * across]) * Math.abs(at - end[across])) / parts;
     }, 0);
   };
   const onEdge = [from, to].map((end) => end.map((x, j) => (j === across ? at : x)));
-  const free = Math.abs(to[along] - from[along]) * Math.sqrt(Math.max(...squares(onEdge.flat(), along)));
+  const free = Math.abs(to[along] - from[along]) * Math.sqrt(Math.max(...forms(onEdge.flat()).map((form) => form[2 * along])));
   return [from, to].reduce((sum, end) => {
     const [rough, fine] = [measure(end, PARTS), measure(end, 2 * PARTS)];
     return sum + fine + Math.abs(fine - rough);

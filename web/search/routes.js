@@ -41,9 +41,9 @@ import { findStarts } from './starts.js';
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
- * @property {<T>(call: Call<T>) => T} run
+ * @property {<T>(call: Call<T>, part?: import('../manifold/domain.js').Domain) => T} run on the rectangle, or a part of it
  * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
- * @property {(places: number[], along: number) => number[]} squares of the speed along a coordinate, where a density or a metric measures it
+ * @property {(places: number[]) => ArrayLike<number>[]} forms E, F and G at places, where a density or a metric measures length
  * @property {(box: number[], resolution: number) => import('../mesh/mesh.js').Mesh} mesh of an implicit surface; without vertices where there is no room
  */
 
@@ -178,7 +178,7 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, graphs, isPlain, isSpatial, positions, squares, run } = field;
+  const { kind, domain, graphs, isPlain, isSpatial, positions, forms, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const branches = branchesOf(field);
@@ -197,7 +197,7 @@ function pose(field, [from, to], find) {
       isPlain,
       isSpatial,
       positions,
-      squares,
+      forms,
       domain,
       solve: (end, start, asked, passage = null) =>
         watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),

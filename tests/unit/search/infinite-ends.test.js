@@ -1,0 +1,85 @@
+// Ends at which a density or a metric is infinite, and lengths are not: what falls from rest, what leaves the line where a plane is singular.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { load } from '../../../web/index.js';
+import { createRandom } from '../../helpers/random.js';
+
+const surfpath = await load();
+const plane = /** @type {const} */ ({ x: 'u', y: 'v', z: 0, u: [0, 4], v: [-3, 0] });
+const fall = surfpath.parametric({ ...plane, density: '1/sqrt(-v)' });
+
+/** ∫ ds/√y from rest to a place so far aside and down: along the cycloid x = a (t − sin t), y = a (1 − cos t) that is √(2a) t. @param {number} x @param {number} y */
+function timeOfFall(x, y) {
+  let [low, high] = [1e-6, 2 * Math.PI];
+  for (let i = 0; i < 100; i++) {
+    const t = (low + high) / 2;
+    if ((t - Math.sin(t)) * y < (1 - Math.cos(t)) * x) low = t;
+    else high = t;
+  }
+  return Math.sqrt((2 * y) / (1 - Math.cos(low))) * low;
+}
+
+/** @param {import('../../../web/path.js').Path} path @param {number} exact */
+function holds(path, exact) {
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - exact) <= path.lengthError + 1e-14 * exact, `${path.length}, not ${exact}; ${path.lengthError}`);
+}
+
+test('a body that falls from rest takes the cycloid, to the tolerance', () => {
+  for (const tolerance of [1e-3, 1e-6, 1e-9, 1e-12]) {
+    const path = fall.shortestPath([0, 0], [3, -1], { tolerance });
+    holds(path, timeOfFall(3, 1));
+    assert.ok(path.lengthError <= tolerance * path.length);
+    assert.deepEqual([...(path.parameters?.slice(0, 2) ?? [])], [0, 0]);
+    assert.deepEqual([...path.points.slice(0, 3), ...path.points.slice(-3)], [0, 0, 0, 3, -1, 0]);
+    const back = fall.shortestPath([3, -1], [0, 0], { tolerance });
+    assert.deepEqual([back.length, back.parameters?.[0]], [path.length, 3]);
+  }
+  holds(fall.shortestPath([0, 0], [3, -1], { start: 'straight' }), timeOfFall(3, 1));
+  assert.equal(fall.geodesics([0, 0], [3, -1]).length, 1);
+  assert.equal(fall.lengths([0, 0, 3, -1])[0], fall.shortestPath([0, 0], [3, -1]).length);
+});
+
+test('of random falls all are right, also between two places of rest, by E, F and G, and with slanted coordinates', () => {
+  const random = createRandom(4);
+  const metric = surfpath.metric({ u: plane.u, v: plane.v, E: '-1/v', F: 0, G: '-1/v' });
+  const slanted = surfpath.parametric({ ...plane, x: 'u + v/2', density: '1/sqrt(-v)' });
+  for (let i = 0; i < 8; i++) {
+    const [from, x, y] = [random.between(0, 1), random.between(0, 2), random.between(0.1, 2)];
+    for (const surface of [fall, metric]) holds(surface.shortestPath([from, 0], [from + x, -y]), timeOfFall(x, y));
+    holds(slanted.shortestPath([from, 0], [from + x + y / 2, -y]), timeOfFall(x, y));
+    holds(fall.shortestPath([from, 0], [from + 1 + x, 0]), 2 * Math.sqrt(Math.PI * (1 + x)));
+  }
+});
+
+test('straight ways have the length of their power; where that is infinite there is none', () => {
+  for (const power of [0.25, 0.5, 0.75, 0.9]) {
+    const surface = surfpath.parametric({ ...plane, v: [0, 3], density: `v^(-${power})` });
+    holds(surface.shortestPath([1, 0], [1, 2]), 2 ** (1 - power) / (1 - power));
+    surface.dispose();
+  }
+  for (const density of ['1/v', 'v^(-1.5)']) {
+    const surface = surfpath.parametric({ ...plane, v: [0, 3], density });
+    assert.equal(surface.shortestPath([1, 0], [2, 2]).status, 'not-finite');
+    surface.dispose();
+  }
+});
+
+test("Grushin's plane: paths leave the line on which it is singular, within the rectangle or at its edge", () => {
+  for (const u of /** @type {const} */ ([
+    [0, 2],
+    [-2, 2],
+  ])) {
+    const surface = surfpath.metric({ u: [...u], v: [-2, 2], E: 1, F: 0, G: '1/u^2' });
+    holds(surface.shortestPath([0, 0], [0, 0.5]), Math.sqrt(Math.PI));
+    holds(surface.shortestPath([0, 1], [1.5, 1]), 1.5);
+    surface.dispose();
+  }
+});
+
+test('a point at which a density is infinite in all directions: the error says what is not known', () => {
+  const surface = surfpath.parametric({ ...plane, u: [-1, 4], v: [-3, 3], density: '(u^2 + v^2)^(-1/4)' });
+  const path = surface.shortestPath([0, 0], [3, -1]);
+  assert.equal(path.status, 'tolerance-not-met');
+  assert.ok(Math.abs(path.length - 2 * 10 ** 0.25) <= 1.1 * path.lengthError && path.lengthError < 1e-5);
+});
