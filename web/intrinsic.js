@@ -113,8 +113,8 @@ function findFinite(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
   if (!creased) return findSmooth(field, ends, options, start);
   if (creased.path && creased.path.length <= creased.most) return creased.path;
-  /* Across edges of a body elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
-  const maxIterations = field.domain ? options.maxIterations : Math.min(options.maxIterations, STEPS);
+  /* Across creases elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
+  const maxIterations = Math.min(options.maxIterations, STEPS);
   const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
   if (path.converged && path.length <= creased.most) return path;
   /* Cells that are wider than a wall lead through it. */

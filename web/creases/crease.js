@@ -134,38 +134,44 @@ function unit(vector, scale) {
 /**
  * Places along a crease from one on it to another, that turn little from each to the next, edge by edge.
  * @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} sense 1: as {@link directions} says; −1: the other way
+ * @param {number} [most] how long the way may be
  * @returns {Edge[] | null} null: the other place is not reached
  */
-export function walk(sides, on, from, to, sense) {
+export function walk(sides, on, from, to, sense, most = Infinity) {
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];
   const { scale } = sides;
   let stride = STRIDE * sizeBy(minus(to, from), scale);
-  for (let count = 0; count < MOST_STRIDES && stride > 0; count++) {
+  let length = 0;
+  const reach = (/** @type {number[]} */ at, /** @type {number[]} */ next) => {
+    length += sizeBy(minus(next, at), scale);
+    edges[edges.length - 1].places.push(next);
+  };
+  for (let count = 0; count < MOST_STRIDES && stride > 0 && length <= most; count++) {
     const { signs, places } = edges[edges.length - 1];
     const here = { crease: on.crease, signs };
     const at = places[places.length - 1];
     const t = directions(sides, here, at).along.map((x) => sense * x);
     const rest = minus(to, at);
-    const reach = inner(rest, t, scale);
-    const isNear = sizeBy(rest, scale) <= 1.5 * stride && reach > 0;
+    const onwards = inner(rest, t, scale);
+    const isNear = sizeBy(rest, scale) <= 1.5 * stride && onwards > 0;
     const step = isNear ? rest : t.map((x) => stride * x);
     const aim = ahead(at, step, 1);
     const next = isNear ? to : settle(sides, here, aim);
     const passed = corner(sides, here, at, isNear ? settle(sides, here, to) : next);
-    const off = sizeBy(isNear ? ahead(rest, t, -reach) : minus(next, aim), scale);
+    const off = sizeBy(isNear ? ahead(rest, t, -onwards) : minus(next, aim), scale);
     if (!passed && !(off <= BENT * sizeBy(step, scale))) {
       stride /= 2;
       continue;
     }
     if (passed?.place) {
-      places.push(passed.place);
+      reach(at, passed.place);
       edges.push({ signs: passed.signs, places: [passed.place] });
       continue;
     }
     if (passed) edges[edges.length - 1].signs = passed.signs;
-    places.push(next);
-    if (isNear) return edges;
+    reach(at, next);
+    if (isNear) return length <= most ? edges : null;
     if (off < STRAIGHT * stride) stride *= 1.5;
   }
   return null;

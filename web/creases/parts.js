@@ -193,9 +193,8 @@ function bulge(question, { signs: first, shore: given, on, isCorner }, from, to,
   const { sides } = question;
   const shore = /** @type {Shore} */ (given);
   const { crease, sense } = shore;
-  const edges = guess > 0 ? walk(sides, { crease, signs: first }, from, to, sense) : null;
-  const all = edges?.flatMap(({ places }) => places) ?? [];
-  if (!edges || !all.every((place) => isInside(question, place)) || span(all.flat(), sides.scale) > LONGER * guess) return [];
+  const edges = guess > 0 ? walk(sides, { crease, signs: first }, from, to, sense, LONGER * guess) : null;
+  if (!edges?.every(({ places }) => places.every((place) => isInside(question, place)))) return [];
   /** @type {Piece[]} */
   const pieces = [];
   for (const [e, { signs, places }] of edges.entries()) {

@@ -24,6 +24,8 @@ const DEPTHS = [1e-3, 1e-4, 1e-5, 1e-7, 1e-9];
 const ENOUGH = 0.1;
 /** What is missed falls to this part from one depth to the next, at least. */
 const FALLS = 0.5;
+/** A half of a leg is shorter than the one before by this factor at least, where all are not infinitely long: as long as each other, but for rounding. */
+const FALLING = 0.999;
 /** A half of a leg is measured in so many parts, each by Gauss's rule. */
 const PARTS = 32;
 const GAUSS = [-1, 0, 1].map((side) => ({ at: 0.5 + side * Math.sqrt(0.15), weight: side ? 5 / 18 : 8 / 18 }));
@@ -56,7 +58,10 @@ function findForwards(field, ends, options, start, solve) {
     const places = legs.map(({ place }) => place);
     const path = solve(best ? inside(field, infinite, places) : field, places, options, best?.path.parameters ?? start);
     if (best && !path.converged) continue;
-    best = joined(path, legs, best);
+    const next = joined(path, legs, best);
+    /* From here on depths are rounding. */
+    if (best && next.missed > best.missed) break;
+    best = next;
     if (!path.converged || best.missed <= ENOUGH * tolerance * best.length) break;
   }
   return best && begun(field, infinite, best, tolerance);
@@ -130,7 +135,7 @@ function legOf(field, infinite, depth) {
     return width * speeds.reduce((length, speed, i) => length + GAUSS[i % GAUSS.length].weight * speed, 0);
   });
   const [once, twice] = [first / (1 - second / first), first + second / (1 - third / second)];
-  const falls = second < first && third < second;
+  const falls = second < FALLING * first && third < FALLING * second;
   return { place: placeOf(infinite, depth, slope), length: falls ? twice : Infinity, error: Math.abs(twice - once) };
 }
 

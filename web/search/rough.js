@@ -12,6 +12,8 @@ import { isSame } from './distinct.js';
 
 /** Inner points of the rough solves, until one holds; and of one that must tell what elements did not. */
 const ROUGH = [31, 63, 127, 255];
+/** So many of them where formulas have creases: across these no polyline comes to rest. */
+const FEW = 2;
 export const MOST_ROUGH = 255;
 export const FINEST = 1023;
 export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
@@ -69,7 +71,7 @@ export function solveRoughly(problem, { to, start }, tried) {
 /** Solves with more and more points, until it does not stall, nor jump over a wall: from the start, or from what only did not see a metric between its nodes. @param {Problem} problem @param {Tried} one @returns {Tried} */
 function solveFiner(problem, one) {
   let { path } = one;
-  for (const points of ROUGH.slice(1)) {
+  for (const points of ROUGH.slice(1, problem.isCreased ? FEW : ROUGH.length)) {
     const isBehind = isBehindWall(problem, { ...one, path });
     if (!isTooCoarse(path) && !isBehind) break;
     const finer = { ...ROUGHLY, points };

@@ -195,6 +195,7 @@ function pose(field, [from, to], find) {
       from: first,
       to: last,
       isPlain,
+      isCreased: !!field.sides,
       isSpatial,
       positions,
       forms,

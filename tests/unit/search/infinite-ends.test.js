@@ -36,6 +36,8 @@ test('a body that falls from rest takes the cycloid, to the tolerance', () => {
     assert.deepEqual([back.length, back.parameters?.[0]], [path.length, 3]);
   }
   holds(fall.shortestPath([0, 0], [3, -1], { start: 'straight' }), timeOfFall(3, 1));
+  const lower = surfpath.parametric({ ...plane, v: [-3, 2], density: '1/sqrt(2 - v)' });
+  holds(lower.shortestPath([0, 2], [3, 1]), timeOfFall(3, 1));
   assert.equal(fall.geodesics([0, 0], [3, -1]).length, 1);
   assert.equal(fall.lengths([0, 0, 3, -1])[0], fall.shortestPath([0, 0], [3, -1]).length);
 });
