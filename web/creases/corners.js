@@ -19,11 +19,11 @@ const BESIDE = [0, -2, 2, -4, 4];
 const VANISHES = 1e4 * ROUNDING;
 
 /**
- * Corners near a polyline around which there is more than a full turn, in its order.
+ * Corners near a polyline that may hold a path, in its order: where length is that of space, those around which there is more than a full turn.
  * @param {Question} question @param {Float64Array} line @param {number} near no farther than this part of its length @returns {Corner[]}
  */
 export function cornersNear(question, line, near) {
-  const { sides, ends } = question;
+  const { field, sides, ends } = question;
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
   const reach = near * span(line, sides.scale);
@@ -52,7 +52,7 @@ export function cornersNear(question, line, near) {
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
       const corner = { place, creases, signs, at };
-      corners.push({ ...corner, isSaddle: hasMore(survey, corner) });
+      corners.push({ ...corner, isSaddle: !field.isPlain || hasMore(survey, corner) });
     }
   }
   return corners
@@ -113,14 +113,16 @@ function creasesAt(sides, signs, place, size) {
  * leg to the other. null: it is not known.
  * @param {Question} question @param {Corner} corner @param {Leg} before @param {Leg} after @returns {{ isHeld: boolean, rays: number[][] } | null}
  */
-export function passing({ sides }, corner, before, after) {
+export function passing({ field, sides }, corner, before, after) {
   const width = corner.place.length;
   const [back, on] = [Array.from(before.line.subarray(-3 * width)), Array.from(after.line.subarray(0, 3 * width))];
   const came = tangent(corner.place, back.slice(width, 2 * width), back.slice(0, width));
   const goes = tangent(corner.place, on.slice(width, 2 * width), on.slice(2 * width));
-  const right = turnBetween(sides, corner, signsAlong(sides, corner, before.signs, came), came, goes);
-  const left = turnBetween(sides, corner, signsAlong(sides, corner, after.signs, goes), goes, came);
+  const [first, second] = [signsAlong(sides, corner, before.signs, came), signsAlong(sides, corner, after.signs, goes)];
+  const right = turnBetween(sides, corner, first, came, goes, field.isPlain ? undefined : second);
+  const left = turnBetween(sides, corner, second, goes, came, field.isPlain ? undefined : first);
   if (!right || !left) return null;
+  if (!field.isPlain) return { isHeld: right.isHeld && left.isHeld, rays: right.isHeld ? left.rays.reverse() : right.rays };
   if (!isHalf(right.turn)) return { isHeld: false, rays: right.rays };
   return { isHeld: isHalf(left.turn), rays: left.rays.reverse() };
 }

@@ -1,13 +1,13 @@
 /** What lies around a corner: sectors of its sides, one after the other, and how far they turn. Angles are kept as tangents and unit vectors: no function of an engine is called. */
 
-import { cross, dot } from '../vector.js';
+import { cross } from '../vector.js';
 import { slopeOf } from './crease.js';
 import { product } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ place: number[], creases: number[] }} Corner creases: that meet there */
 /** @typedef {{ e1: number[], e2: number[], times: (a: number[], b: number[]) => number }} Plane tangent to a side: unit vectors at right angles, and the product that measures it */
-/** @typedef {{ plane: Plane, half: number }} Sector of a side at a corner, from the plane's e1 on, counter-clockwise; half: the tangent of half its angle */
+/** @typedef {{ plane: Plane, half: number, onto: number, signs: number[] }} Sector of a side at a corner, from the plane's e1 on, counter-clockwise; half: the tangent of half its angle; onto: how long the ray that it begins with is on it, where it is 1 on the sector before */
 
 /** Directions agree to this part. */
 export const ALIKE = 1e-7;
@@ -30,21 +30,47 @@ function add({ halves, x, y }, half) {
 }
 
 /**
- * How far it is counter-clockwise around a corner from one direction to another, or all around to the same, and the creases between.
- * @param {Sides} sides @param {Corner} corner @param {number[]} signs of the side of the first @param {number[]} from @param {number[]} to @returns {{ turn: Turn, rays: number[][] } | null}
+ * How far it is counter-clockwise around a corner from one direction to another, or all around to the same, the creases between, and whether ways past it on that side are longer.
+ * @param {Sides} sides @param {Corner} corner @param {number[]} signs of the side of the first @param {number[]} from @param {number[]} to
+ * @param {number[]} [own] signs of the side of that, if it may follow a crease
+ * @returns {{ turn: Turn, rays: number[][], isHeld: boolean } | null}
  */
-export function turnBetween(sides, corner, signs, from, to) {
+export function turnBetween(sides, corner, signs, from, to, own) {
   /** @type {Turn} */
   let turn = { halves: 0, x: 1, y: 0 };
   const rays = [];
-  for (const { plane, half } of sectors(sides, corner, signs, from)) {
+  /** @type {{ half: number, onto: number }[]} */
+  const fan = [];
+  for (const { plane, half, onto, signs: here } of sectors(sides, corner, signs, from)) {
     const rest = from !== to || isBeyond(turn, 0) ? halfAngle(plane, to) : null;
-    if (rest !== null && rest <= half * (1 + ALIKE) + ALIKE) return { turn: add(turn, rest), rays };
+    const isLast = rest !== null && rest <= half * (1 + ALIKE) + ALIKE;
+    const isBeside = isLast && own && rest >= half * (1 - ALIKE) && corner.creases.some((k) => own[k] !== here[k]);
+    if (isLast && !isBeside) return { turn: add(turn, rest), rays, isHeld: isLonger([...fan, { half: rest, onto }]) };
     turn = add(turn, half);
+    fan.push({ half, onto });
     /* A direction that follows a crease has not passed it. */
     if (isBeyond(turn, 0)) rays.push(rayAt(plane, half));
   }
   return null;
+}
+
+/**
+ * Whether ways from one direction to another that cross the rays between sectors at short distances s, of any ratio, are longer than the one through the corner: to first order that is longer by
+ * −cos θ_0 s_1 + Σ |s_k r_k − s_k+1 r_k+1| − cos θ_m s_m, each as its sector measures it. From the last ray on, the least of that is a multiple w of s: cos(θ − φ) for w = cos φ.
+ * @param {{ half: number, onto: number }[]} fan the first from one direction on, the last up to the other
+ */
+function isLonger(fan) {
+  const [{ x: first }, ...others] = fan.map(({ half }) => cosineAndSine(half));
+  if (others.length === 0) return first <= -1 + ALIKE * ALIKE;
+  let w = 1;
+  for (let k = others.length - 1; k >= 0; k--) {
+    const { x, y } = others[k];
+    if (w < -1 - ALIKE) return false;
+    const sine = Math.sqrt(Math.max(0, 1 - w * w));
+    const least = w < 1 && x * sine >= w * y ? w * x + sine * y : 1;
+    w = fan[k + 1].onto * (k === others.length - 1 ? -x : least);
+  }
+  return w - first >= -ALIKE;
 }
 
 /** The direction in a plane whose half angle from its first vector has this tangent. @param {Plane} plane @param {number} half */
@@ -84,7 +110,7 @@ function* sectors(sides, { place, creases }, signs, direction) {
     });
     const half = Math.min(...halves);
     if (!(half >= 0)) return;
-    yield { plane, half };
+    yield { plane, half, onto: Math.sqrt(plane.times(direction, direction)), signs };
     direction = rayAt(plane, half);
     const crossed = creases.filter((_, i) => halves[i] === half || halves[i] - half <= ALIKE * (1 + half));
     signs = signs.map((sign, k) => (crossed.includes(k) ? -sign : sign));
@@ -94,18 +120,16 @@ function* sectors(sides, { place, creases }, signs, direction) {
 /** The tangent plane of a side at a place, turned to a direction; null: it has none. @param {import('../manifold/sides.js').Side} side @param {number[]} place @param {number[]} direction @returns {Plane | null} */
 function planeAt(side, place, direction) {
   const [jet] = side.jets(place);
-  if (place.length === 3) {
-    const normal = scaled(jet.slice(1, 4), dot);
-    const e1 = scaled(cross(cross(normal, direction), normal), dot);
-    const e2 = cross(normal, e1);
-    return [...e1, ...e2].every(Number.isFinite) ? { e1, e2, times: dot } : null;
-  }
-  const [u, v] = [jet.slice(3, 6), jet.slice(6, 9)];
-  const [e, f, g] = [dot(u, u), dot(u, v), dot(v, v)];
-  const times = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
-    e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
-  const e1 = scaled(direction, times);
-  const e2 = scaled([-(f * e1[0] + g * e1[1]), e * e1[0] + f * e1[1]], times);
+  const times = side.productOf(jet);
+  const normal = jet.slice(1, 4);
+  const first = place.length === 3 ? cross(cross(normal, direction), normal) : direction;
+  const e1 = scaled(first, times);
+  const aside = place.length === 3 ? cross(normal, e1) : [-e1[1], e1[0]];
+  const along = times(e1, aside);
+  const e2 = scaled(
+    aside.map((x, j) => x - along * e1[j]),
+    times,
+  );
   return [...e1, ...e2].every(Number.isFinite) ? { e1, e2, times } : null;
 }
 

@@ -29,14 +29,13 @@ const SAME = 1e-6;
  * @returns {{ route: Route, isClear: boolean } | null} isClear: no corner is near
  */
 export function followPinned(question, line, length, follow) {
-  const { field, sides, budget } = question;
+  const { sides, budget } = question;
   const near = SAME * span(line, sides.scale);
   /** @type {Corner[]} */
   const passed = [];
   const isPassed = (/** @type {Corner} */ { place }) => passed.some((other) => apart(other.place, place, sides.scale) <= near);
   for (let round = 0; round < MOST_ROUNDS; round++) {
-    const within = (/** @type {number} */ near) =>
-      field.isPlain ? cornersNear(question, line, near).filter((corner) => !isPassed(corner)) : [];
+    const within = (/** @type {number} */ near) => cornersNear(question, line, near).filter((corner) => !isPassed(corner));
     let corners = within(NEAR);
     if (round > 0 && corners.length === 0) corners = within(FARTHER);
     if (round > 0 && corners.length === 0) break;

@@ -33,7 +33,7 @@ export function refract(question, route) {
     now = next.route;
     const total = lengthOf(now.legs);
     const isGone = now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)));
-    if (isPlain && isGone) {
+    if (isGone) {
       question.budget.lost = lineOf(now.legs, question.ends[0].length);
       return null;
     }

@@ -26,8 +26,20 @@ export class Creases {
     return new Set(this.#widths).size;
   }
 
-  /** As {@link Calculus.call}. @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
+  /** As {@link Calculus.call}. What is the sign of a product, or its size, is that of its factors: where two of them vanish the product has no slope. @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
   call(graph, calculus, name, operands) {
+    const isFixed = operands.every((operand) => operand.isFixed);
+    const factors = name === 'abs' || name === 'sign' ? factorsOf(operands[0]) : [];
+    if (factors.filter((factor) => !factor.isFixed).length > 1)
+      return factors
+        .map((factor) => (factor.isFixed ? calculus.call(name, [factor]) : this.#call(graph, calculus, name, [factor])))
+        .reduce((one, other) => calculus.call('multiply', [one, other]));
+    const jet = this.#call(graph, calculus, name, operands);
+    return { ...jet, isFixed, factors: name === 'multiply' ? operands : undefined };
+  }
+
+  /** As {@link call}, of a product as it is. @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
+  #call(graph, calculus, name, operands) {
     if (this.#widths) return this.#round(this.#widths, graph, calculus, name, operands);
     const [a] = operands;
     if (name === 'abs' || name === 'sign') {
@@ -73,6 +85,15 @@ export class Creases {
     this.nodes.push(node);
     return this.#sides && (Math.sign(graph.numberOf(node)) || this.#sides[this.nodes.length - 1]);
   }
+}
+
+/** What a jet is the product of, in order; itself, where it is none. @param {Jet} jet @returns {Jet[]} */
+function factorsOf(jet) {
+  const [open, factors] = [[jet], /** @type {Jet[]} */ ([])];
+  for (let next = open.pop(); next; next = open.pop())
+    if (next.factors) open.push(...[...next.factors].reverse());
+    else factors.push(next);
+  return factors;
 }
 
 /**

@@ -9,7 +9,8 @@ import { ATAN2, HYPOT, LOG, POW, rules } from './functions.js';
 
 /**
  * Nodes of a value, of its first derivatives variable by variable, and of its second derivatives in upper-triangular order (uu, uv, vv).
- * @typedef {{ value: number, first: number[], second: number[] }} Jet
+ * Where creases are looked for, `factors`: of a product; `isFixed`: variables are not in it, whatever side it is written for.
+ * @typedef {{ value: number, first: number[], second: number[], factors?: Jet[], isFixed?: boolean }} Jet
  */
 
 /**
@@ -27,8 +28,8 @@ export function differentiate(graph, program, variableCount, order, known = [], 
   /** @type {Jet[]} */
   const stack = [];
   for (const { kind, name, value } of program) {
-    if (kind === 'number') stack.push(calculus.constant(graph.constant(value)));
-    else if (kind === 'parameter') stack.push(calculus.constant(graph.parameter(value)));
+    if (kind === 'number') stack.push({ ...calculus.constant(graph.constant(value)), isFixed: true });
+    else if (kind === 'parameter') stack.push({ ...calculus.constant(graph.parameter(value)), isFixed: true });
     else if (kind === 'variable') stack.push(calculus.variable(value));
     else if (kind === 'known') stack.push(known[value]);
     else {

@@ -5,13 +5,14 @@
 
 import { compile } from '../expression/compile.js';
 import { Creases } from '../expression/creases.js';
-import { listOf } from '../vector.js';
+import { dot, listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 import { compileShape } from './shapes.js';
 
 /** @typedef {import('../expression/creases.js').Way} Way */
 /** @typedef {ReturnType<import('../runtime/solver.js').Solver['install']>} Installed */
+/** @typedef {(a: number[], b: number[]) => number} Product of tangent vectors, over u and v or in space */
 /**
  * @typedef {object} Given a surface, for the present values of its parameters
  * @property {'parametric' | 'implicit' | 'metric'} kind
@@ -28,6 +29,7 @@ import { compileShape } from './shapes.js';
  * @property {<T>(call: import('../search/routes.js').Call<T>) => T} run
  * @property {number[]} groups of the numbers of a jet that have the same unit: 0, 1, 2 of the shape, by the order of derivatives, 3, 4, 5 of what measures length
  * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
+ * @property {(jet: number[]) => Product} productOf what measures tangent vectors at a place, by its jets
  * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
  */
 
@@ -186,6 +188,7 @@ export class Sides {
         );
         return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
       },
+      productOf: (jet) => productOf(kind, metric?.code ?? METRIC.induced, jet),
       measure: (places) => {
         if (this.count === 1) return this.measure(places);
         vanishing ??= vanish();
@@ -237,6 +240,24 @@ function keyOf(signs) {
     bits = 1;
   }
   return key + bits;
+}
+
+/**
+ * What measures tangent vectors at a place: the jet of the shape says it, or that of a density or a metric behind it.
+ * @param {'parametric' | 'implicit' | 'metric'} kind @param {number} code of what measures length @param {number[]} jet @returns {Product}
+ */
+function productOf(kind, code, jet) {
+  if (kind === 'implicit') {
+    const [_, ...measured] = jet.slice(10, 17);
+    const density = code === METRIC.density ? measured[0] : 1;
+    if (code !== METRIC.tensor) return (a, b) => density * dot(a, b);
+    const [xx, xy, yy, xz, yz, zz] = measured;
+    return (a, b) => dot(a, [xx * b[0] + xy * b[1] + xz * b[2], xy * b[0] + yy * b[1] + yz * b[2], xz * b[0] + yz * b[1] + zz * b[2]]);
+  }
+  const [u, v] = [jet.slice(3, 6), jet.slice(6, 9)];
+  const space = [dot(u, u), dot(u, v), dot(v, v)].map((x) => (code === METRIC.density ? jet[21] * x : x));
+  const [e, f, g] = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
+  return (a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
 }
 
 /**

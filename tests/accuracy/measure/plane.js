@@ -148,6 +148,14 @@ export const JUMPS = {
   'winding road': ['2 - sign(0.1 - abs(y - 0.3*sin(2x)))', (x, y) => 2 - Math.sign(0.1 - Math.abs(y - 0.3 * Math.sin(2 * x)))],
   river: ['2 + sign(0.3 - abs(y - 0.3*sin(2x)))', (x, y) => 2 + Math.sign(0.3 - Math.abs(y - 0.3 * Math.sin(2 * x)))],
   strips: ['2 + sign(sin(4x))', (x) => 2 + Math.sign(Math.sin(4 * x))],
+  'tilted chessboard': ['2 + sign(sin(2x + y)*sin(2y - x))', (x, y) => 2 + Math.sign(Math.sin(2 * x + y) * Math.sin(2 * y - x))],
+  'curved chessboard': [
+    '3 + 2*sign(sin(2x + sin(y)/2)*sin(2y + x^2/4))',
+    (x, y) => 3 + 2 * Math.sign(Math.sin(2 * x + Math.sin(y) / 2) * Math.sin(2 * y + (x * x) / 4)),
+  ],
+  'four fields': ['3 + sign(x + 0.2y) + 0.5*sign(y - 0.1x)', (x, y) => 3 + Math.sign(x + 0.2 * y) + 0.5 * Math.sign(y - 0.1 * x)],
+  'three fields': ['2 + sign(x)*(1 + sign(y)/2)', (x, y) => 2 + Math.sign(x) * (1 + Math.sign(y) / 2)],
+  'nook of a field': ['2 + max(sign(x), sign(y))', (x, y) => 2 + Math.max(Math.sign(x), Math.sign(y))],
   chessboard: ['2 + sign(sin(2x)*sin(2y))', (x, y) => 2 + Math.sign(Math.sin(2 * x) * Math.sin(2 * y))],
 };
 

@@ -55,11 +55,15 @@ function sideOf(chosen, side) {
   return Math.sign(graph.numberOf(jet[0])) || side;
 }
 
-/** A formula full of creases, and the same on sides that are drawn, written by hand. @param {import('../../helpers/random.js').Random} random @param {number} depth @returns {{ source: string, sides: number[], chosen: string }} */
+/**
+ * A formula full of creases, and the same on sides that are drawn, written by hand; factors: of a product, so written.
+ * @param {import('../../helpers/random.js').Random} random @param {number} depth
+ * @returns {{ source: string, sides: number[], chosen: string, factors: string[] }}
+ */
 function drawFormula(random, depth) {
   if (depth === 0) {
     const source = random.pick(['u', 'v', 'u*v', '(u-v/2)', 'sin(u+v)', '(v^2-0.3)', 'exp(u/2)', `(${random.between(-1, 1)}+u)`]);
-    return { source, sides: [], chosen: source };
+    return { source, sides: [], chosen: source, factors: source === 'u*v' ? ['u', 'v'] : [source] };
   }
   const operands = (/** @type {number} */ count) => Array.from({ length: count }, () => drawFormula(random, depth - 1));
   const draw = () => random.pick([1, -1]);
@@ -67,20 +71,20 @@ function drawFormula(random, depth) {
   if (name === 'add' || name === 'multiply') {
     const [a, b] = operands(2);
     const write = (/** @type {string} */ x, /** @type {string} */ y) => (name === 'add' ? `(${x}+${y})` : `(${x})*(${y})`);
-    return { source: write(a.source, b.source), sides: [...a.sides, ...b.sides], chosen: write(a.chosen, b.chosen) };
+    const chosen = write(a.chosen, b.chosen);
+    const factors = name === 'add' ? [chosen] : [...a.factors, ...b.factors];
+    return { source: write(a.source, b.source), sides: [...a.sides, ...b.sides], chosen, factors };
   }
-  const side = draw();
   if (name === 'abs' || name === 'sign') {
     const [a] = operands(1);
-    const taken = sideOf(a.chosen, side);
-    return {
-      source: `${name}(${a.source})`,
-      sides: [...a.sides, side],
-      chosen: name === 'sign' ? `(${taken})` : `(${taken}*(${a.chosen}))`,
-    };
+    /* The sign, or the size, of a product is that of its factors. */
+    const own = a.factors.map(draw);
+    const taken = a.factors.map((factor, k) => `(${sideOf(factor, own[k])}${name === 'sign' ? '' : `*(${factor})`})`);
+    const chosen = taken.join('*');
+    return { source: `${name}(${a.source})`, sides: [...a.sides, ...own], chosen, factors: [chosen] };
   }
   const all = operands(2 + random.integer(2));
-  const own = all.slice(1).map((_, k) => (k ? draw() : side));
+  const own = all.slice(1).map(draw);
   /* One after the other: on side 1 the first of two is larger. */
   const chosen = all.reduce((one, other, k) =>
     sideOf(`(${one.chosen})-(${other.chosen})`, own[k - 1]) > 0 === (name === 'max') ? one : other,
@@ -89,6 +93,7 @@ function drawFormula(random, depth) {
     source: `${name}(${all.map(({ source }) => source).join(', ')})`,
     sides: [...all.flatMap(({ sides }) => sides), ...own],
     chosen,
+    factors: [chosen],
   };
 }
 
