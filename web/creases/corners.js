@@ -1,6 +1,6 @@
 /** Corners, where creases meet: one with more than a full turn around it holds a path, as a nail holds a string. MATH.md, "Corners". */
 
-import { meet, ROUNDING, slopeOf } from './crease.js';
+import { directions, meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isBeyond, isHalf, turnBetween } from './fan.js';
 import { apart, isInside, span } from './legs.js';
@@ -116,8 +116,8 @@ function creasesAt(sides, signs, place, size) {
 export function passing({ field, sides }, corner, before, after) {
   const width = corner.place.length;
   const [back, on] = [Array.from(before.line.subarray(-3 * width)), Array.from(after.line.subarray(0, 3 * width))];
-  const came = tangent(corner.place, back.slice(width, 2 * width), back.slice(0, width));
-  const goes = tangent(corner.place, on.slice(width, 2 * width), on.slice(2 * width));
+  const came = alongShore(sides, corner, before, -1) ?? tangent(corner.place, back.slice(width, 2 * width), back.slice(0, width));
+  const goes = alongShore(sides, corner, after, 1) ?? tangent(corner.place, on.slice(width, 2 * width), on.slice(2 * width));
   const [first, second] = [signsAlong(sides, corner, before.signs, came), signsAlong(sides, corner, after.signs, goes)];
   const right = turnBetween(sides, corner, first, came, goes, field.isPlain ? undefined : second);
   const left = turnBetween(sides, corner, second, goes, came, field.isPlain ? undefined : first);
@@ -125,6 +125,11 @@ export function passing({ field, sides }, corner, before, after) {
   if (!field.isPlain) return { isHeld: right.isHeld && left.isHeld, rays: right.isHeld ? left.rays.reverse() : right.rays };
   if (!isHalf(right.turn)) return { isHeld: false, rays: right.rays };
   return { isHeld: isHalf(left.turn), rays: left.rays.reverse() };
+}
+
+/** The direction of the crease that a leg follows, from a corner on; null: it follows none. @param {Sides} sides @param {Corner} corner @param {Leg} leg @param {number} way 1: it begins there; −1: it ends there */
+function alongShore(sides, { place }, { shore, signs }, way) {
+  return shore && directions(sides, { crease: shore.crease, signs }, place).along.map((x) => way * shore.sense * x);
 }
 
 /** The direction of a parabola through three places, at the first. @param {number[]} place @param {number[]} next @param {number[]} second */

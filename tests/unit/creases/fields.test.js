@@ -70,3 +70,24 @@ function aroundWhite(from, to) {
       for (const [j, b] of places.entries()) if (share(a, b)) far[j] = Math.min(far[j], far[i] + Math.hypot(a[0] - b[0], a[1] - b[1]));
   return far[1];
 }
+
+test('where octants of a sphere meet paths are the same on the implicit surface and over u and v', () => {
+  const density = '2 + sign(x*y*z)';
+  const cube = /** @type {any} */ ([0, 1, 2].map(() => [-1.2, 1.2]));
+  const implicit = surfpath.implicit({ f: 'x^2+y^2+z^2-1', bounds: cube, density });
+  const ball = { x: 'cos(v)*cos(u)', y: 'cos(v)*sin(u)', z: 'sin(v)', u: [0, '2*pi'], v: [-1.5, 1.5], density };
+  const parametric = surfpath.parametric(/** @type {any} */ (ball));
+  const random = createRandom(5);
+  for (let i = 0; i < 6; i++) {
+    const from = [random.between(3, 5), random.between(-1, 1)];
+    const to = [from[0] + random.between(-1.2, 1.2), random.between(-1, 1)];
+    const path = parametric.shortestPath(from, to);
+    const other = implicit.shortestPath(spaceOf(from), spaceOf(to));
+    assert.deepEqual([path.status, other.status], ['converged', 'converged']);
+    assert.ok(Math.abs(path.length - other.length) <= 1e-9, `${from} to ${to}: ${path.length} and ${other.length}`);
+  }
+  /** @param {number[]} place @returns {number[]} */
+  function spaceOf(place) {
+    return Array.from(parametric.evaluate(place).slice(0, 3));
+  }
+});
