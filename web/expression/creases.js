@@ -26,8 +26,13 @@ export class Creases {
     return new Set(this.#widths).size;
   }
 
-  /** As {@link Calculus.call}. What is the sign of a product, or its size, is that of its factors: where two of them vanish the product has no slope. @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @returns {Jet} */
-  call(graph, calculus, name, operands) {
+  /**
+   * As {@link Calculus.call}. The sign of a product, or its size, is that of its factors: where two of them vanish the product has no slope.
+   * @param {Graph} graph @param {Calculus} calculus @param {string} name @param {Jet[]} operands @param {boolean} isSplit signs or sizes are asked for
+   * @returns {Jet}
+   */
+  call(graph, calculus, name, operands, isSplit) {
+    if (!isSplit) return this.#call(graph, calculus, name, operands);
     const isFixed = operands.every((operand) => operand.isFixed);
     const factors = name === 'abs' || name === 'sign' ? factorsOf(operands[0]) : [];
     if (factors.filter((factor) => !factor.isFixed).length > 1)

@@ -25,16 +25,18 @@ import { ATAN2, HYPOT, LOG, POW, rules } from './functions.js';
  */
 export function differentiate(graph, program, variableCount, order, known = [], creases = undefined) {
   const calculus = new Calculus(graph, order === 0 ? 0 : variableCount, order === 2);
+  const isSplit = program.some(({ name }) => name === 'abs' || name === 'sign');
+  const fixed = (/** @type {number} */ node) => (isSplit ? { ...calculus.constant(node), isFixed: true } : calculus.constant(node));
   /** @type {Jet[]} */
   const stack = [];
   for (const { kind, name, value } of program) {
-    if (kind === 'number') stack.push({ ...calculus.constant(graph.constant(value)), isFixed: true });
-    else if (kind === 'parameter') stack.push({ ...calculus.constant(graph.parameter(value)), isFixed: true });
+    if (kind === 'number') stack.push(fixed(graph.constant(value)));
+    else if (kind === 'parameter') stack.push(fixed(graph.parameter(value)));
     else if (kind === 'variable') stack.push(calculus.variable(value));
     else if (kind === 'known') stack.push(known[value]);
     else {
       const operands = stack.splice(stack.length - value);
-      stack.push(creases ? creases.call(graph, calculus, name, operands) : calculus.call(name, operands));
+      stack.push(creases ? creases.call(graph, calculus, name, operands, isSplit) : calculus.call(name, operands));
     }
   }
   return stack[0];
