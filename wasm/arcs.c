@@ -6,6 +6,9 @@
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
 enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */, WALK_ROUNDS = 20 };
+/* Panels along an edge agree to this part; so many, and none narrower than this part of it, where those of one width do not. */
+static const double AGREES = 1e-13, NARROWEST = 1e-15;
+enum { MOST_GRADED = 4000 };
 /* Step across an edge, in parts of the range, for what its length changes by. */
 static const double ACROSS = 1e-5;
 /* Where points along an edge lie, in parts of what they are apart. */
@@ -30,19 +33,45 @@ static double edge_speed_at(const struct sp_surface *surface, const struct sp_ar
     return root(beside_edge(surface, arc, 0, t).along);
 }
 
-/* Length of an edge arc from its start to `to`: Gauss–Lobatto panels, doubled until they agree. */
+/* Length of a piece of an edge by Gauss and Lobatto's rule. */
+static double panel(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
+                    double width) {
+    double sum = 0;
+    for (int32_t i = 0; i <= reference->degree; i++)
+        sum += reference->weight[i] * edge_speed_at(surface, arc, from + width * reference->node[i]);
+    return sum * absolute(width);
+}
+
+/* The same of all of it, where panels of one width do not agree: ever narrower ones where the speed grows, as beside a place where it is
+ * infinite, and wider ones beyond. */
+static double graded_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double span) {
+    double sum = 0, at = 0, width = 1;
+    for (int32_t step = 0; step < MOST_GRADED && at < 1; step++) {
+        if (at + width > 1) width = 1 - at;
+        double from = arc->ends[0] + span * at, whole = panel(surface, arc, reference, from, span * width), halves = 0;
+        for (int32_t half = 0; half < 2; half++)
+            halves += panel(surface, arc, reference, from + 0.5 * half * span * width, 0.5 * span * width);
+        if (absolute(halves - whole) > AGREES * halves && width > NARROWEST) {
+            width *= 0.5;
+            continue;
+        }
+        sum += halves, at += width, width *= 2;
+    }
+    return at < 1 ? not_a_number() : sum;
+}
+
+/* Length of an edge arc from its start to `to`: panels, doubled until they agree. */
 static double edge_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double to) {
-    double last = -1, span = to - arc->ends[0];
+    double last = -1, sum = 0, span = to - arc->ends[0];
     for (int32_t panels = 1; panels <= PANELS; panels *= 2) {
-        double sum = 0;
+        last = sum, sum = 0;
         for (int32_t k = 0; k < panels; k++)
             for (int32_t i = 0; i <= reference->degree; i++)
                 sum += reference->weight[i] * edge_speed_at(surface, arc, arc->ends[0] + span * (k + reference->node[i]) / panels);
         sum *= absolute(span) / panels;
         if (absolute(sum - last) <= 1e-15 * sum) return sum;
-        last = sum;
     }
-    return last;
+    return absolute(sum - last) <= AGREES * sum ? sum : graded_length(surface, arc, reference, span);
 }
 
 /* Sets the lengths of the pieces of edges and returns the whole length; NaN if the arena is full. */

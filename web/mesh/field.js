@@ -8,6 +8,7 @@ import { findBeside, findWithin } from '../pieces/pieces.js';
 import { netOf } from '../pieces/through.js';
 import { EXHAUSTED } from '../runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from '../runtime/status.js';
+import { besideInfinite } from '../search/infinite-ends.js';
 import { gap } from '../vector.js';
 import { spread } from './spread.js';
 
@@ -33,6 +34,8 @@ import { spread } from './spread.js';
 const LEAST_VERTICES = 600;
 /** A way through the graph that is so many times as long as another may be the shorter. */
 const LONGER = 1.25;
+/** So far, in parts of the range, from where length is measured infinitely ways through the graph begin and end. */
+const BESIDE = 1e-3;
 /** A node this near to the point, in parts of its coordinates, is that point. */
 const SAME = 1e-9;
 
@@ -138,6 +141,29 @@ function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
  * @returns {Float64Array} a distance a vertex
  */
 export function measureField(field, caller, from, mesh, exact) {
+  const start = besideInfinite(field, from, BESIDE);
+  const ends = mesh.parameters && besideInfinite(field, mesh.parameters, BESIDE);
+  if (!start && !ends) return measure(field, caller, from, mesh, exact);
+  const rough = measure(
+    field,
+    caller,
+    start ? Array.from(start.places) : from,
+    { ...mesh, parameters: ends?.places ?? mesh.parameters },
+    false,
+  );
+  const { solve } = readOptions(caller, undefined);
+  return rough.map((length, i) => {
+    const to = Array.from(mesh.parameters?.subarray(2 * i, 2 * i + 2) ?? []);
+    if (String(from) === String(to)) return 0;
+    if (!exact || length === Infinity) return length + (start?.away[0] ?? 0) + (ends?.away[i] ?? 0);
+    /* Paths from such a place have others before them: none that leads to a neighbour is nearer. */
+    const path = findPath(field, [from, to], solve, 'global');
+    return isGeodesic(path) ? path.length : Number.NaN;
+  });
+}
+
+/** As {@link measureField}, where length is measured by numbers. @param {Field} field @param {string} caller @param {number[]} from @param {import('./mesh.js').Mesh} mesh @param {boolean} exact @returns {Float64Array} */
+function measure(field, caller, from, mesh, exact) {
   const sources = findSources(field, caller, from, mesh.parameters ?? mesh.positions);
   const rough = sources[0].lengths.map((_, i) => Math.min(...sources.map(({ away, lengths }) => away + lengths[i])));
   if (!exact) return rough;

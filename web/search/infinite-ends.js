@@ -67,6 +67,24 @@ function findForwards(field, ends, options, start, solve) {
   return best && begun(field, infinite, best, tolerance);
 }
 
+/**
+ * Places beside those at which length is measured infinitely, so far away from them, and how far that is; null: it is at none of them, or also beside.
+ * @param {Field} field @param {ArrayLike<number>} places u v of each @param {number} depth
+ * @returns {{ places: Float64Array, away: Float64Array } | null}
+ */
+export function besideInfinite(field, places, depth) {
+  if (!field.domain || field.isPlain || isMeasured(field, Array.from(places))) return null;
+  const beside = { places: Float64Array.from(places), away: new Float64Array(places.length / 2) };
+  for (const i of beside.away.keys()) {
+    const end = [places[2 * i], places[2 * i + 1]];
+    const leg = legOf(field, infiniteAt(field, end, end), depth);
+    if (!leg || leg.length === Infinity) continue;
+    beside.places.set(leg.place, 2 * i);
+    beside.away[i] = leg.length;
+  }
+  return beside;
+}
+
 /** A path with its legs, and what is missed: the change from depth to depth tells. @param {Path} path @param {Leg[]} legs @param {Found | null} before @returns {Found} */
 function joined(path, legs, before) {
   const own = legs[0].length + legs[1].length;

@@ -19,10 +19,10 @@ function timeOfFall(x, y) {
   return Math.sqrt((2 * y) / (1 - Math.cos(low))) * low;
 }
 
-/** @param {import('../../../web/path.js').Path} path @param {number} exact */
-function holds(path, exact) {
+/** @param {import('../../../web/path.js').Path} path @param {number} exact @param {number} [rounding] in parts of it */
+function holds(path, exact, rounding = 1e-14) {
   assert.equal(path.status, 'converged');
-  assert.ok(Math.abs(path.length - exact) <= path.lengthError + 1e-14 * exact, `${path.length}, not ${exact}; ${path.lengthError}`);
+  assert.ok(Math.abs(path.length - exact) <= path.lengthError + rounding * exact, `${path.length}, not ${exact}; ${path.lengthError}`);
 }
 
 test('a body that falls from rest takes the cycloid, to the tolerance', () => {
@@ -84,4 +84,24 @@ test('a point at which a density is infinite in all directions: the error says w
   const path = surface.shortestPath([0, 0], [3, -1]);
   assert.equal(path.status, 'tolerance-not-met');
   assert.ok(Math.abs(path.length - 2 * 10 ** 0.25) <= 1.1 * path.lengthError && path.lengthError < 1e-5);
+});
+
+test('along an edge of the rectangle lengths are as right as inside, where a density grows towards its end, or is infinite there', () => {
+  for (const from of [-3e-3, -3e-5, -3e-7]) holds(fall.shortestPath([0, from], [0, -3]), 2 * (Math.sqrt(3) - Math.sqrt(-from)), 3e-14);
+  holds(fall.shortestPath([0, 0], [0, -3]), 2 * Math.sqrt(3));
+});
+
+test('a distance field from such a place, and to such places', () => {
+  const rough = fall.distanceField([1, 0], { resolution: 16 });
+  const exact = fall.distanceField([1, 0], { resolution: 3, exact: true });
+  const fields = /** @type {const} */ ([
+    [rough, 0.5],
+    [exact, 1e-9],
+  ]);
+  for (const [{ mesh, distances }, most] of fields)
+    for (const [i, distance] of distances.entries()) {
+      const [u, v] = mesh.parameters?.slice(2 * i, 2 * i + 2) ?? [];
+      const time = v === 0 ? 2 * Math.sqrt(Math.PI * Math.abs(u - 1)) : timeOfFall(Math.abs(u - 1), -v);
+      assert.ok(Math.abs(distance - time) <= most * time, `to ${u}, ${v}: ${distance}, not ${time}`);
+    }
 });
