@@ -18,10 +18,10 @@ const FLAT = 1e-5;
 const FREE = 1e-6;
 /** So near to a point, in parts of the range, and twice as far, a metric tells what it is at it. */
 const BESIDE = 1e-4;
-/** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many of the secant method find the place. */
-const [SCANNED, SCANNED_LINES, BEGIN, SETTLING] = [48, [0.137, 0.611], 0.3183, 6];
-/** Beside a double zero one of the squared speeds is so many times that at the nearest place: 81 at least where it is one of a parabola. */
-const TOUCHING = 16;
+/** So many steps over the range, on these lines, and how much of one lies before the first (no simple part: a place that is one should not be hit), find where a line is a point; so many halvings of one find the place. */
+const [SCANNED, SCANNED_LINES, BEGIN, HALVINGS] = [48, [0.137, 0.611], 0.3183, 48];
+/** Beside a zero without a turn one of the squared speeds is so many times that at the nearest place: 9 at least where it is a kink, as of abs(v), 81 of a parabola. */
+const TOUCHING = 8;
 /** Parts of a range between lines, on which the speed is sampled; so much of what these tell is counted on. */
 const SLABS = 64;
 const CERTAIN = 0.9;
@@ -109,23 +109,23 @@ export function findPinches(jets, range, across) {
       });
     return isLeast ? 2 : 0;
   };
-  /** Where three numbers of the jets vanish near two parts of the range, by the secant method. @param {number} before @param {number} at @param {number} offset */
-  const settle = (before, at, offset) => {
+  /** Where three numbers of the jets turn round between two parts of the range: halved, as they may jump there. @param {number} low @param {number} high @param {number} offset */
+  const settle = (low, high, offset) => {
     const numbers = (/** @type {number} */ x) => vector(jets(linePlaces(range, across, x, SCANNED_LINES)), 0, offset);
-    const along = numbers(at);
-    let last = dot(numbers(before), along);
-    for (let step = 0; step < SETTLING; step++) {
-      const value = dot(numbers(at), along);
-      [before, at, last] = [at, at - (value * (at - before)) / (value - last) || at, value];
+    const beyond = numbers(high);
+    for (let step = 0; step < HALVINGS; step++) {
+      const middle = (low + high) / 2;
+      if (dot(numbers(middle), beyond) < 0) low = middle;
+      else high = middle;
     }
-    return at;
+    return high;
   };
   /** @type {number[]} */
   const found = [];
   for (let i = 0; i < SCANNED; i++) {
     const order = orderAt(i);
     if (order === 0) continue;
-    /* A double zero of the speed, which rounding blurs, is a simple one of its change. */
+    /* At a double zero of the speed, which rounding blurs, and at a kink its change turns round. */
     const at = order === 1 ? settle(scan[i], scan[i + 1], across ? 3 : 6) : settle(scan[i - 1], scan[i + 1], 12);
     const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction, FRACTIONS);
     const beside = scan[at < (scan[i] + scan[i + 1]) / 2 ? i + 1 : i];

@@ -248,6 +248,40 @@ describe('both edges are one and the same point', () => {
   });
 });
 
+describe('a radius that touches zero in a kink', () => {
+  for (const radius of ['abs(t - a)', 'sqrt((t - a)^2)'])
+    test(`a double cone of radius ${radius}, wherever its apex: as long as both slants, ${PAIRS} pairs`, () => {
+      const surface = surfpath.revolution({ r: radius, z: 't', t: [-1, 1], parameters: { a: 0 } });
+      const random = createRandom(53);
+      for (let i = 0; i < PAIRS; i++) {
+        const a = random.between(-0.9, 0.9);
+        surface.set({ a });
+        const [from, to] = [
+          [random.between(-9, 9), random.between(-1, a)],
+          [random.between(-9, 9), random.between(a, 1)],
+        ];
+        const path = surface.shortestPath(from, to);
+        assert.equal(path.status, 'converged', `${a}: ${from} to ${to}`);
+        close(path.length, Math.SQRT2 * (to[1] - from[1]));
+        assertFits(surface, path, from, to);
+      }
+      surface.dispose();
+    });
+
+  test('the two balls of an orbital, r = |cos v|, which touch each other: an arc of each, along meridians', () => {
+    const orbital = make({ x: 'abs(cos(v)) sin(v) cos(u)', y: 'abs(cos(v)) sin(v) sin(u)', z: 'abs(cos(v)) cos(v)', v: [0, 'pi'] });
+    const random = createRandom(59);
+    for (let i = 0; i < PAIRS; i++) {
+      const [from, to] = [0, Math.PI / 2].map((low) => [random.between(0, TURN), random.between(low + 0.01, low + Math.PI / 2 - 0.01)]);
+      const path = orbital.shortestPath(from, to);
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
+      close(path.length, to[1] - from[1]);
+      assertFits(orbital, path, from, to);
+    }
+    orbital.dispose();
+  });
+});
+
 describe('poles whose radius is zero up to rounding, on either side', () => {
   for (const v of [
     ['2pi/3', '4pi/3'],
