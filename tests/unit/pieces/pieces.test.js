@@ -181,6 +181,22 @@ describe('a spindle torus, whose pieces form a ring', () => {
   });
 });
 
+test('across a whole bead, from pole to pole, geodesics gives the one way that shortestPath gives, whatever sign rounding gives its index', () => {
+  const beads = surfpath.revolution({ r: 'sin(t)', z: 't', t: [-1, 4] });
+  for (const [from, to] of [
+    [-0.5, 3.7],
+    [0, Math.PI],
+    [0.2, 3],
+  ]) {
+    const path = beads.shortestPath([0, from], [1, to]);
+    const all = beads.geodesics([0, from], [1, to]);
+    assert.ok(['converged', 'ill-conditioned'].includes(path.status));
+    assert.ok(all.length > 0, `${from} to ${to}`);
+    close(all[0].length, path.length);
+  }
+  beads.dispose();
+});
+
 describe('both edges are one and the same point', () => {
   test('a horn torus: through it, or around, whichever is shorter', () => {
     const horn = make({ x: '(1 + cos(v)) cos(u)', y: '(1 + cos(v)) sin(u)', z: 'sin(v)', v: ['-pi', 'pi'] });
