@@ -66,9 +66,7 @@ static double edge_length(const struct sp_surface *surface, const struct sp_arc 
     for (int32_t panels = 1; panels <= PANELS; panels *= 2) {
         last = sum, sum = 0;
         for (int32_t k = 0; k < panels; k++)
-            for (int32_t i = 0; i <= reference->degree; i++)
-                sum += reference->weight[i] * edge_speed_at(surface, arc, arc->ends[0] + span * (k + reference->node[i]) / panels);
-        sum *= absolute(span) / panels;
+            sum += panel(surface, arc, reference, arc->ends[0] + span * k / panels, span / panels);
         if (absolute(sum - last) <= 1e-15 * sum) return sum;
     }
     return absolute(sum - last) <= AGREES * sum ? sum : graded_length(surface, arc, reference, span);

@@ -4,6 +4,7 @@
  */
 
 import { findCreased } from './creases/creased.js';
+import { GAUSS } from './gauss.js';
 import { vector } from './manifold/rectangle.js';
 import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
@@ -25,9 +26,8 @@ const ASTRAY = ['stalled', 'singular-metric', 'iteration-limit', 'tolerance-not-
 const ON_SURFACE = ['iteration-limit', 'tolerance-not-met'];
 /** Statuses of paths on an implicit surface that may be none because a rim is sharper than chords are long. */
 const APART = ['sheet-jump', 'disconnected', 'off-surface', 'stalled', 'iteration-limit', 'tolerance-not-met'];
-/** Lines are measured from node to node in so many parts, each by Gauss's rule: at these places. */
+/** Lines are measured from node to node in so many parts, each by Gauss's rule. */
 const PARTS = 32;
-const PLACES = [-1, 0, 1].map((side) => 0.5 + side * Math.sqrt(0.15));
 /** The surface is torn under a line whose chords are longer than derivatives say by more than this part. */
 const TORN = 1e-9;
 /** A path that is not converged is kept where it is longer than a polyline by no more than this part. */
@@ -46,10 +46,10 @@ function measure({ jets }, line) {
   const [places, steps] = [[], []];
   for (let i = 2; i < line.length; i += 2)
     for (let part = 0; part < PARTS; part++)
-      for (const place of PLACES)
+      for (const { at } of GAUSS)
         for (const j of [0, 1]) {
           const step = (line[i + j] - line[i + j - 2]) / PARTS;
-          places.push(line[i + j - 2] + (part + place) * step);
+          places.push(line[i + j - 2] + (part + at) * step);
           steps.push(step);
         }
   const seen = jets(places);
@@ -57,7 +57,7 @@ function measure({ jets }, line) {
   for (let i = 0; 2 * i < places.length; i++) {
     const [a, b] = [vector(seen, i, 3), vector(seen, i, 6)];
     const speed = a.map((x, j) => x * steps[2 * i] + b[j] * steps[2 * i + 1]);
-    length += ((i % 3 === 1 ? 8 : 5) / 18) * norm(speed);
+    length += GAUSS[i % GAUSS.length].weight * norm(speed);
     if (i) chords += gap(vector(seen, i, 0), vector(seen, i - 1, 0));
   }
   return { length, chords };

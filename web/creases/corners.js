@@ -1,8 +1,8 @@
-/** Corners, where creases meet: one with more than a full turn around it holds a path, as a nail holds a string. MATH.md, "Corners". */
+/** Corners, where creases meet: one past which all ways are longer holds a path, as a nail holds a string. MATH.md, "Corners". */
 
 import { directions, meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
-import { ALIKE, isBeyond, isHalf, turnBetween } from './fan.js';
+import { ALIKE, isBeyond, turnBetween } from './fan.js';
 import { apart, isInside, span } from './legs.js';
 import { product, sizeBy, steepnessBy } from './linear.js';
 
@@ -27,7 +27,7 @@ export function cornersNear(question, line, near) {
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
   const reach = near * span(line, sides.scale);
-  /** @type {(Corner & { isSaddle: boolean })[]} */
+  /** @type {(Corner & { mayHold: boolean })[]} */
   const corners = [];
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
   const tried = new Map();
@@ -52,11 +52,11 @@ export function cornersNear(question, line, near) {
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
       const corner = { place, creases, signs, at };
-      corners.push({ ...corner, isSaddle: !field.isPlain || hasMore(survey, corner) });
+      corners.push({ ...corner, mayHold: !field.isPlain || hasMore(survey, corner) });
     }
   }
   return corners
-    .filter(({ isSaddle }) => isSaddle)
+    .filter(({ mayHold }) => mayHold)
     .map((corner) => ({ ...corner, ...nearest(survey, corner.place) }))
     .filter(({ away }) => away <= reach)
     .sort((a, b) => a.at - b.at);
@@ -109,22 +109,19 @@ function creasesAt(sides, signs, place, size) {
 }
 
 /**
- * Whether a corner holds the legs that meet there. Else they would rather lead past it, on the side on which there is less than half a turn between them: over creases in these directions, from one
- * leg to the other. null: it is not known.
+ * Whether a corner holds the legs that meet there. Else they would rather lead past it, on a side on which that is shorter, as where there is less than half a turn between them: over creases in
+ * these directions, from one leg to the other. null: it is not known.
  * @param {Question} question @param {Corner} corner @param {Leg} before @param {Leg} after @returns {{ isHeld: boolean, rays: number[][] } | null}
  */
-export function passing({ field, sides }, corner, before, after) {
+export function passing({ sides }, corner, before, after) {
   const width = corner.place.length;
   const [back, on] = [Array.from(before.line.subarray(-3 * width)), Array.from(after.line.subarray(0, 3 * width))];
   const came = alongShore(sides, corner, before, -1) ?? tangent(corner.place, back.slice(width, 2 * width), back.slice(0, width));
   const goes = alongShore(sides, corner, after, 1) ?? tangent(corner.place, on.slice(width, 2 * width), on.slice(2 * width));
   const [first, second] = [signsAlong(sides, corner, before.signs, came), signsAlong(sides, corner, after.signs, goes)];
-  const right = turnBetween(sides, corner, first, came, goes, field.isPlain ? undefined : second);
-  const left = turnBetween(sides, corner, second, goes, came, field.isPlain ? undefined : first);
-  if (!right || !left) return null;
-  if (!field.isPlain) return { isHeld: right.isHeld && left.isHeld, rays: right.isHeld ? left.rays.reverse() : right.rays };
-  if (!isHalf(right.turn)) return { isHeld: false, rays: right.rays };
-  return { isHeld: isHalf(left.turn), rays: left.rays.reverse() };
+  const right = turnBetween(sides, corner, first, came, goes, second);
+  const left = turnBetween(sides, corner, second, goes, came, first);
+  return right && left && { isHeld: right.isHeld && left.isHeld, rays: right.isHeld ? left.rays.reverse() : right.rays };
 }
 
 /** The direction of the crease that a leg follows, from a corner on; null: it follows none. @param {Sides} sides @param {Corner} corner @param {Leg} leg @param {number} way 1: it begins there; −1: it ends there */

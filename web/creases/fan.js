@@ -1,4 +1,4 @@
-/** What lies around a corner: sectors of its sides, one after the other, and how far they turn. Angles are kept as tangents and unit vectors: no function of an engine is called. */
+/** What lies around a corner: sectors of its sides, one after the other, how far they turn, and whether ways through them are longer than through the corner. Angles are kept as tangents and unit vectors: no function of an engine is called. */
 
 import { cross } from '../vector.js';
 import { slopeOf } from './crease.js';
@@ -15,9 +15,6 @@ export const ALIKE = 1e-7;
 const MOST_SECTORS = 64;
 
 /** How far a turn is: half turns, and the rest as a unit vector. @typedef {{ halves: number, x: number, y: number }} Turn */
-
-/** Whether it is a half turn or more, but for rounding. @param {Turn} turn */
-export const isHalf = ({ halves, x, y }) => halves > 0 || (x < 0 && y <= ALIKE);
 
 /** Whether it is surely more than so many half turns. @param {Turn} turn @param {number} halves */
 export const isBeyond = (turn, halves) => turn.halves > halves || (turn.halves === halves && (turn.y > ALIKE || turn.x < 0));
@@ -61,6 +58,7 @@ export function turnBetween(sides, corner, signs, from, to, own) {
  */
 function isLonger(fan) {
   const [{ x: first }, ...others] = fan.map(({ half }) => cosineAndSine(half));
+  /* Half a turn, but for ALIKE of it. */
   if (others.length === 0) return first <= -1 + ALIKE * ALIKE;
   let w = 1;
   for (let k = others.length - 1; k >= 0; k--) {

@@ -16,7 +16,7 @@ import { spread } from './spread.js';
  * @typedef {object} FieldOptions
  * @property {number} [resolution] of the mesh, as for `mesh`
  * @property {boolean} [exact] true: the length of the shortest path to each vertex, to 1e-9, begun from the paths to its neighbours, in 0.1 to 1 ms a vertex (up to
- *   10 ms where many paths are about as long, 100 ms from a point where the surface is singular, 400 ms under a density with creases); default false: of the
+ *   10 ms where many paths are about as long, 100 ms from a point where the surface is singular or a density infinite, 400 ms under a density with creases); default false: of the
  *   shortest way through a graph: on smooth surfaces of moderate slopes 0.5 % too long as a rule, up to a few per cent; a fifth and more in places where one
  *   direction counts much more than the other, as on steep slopes; up to 4 % too short where there are waves of a dozen cells of the graph and less
  */
@@ -144,19 +144,14 @@ export function measureField(field, caller, from, mesh, exact) {
   const start = besideInfinite(field, from, BESIDE);
   const ends = mesh.parameters && besideInfinite(field, mesh.parameters, BESIDE);
   if (!start && !ends) return measure(field, caller, from, mesh, exact);
-  const rough = measure(
-    field,
-    caller,
-    start ? Array.from(start.places) : from,
-    { ...mesh, parameters: ends?.places ?? mesh.parameters },
-    false,
-  );
+  const inner = { ...mesh, parameters: ends?.places ?? mesh.parameters };
+  const lengths = measure(field, caller, start ? Array.from(start.places) : from, inner, exact && !start);
   const { solve } = readOptions(caller, undefined);
-  return rough.map((length, i) => {
+  return lengths.map((length, i) => {
     const to = Array.from(mesh.parameters?.subarray(2 * i, 2 * i + 2) ?? []);
+    const away = (start?.away[0] ?? 0) + (ends?.away[i] ?? 0);
     if (String(from) === String(to)) return 0;
-    if (!exact || length === Infinity) return length + (start?.away[0] ?? 0) + (ends?.away[i] ?? 0);
-    /* Paths from such a place have others before them: none that leads to a neighbour is nearer. */
+    if (!exact || away === 0 || length === Infinity) return length + away;
     const path = findPath(field, [from, to], solve, 'global');
     return isGeodesic(path) ? path.length : Number.NaN;
   });

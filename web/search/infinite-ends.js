@@ -3,6 +3,7 @@
  * finite, and the way there, straight away from the line, has a length of its own. MATH.md, "Infinite ends".
  */
 
+import { GAUSS } from '../gauss.js';
 import { makePath } from '../path.js';
 import { placed } from '../pieces/pieces.js';
 import { emptyPath } from '../runtime/result.js';
@@ -28,7 +29,6 @@ const FALLS = 0.5;
 const FALLING = 0.999;
 /** A half of a leg is measured in so many parts, each by Gauss's rule. */
 const PARTS = 32;
-const GAUSS = [-1, 0, 1].map((side) => ({ at: 0.5 + side * Math.sqrt(0.15), weight: side ? 5 / 18 : 8 / 18 }));
 
 /**
  * The path between two ends; null: at both of them length is measured by numbers.
