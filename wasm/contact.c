@@ -10,10 +10,14 @@ enum {
     FALLBACK_CHORDS = 256,
     KEPT = 4 /* one in so many steps, for these */,
     SPLITS = 4,
+    FEW_STEPS = 32 /* lead from a start to what it is without walls, if this is near; */,
+    MANY = 3 /* times as many must be left */,
     CORNER_CHORDS = 4 /* from edge to edge: as many do not tell where it leaves them */
 };
 /* A path that leaves by so much, in parts of the range, touches an edge. */
 static const double BEYOND = 1e-12;
+/* A path touches a wall that it comes so near to, in parts of the range, if without the wall it would leave the rectangle. */
+static const double NEAR = 1e-3;
 /* Squared part of a chord that it may differ by from what its nodes' derivatives say. */
 static const double ELSEWHERE = 0.04;
 
@@ -45,7 +49,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
         if (r < count) {
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];
-            end.place[1 - run->across] = run->along[0];
+            end.place[1 - run->across] = run->along[0], end.doubt = absolute(run->along[0] - run->beside[0]);
             end.towards = run->beside[1] < run->beside[0] ? -1 : 1;
         }
         int turns = r > 0 && r < count && (run->across != run[-1].across || run->side != run[-1].side);
@@ -61,7 +65,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
             (struct sp_arc){.on_edge = 1, .across = run->across, .value = end.place[run->across], .ends = {run->beside[0], run->beside[1]}};
         from = run->to;
         start = end;
-        start.slides = from < 1, start.place[1 - run->across] = run->along[1];
+        start.slides = from < 1, start.place[1 - run->across] = run->along[1], start.doubt = absolute(run->along[1] - run->beside[1]);
     }
     return made;
 }
@@ -195,6 +199,74 @@ int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options,
     return 1;
 }
 
+/* The arcs that the runs cut a path into, fitted, and the runs split where the path wants to leave an edge midway. Returns whether they
+ * fit; what they take of the arena is then still in use. */
+static int fit_runs(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *walled, struct sp_run *runs,
+                    int32_t *count, struct sp_contact *contact, struct sp_arena *arena, struct sp_refined *whole) {
+    size_t bottom = arena->used;
+    for (int32_t splits = 0; splits <= SPLITS; splits++) {
+        arena->used = bottom;
+        contact->made = cut(walled, runs, *count, contact->pieces, &contact->arcs);
+        if (!take_storage(newton, contact->pieces, contact->made, arena)) break;
+        if (!sp_contact_solve(newton, options, contact, arena, whole)) break;
+        int apart = split(walled->line.surface, &contact->arcs, 0.1 * options->tolerance * whole->length, runs, count);
+        if (apart < 0) break;
+        if (apart > 0) continue;
+        whole->outcome.active = *count > 0;
+        return 1;
+    }
+    arena->used = bottom;
+    return 0;
+}
+
+/* Puts the node of a path that is nearest to each wall onto it, if it is near: a contact may be shorter than what nodes are apart. */
+static void touch(struct sp_polyline *line) {
+    for (int32_t edge = 0; edge < 4; edge++) {
+        int32_t across = edge / 2, nearest = 0;
+        double lower = line->surface->lower[across], upper = line->surface->upper[across], wall = edge % 2 ? upper : lower,
+               least = NEAR * (upper - lower);
+        for (int32_t i = 1; i <= line->fold.inner; i++) {
+            double depth = absolute(sp_polyline_coordinate(line, i, across) - wall);
+            if (depth < least) nearest = i, least = depth;
+        }
+        if (nearest) sp_polyline_put(line, nearest, across, wall);
+    }
+}
+
+/* A path of arcs, as its nodes on walls tell. */
+static int follow(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given, struct sp_arena *arena,
+                  struct sp_arcs *arcs, struct sp_refined *whole) {
+    struct sp_contact contact;
+    struct sp_run runs[SP_MAX_ARCS];
+    int32_t count = sp_runs_find(given, 0, runs);
+    int fits = count > 0 && fit_runs(newton, options, given, runs, &count, &contact, arena, whole);
+    if (fits) *arcs = contact.arcs;
+    return fits;
+}
+
+int sp_contact_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs,
+                      struct sp_refined *whole) {
+    struct sp_storage storages[2];
+    struct sp_polyline *line = &newton->system.line;
+    const struct sp_surface *surface = line->surface;
+    struct sp_surface open = sp_contact_open(surface);
+    if (!sp_refine_take(storages, newton, arena) || !sp_refine_take(storages + 1, newton, arena)) return 0;
+    newton->system.elements.count = line->fold.inner + 1, newton->system.elements.spread = NULL;
+    struct sp_system given = sp_storage_keep(storages, &newton->system);
+    if (line->touches) return follow(newton, options, &given, arena, arcs, whole);
+    int32_t kept = newton->steps_left - FEW_STEPS;
+    if (kept < MANY * FEW_STEPS) return 0;
+    line->surface = &open, newton->steps_left = FEW_STEPS;
+    *whole = sp_refine_run(newton, options, 1, arena);
+    line->surface = surface, newton->steps_left += kept;
+    int status = whole->outcome.status, is_path = status == SP_CONVERGED || status == SP_TOLERANCE_NOT_MET;
+    if (!is_path || newton->system.elements.reference.degree == 1) return 0;
+    if (sp_contact_inside(surface, &newton->system)) return 1;
+    struct sp_system beyond = sp_storage_keep(storages + 1, &newton->system);
+    touch(&given.line);
+    return follow(newton, options, &given, arena, arcs, whole) || follow(newton, options, &beyond, arena, arcs, whole);
+}
+
 struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *given,
                                  struct sp_arena *arena, struct sp_arcs *arcs) {
     struct sp_contact contact;
@@ -215,19 +287,10 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
         touching = sp_runs_find(walled, 0, runs);
         if (touching == 0) touching = sp_runs_between(walled, BEYOND, runs);
     }
-    size_t bottom = arena->used;
-    int32_t spared = newton->steps_left / KEPT, splits = 0;
+    int32_t spared = newton->steps_left / KEPT;
     newton->steps_left -= spared;
-    for (;; arena->used = bottom) {
-        contact.made = cut(walled, runs, touching, contact.pieces, &contact.arcs);
-        if (!take_storage(newton, contact.pieces, contact.made, arena)) return refined;
-        fits = sp_contact_solve(newton, options, &contact, arena, &refined);
-        int apart = fits ? split(walled->line.surface, &contact.arcs, 0.1 * options->tolerance * refined.length, runs, &touching) : 0;
-        if (apart != 0) {
-            fits = 0;
-            if (apart < 0 || ++splits > SPLITS) break;
-            continue;
-        }
+    for (;;) {
+        fits = fit_runs(newton, options, walled, runs, &touching, &contact, arena, &refined);
         /* Chords need steps, too, where nothing fits; and what cannot be cut is no mistake of theirs. */
         int may_try = contact.made >= 0 && 2 * (newton->steps_left + spared) > options->max_iterations;
         if (fits || lone || (touching == 0 && !may_try)) break;
@@ -240,9 +303,8 @@ struct sp_refined sp_contact_run(struct sp_newton *newton, const struct sp_optio
     }
     newton->steps_left += spared;
     *arcs = contact.arcs;
-    refined.outcome.active = touching > 0;
     /* Where only an end touches, nothing has told whether the path wants to cross the wall or to leave it. */
     if (fits && !(lone && absolute(refined.length - chords.length) > 3 * chords.length_error)) return refined;
-    arena->used = bottom, arcs->count = 0;
+    arcs->count = 0;
     return fall_back(newton, options, walled, arena);
 }

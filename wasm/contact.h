@@ -25,8 +25,8 @@ int sp_contact_cut_corner(const struct sp_surface *surface, struct sp_joint *fro
 /* Whether a path of elements leaves the rectangle between its nodes, which do not. */
 int sp_contact_leaves(const struct sp_system *system);
 
-/* Whether a free arc stays in the rectangle it was solved without. */
-int sp_contact_inside(const struct sp_surface *surface, const struct sp_piece *piece);
+/* Whether a path stays in the rectangle that it was solved without. */
+int sp_contact_inside(const struct sp_surface *surface, const struct sp_system *system);
 
 /* Takes the fitted pieces into the list of arcs and lets the edge arcs begin and end where they touch. Returns 0 if an edge arc would run
  * backwards. */
@@ -35,6 +35,15 @@ int sp_contact_assemble(struct sp_contact *contact);
 /* Fits all pieces and joins the arcs: `whole`, SP_ILL_CONDITIONED where one slides along its edges. Returns 0 where that fails. */
 int sp_contact_solve(struct sp_newton *newton, const struct sp_options *options, struct sp_contact *contact, struct sp_arena *arena,
                      struct sp_refined *whole);
+
+/* The surface without walls. */
+struct sp_surface sp_contact_open(const struct sp_surface *surface);
+
+/* Solves a path from a start of many nodes, newton's present one: the arcs into which those on walls cut it. Where none lies on one, what
+ * it leads to without walls; and if that leaves the rectangle, the arcs into which it is cut where the start was near to a wall, or where
+ * it leaves it. Then `arcs` is filled. Returns 0 where that fails. */
+int sp_contact_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs,
+                      struct sp_refined *whole);
 
 /* Solves a path that touches the walls. `given`: the projected Newton's, not in newton's own arrays; `arcs` is filled. Where the arcs do
  * not fit together (a corner, a free arc that leaves the rectangle), arcs->count is 0 and newton->system the best that chords can do,

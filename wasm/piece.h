@@ -11,6 +11,7 @@ struct sp_joint {
     int32_t singular;
     double place[2];
     double towards;  /* a contact: the sign of the path's way along its edge */
+    double doubt;    /* a contact: how well its place is known */
     double reach;    /* a contact: as far as it may slide at once, in the coordinate along its edge; 0: by half the arc, or a radian */
     double aside[2]; /* singular: a place beside it, on the side of the arc, where a first path is easier to find */
 };

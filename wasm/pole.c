@@ -108,7 +108,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
         if (!sp_refine_take(&piece.storage, newton, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */
         none.outcome.status = SP_SINGULAR_METRIC;
-        if (!fit(newton, options, &piece, across, range, arena) || !sp_contact_inside(&walls, &piece)) break;
+        if (!fit(newton, options, &piece, across, range, arena) || !sp_contact_inside(&walls, &piece.system)) break;
         around[i] = piece.joint[1].place[1 - across];
         arcs->arc[arcs->count++] = sp_piece_arc(&piece, i);
     }

@@ -36,9 +36,10 @@ int32_t sp_runs_find(const struct sp_system *system, int32_t lone, struct sp_run
         struct sp_run *run = runs + r;
         int32_t first = run->first, end = run->last, along = 1 - run->across;
         run->from = sp_sample_parameter(&system->elements, first), run->to = sp_sample_parameter(&system->elements, end);
-        run->along[0] = sp_polyline_coordinate(line, first, along), run->along[1] = sp_polyline_coordinate(line, end, along);
         run->beside[0] = sp_polyline_coordinate(line, first > 0 ? first - 1 : 0, along);
         run->beside[1] = sp_polyline_coordinate(line, end < last ? end + 1 : last, along);
+        run->along[0] = 0.5 * (sp_polyline_coordinate(line, first, along) + run->beside[0]);
+        run->along[1] = 0.5 * (sp_polyline_coordinate(line, end, along) + run->beside[1]);
     }
     return kept;
 }

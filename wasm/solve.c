@@ -196,7 +196,27 @@ static enum sp_status start_points(struct sp_newton *newton, const struct sp_req
     return start_with(newton, request, ends, options->point_count, 1, arena, result);
 }
 
-/* Elements from a start of many points as it is, in half of the steps; from one of few, or where that comes to nothing, from few chords.
+/* A path of many points, as an earlier one that is followed: with arcs along walls. Where that leads nowhere, or has to do with singular
+ * places, as any other. */
+static enum sp_status start_fine(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                 double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
+                                 struct sp_refined *refined) {
+    const struct sp_surface *surface = newton->system.line.surface;
+    size_t used = arena->used;
+    struct sp_elements chords = newton->system.elements;
+    int may = surface->kind == SP_PARAMETRIC && way_of(surface, &request->passage) == SP_FREE;
+    enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
+    if (status == SP_CONVERGED && may && !(may_cross(&newton->system.line) && sp_cusp_divides(newton))) {
+        if (sp_contact_follow(newton, options, arena, arcs, refined)) return refined->outcome.status;
+        arcs->count = 0, arena->used = used, newton->system.elements = chords;
+        status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
+    }
+    if (status != SP_CONVERGED) return status;
+    *refined = solve_elements(newton, options, request, 1, arena, arcs, result);
+    return refined->outcome.status;
+}
+
+/* Elements from a start of many points as it is, in most of the steps; from one of few, or where that comes to nothing, from few chords.
  * Where these jump between sheets, or a given one stalls: on twice as many. MATH.md, "Starts". */
 static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
                                      double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
@@ -205,11 +225,10 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
     struct sp_elements chords = newton->system.elements;
     int32_t steps = newton->steps_left;
     if (request->start_count > FINE_START) {
-        newton->steps_left -= steps / 2;
-        enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
-        if (status == SP_CONVERGED) *refined = solve_elements(newton, options, request, 1, arena, arcs, result);
-        newton->steps_left += steps / 2;
-        if (status == SP_CONVERGED && refined->outcome.status == SP_CONVERGED) return status;
+        newton->steps_left -= steps / 4;
+        enum sp_status status = start_fine(newton, request, options, ends, arena, arcs, result, refined);
+        newton->steps_left += steps / 4;
+        if (status == SP_CONVERGED) return status;
         arcs->count = 0, arena->used = used, newton->system.elements = chords;
     }
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {

@@ -50,6 +50,36 @@ for (const [name, z, x] of /** @type {const} */ ([
     surface.dispose();
   });
 
+const POINTS = 65535;
+/** Test functions of optimisation, half the side of a square, and ends whose path is pressed onto edges of it. @type {[string, string, number, number[], number[]][]} */
+const pressed = [
+  ["Booth's", '(x + 2y - 7)^2 + (2x + y - 5)^2', 10, [0.442, -8.062], [2.212, 9.18]],
+  ["Booth's", '(x + 2y - 7)^2 + (2x + y - 5)^2', 10, [-7.05, 3.62], [2.54, 9.95]],
+  ["the camel's", '2x^2 - 1.05x^4 + x^6/6 + x*y + y^2', 5, [0.66, 4.56], [-2.7, -4.4]],
+  ["Bohachevsky's", 'x^2 + 2y^2 - 0.3cos(3pi*x) - 0.4cos(4pi*y) + 0.7', 5, [1.73, 4.18], [0.97, -3.45]],
+  ["Rosenbrock's", '(1 - x)^2 + 100(y - x^2)^2', 2, [1.13, 1.82], [1.31, -1.06]],
+];
+for (const [name, z, side, from, to] of pressed)
+  test(`${name} function, from ${from} to ${to}: along edges, as long as its chords, as finer elements say, and no longer than ways by other places`, () => {
+    const surface = surfpath.graph({ z, x: [-side, side], y: [-side, side] });
+    const path = surface.shortestPath(from, to, { points: POINTS });
+    assert.ok(path.converged && path.touchesBoundary, `${path.status}`);
+    let chords = 0;
+    for (let i = 3; i < path.points.length; i += 3)
+      chords += Math.hypot(...[0, 1, 2].map((k) => path.points[i + k] - path.points[i + k - 3]));
+    /* Where it turns within a chord they are shorter by half of one at most. */
+    const shorter = 1 - chords / path.length;
+    assert.ok(shorter > -1e-12 && shorter < 0.5 / POINTS, `${path.length}, chords ${chords}`);
+    const finer = surface.shortestPath(from, to, { start: path, tolerance: 1e-11 });
+    assert.ok(finer.converged && Math.abs(path.length / finer.length - 1) < RIGHT, `${path.length}, finer ${finer.length}`);
+    for (let k = 1; k <= 8; k++) {
+      const place = [0.754877, 0.569841].map((step) => side * (2 * ((k * step) % 1) - 1));
+      const { converged, length } = surface.shortestPath(from, to, { via: [place], start: 'straight', tolerance: 1e-6 });
+      assert.ok(!converged || length > path.length * (1 - 1e-6), `by ${place}: ${length}, not ${path.length}`);
+    }
+    surface.dispose();
+  });
+
 test('land of many scales, waves shorter than three cells of the first graph: none of 16 bent starts leads to a shorter path, seed 5', () => {
   const waves = [
     'sin(x + 0.3)*cos(1.3y)',

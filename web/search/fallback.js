@@ -87,7 +87,8 @@ function shorterAnyway(problem, path, least, options) {
   if (!holds(finer) || estimate(finer.path) < least) {
     const refined = solveFrom(problem, finer, options);
     if (refined.length < least && (holds({ path: refined }) || refined.lengthError < lengthError)) return refined;
-    if (!holds({ path: refined })) return path;
+    /* Of one that is wrong by as much as it is long nothing is known. */
+    if (!holds({ path: refined })) return lengthError < length ? path : null;
   }
   return length + lengthError < least ? path : null;
 }

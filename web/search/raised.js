@@ -18,12 +18,14 @@ import { branchesOf, findGlobal, solveNear } from './routes.js';
 
 /** How steep a surface is made on which the first path is looked for: each may lead to another one. */
 const SLOPES = [12, 6, 3];
-/** By what heights are multiplied at first, at most, by how much more after each path that was found, and at least; and how often. */
-const [FIRST, MOST, FASTER, LEAST, OFTEN] = [1.5, 2, 1.3, 1.05, 16];
+/** By what heights are multiplied at first, at most, by how much more after each path that was found, and at least; and how often that may be in vain. */
+const [FIRST, MOST, FASTER, LEAST, OFTEN] = [1.5, 2, 1.3, 1.05, 4];
+/** Paths of one height that are as long up to this part are the same. */
+const SAME = 1e-9;
 /** A path is handed on by so many points: between fewer, lines straight over u and v lead over crests. */
 const POINTS = 16383;
-/** It is followed in no more steps than these: what takes more has become another one. */
-const STEPS = 100;
+/** It is followed in no more steps than these: what takes more has become another one; but where it comes to touch an edge it takes more. */
+const [STEPS, MORE_STEPS] = [100, 400];
 
 /**
  * The shortest of the paths between two ends of a steep surface that are found; null: this is none, or no path can be raised.
@@ -35,34 +37,45 @@ export function findRaised(field, ends, options) {
   const roughly = { ...compared(options), points: POINTS };
   /** @type {Path | null} */
   let shortest = null;
+  const passed = new Map();
   for (const slope of SLOPES) {
     const height = slope / low.steepness;
-    const path = height < 1 ? raise(low.at, ends, roughly, height) : null;
+    const path = height < 1 ? raise(low.at, ends, roughly, height, passed) : null;
     if (path && !(shortest && path.length >= shortest.length)) shortest = path;
   }
   return shortest && solveNear(field, ends, options, shortest.parameters);
 }
 
 /**
- * A path found on a lower surface, followed to the height that this has; null: it cannot be.
+ * A path found on a lower surface, followed to the height that this has; null: it cannot be, or comes to where another one was.
  * @param {(height: number) => Field | null} at @param {number[][]} ends @param {SolveOptions} options @param {number} height the first
+ * @param {Map<number, number>} passed lengths of paths that were followed, by height
  */
-function raise(at, ends, options, height) {
+function raise(at, ends, options, height, passed) {
   const low = at(height);
   /* With branch points it stands upright somewhere: it lies over no plane. */
   let path = low && branchesOf(low).length === 0 ? findGlobal(low, ends, options, 1)[0] : null;
   if (!path || !isGeodesic(path)) return null;
   let factor = FIRST;
-  for (let tries = 0; height < 1; tries++) {
-    if (tries === OFTEN || factor < LEAST) return null;
+  for (let failures = 0; height < 1; ) {
+    if (failures === OFTEN || factor < LEAST) return null;
     const higher = Math.min(factor * height, 1);
     const field = at(higher);
-    /** @type {Path | null} */
-    const next = field && solveNear(field, ends, { ...options, maxIterations: STEPS }, path.parameters);
+    /** @type {Path} */
+    const before = path;
+    const follow = (/** @type {number} */ maxIterations) =>
+      field && solveNear(field, ends, { ...options, maxIterations }, before.parameters);
+    let next = follow(STEPS);
+    if (next && !isGeodesic(next) && next.touchesBoundary) next = follow(MORE_STEPS);
     if (next && isGeodesic(next)) {
+      if (Math.abs(next.length - (passed.get(higher) ?? 0)) < SAME * next.length) return null;
+      passed.set(higher, next.length);
       [path, height] = [next, higher];
       factor = Math.min(factor * FASTER, MOST);
-    } else factor = Math.sqrt(factor);
+    } else {
+      failures++;
+      factor = Math.sqrt(factor);
+    }
   }
   return path;
 }
