@@ -80,6 +80,27 @@ for (const [name, z, side, from, to] of pressed)
     surface.dispose();
   });
 
+test('waves whose crests paths ride to an edge, up to six times: 255 chords stall, and all of 8 converge to what polylines extrapolate to, seed 6', () => {
+  const surface = surfpath.graph({ z: 'sin(6x) + 0.3y^2', x: [-4, 4], y: [-1, 1] });
+  const random = createRandom(6);
+  for (let i = 0; i < 8; i++) {
+    const [from, to] = [random.between(0.5, 2.5), random.between(-3, -1)].map((x) => [x, random.between(-0.9, 0.9)]);
+    const path = surface.shortestPath(from, to);
+    assert.ok(path.converged && path.touchesBoundary, `${from} to ${to}: ${path.status}`);
+    const polylines = (/** @type {any} */ start) => {
+      const [half, all] = [2047, 4095].map((points) =>
+        surface.shortestPath(from, to, { algorithm: 'polyline', points, maxIterations: 300, start }),
+      );
+      assert.ok(all.converged, `${from} to ${to}, as a polyline: ${all.status}`);
+      return all.length + (all.length - half.length) / 3;
+    };
+    const [same, straight] = [polylines(path), polylines('straight')];
+    assert.ok(Math.abs(path.length / same - 1) < 1e-6, `${from} to ${to}: ${path.length}, polylines ${same}`);
+    assert.ok(path.length < straight * (1 + 1e-6), `${from} to ${to}: ${path.length}, from the straight line ${straight}`);
+  }
+  surface.dispose();
+});
+
 test('land of many scales, waves shorter than three cells of the first graph: none of 16 bent starts leads to a shorter path, seed 5', () => {
   const waves = [
     'sin(x + 0.3)*cos(1.3y)',

@@ -2,8 +2,8 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from '../runtime/status.js';
-import { asAsked, holds, isOnSurface, solveFrom } from './candidates.js';
-import { estimate } from './distinct.js';
+import { asAsked, ELEMENTS, holds, isOnSurface, solveFrom } from './candidates.js';
+import { estimate, isAmong } from './distinct.js';
 import { refine } from './poles.js';
 import { FINEST, ROUGHLY, UNSURE } from './rough.js';
 
@@ -17,6 +17,8 @@ import { FINEST, ROUGHLY, UNSURE } from './rough.js';
 const BAD_ENDS = [SINGULAR_METRIC, OFF_SURFACE, NOT_FINITE];
 /** A path that stalls is believed to be as long as it says where its rough one extrapolates to that, to this part of it. */
 const AGREEMENT = 1e-6;
+/** So many of those that stall are solved with more points. */
+const MOST_FINE = 3;
 
 /** Those that are paths. @param {RawPath[]} paths */
 const shortestFirst = (paths) => paths.filter(({ length }) => length > 0).sort((a, b) => a.length - b.length);
@@ -44,6 +46,8 @@ export function shorterThan(problem, options, best, { failed, unknown }) {
  * @returns {RawPath}
  */
 export function withoutAny(problem, options, status, { tried, failed, beside }) {
+  const [fine] = shortestFirst(solveFine(problem, tried, options));
+  if (fine) return fine;
   if (beside.length > 0 && !failed.some(isOnSurface)) return asAsked(beside[0], options);
   /* A path that is none of the best is better than none, if what is shorter can be told. */
   const [weakest] = shortestFirst(failed);
@@ -53,16 +57,31 @@ export function withoutAny(problem, options, status, { tried, failed, beside }) 
   return last.length > 0 ? last : (failed[0] ?? last);
 }
 
-/** The shortest of those that would be locally shortest if they were at rest. @param {Found[]} tried @returns {Found | undefined} */
-const shortestWeak = (tried) =>
-  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path))[0];
+/** Those that would be locally shortest if they were at rest, the shortest first. @param {Found[]} tried */
+const weakOf = (tried) =>
+  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
+
+/**
+ * Where all stall, as chords are too long for a surface of many waves: what the shortest lead to with as many as are tried at most.
+ * @param {Problem} problem @param {Tried[]} tried @param {SolveOptions} options @returns {RawPath[]} those that hold
+ */
+function solveFine(problem, tried, options) {
+  const isLong = options.algorithm === ELEMENTS && tried.every(({ path }) => path.status === STALLED);
+  /** @type {Found[]} */
+  const found = [];
+  for (const { to, path } of isLong ? weakOf(tried).slice(0, MOST_FINE) : []) {
+    const fine = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: FINEST }) };
+    if (holds(fine) && !isAmong(found, fine)) found.push(fine);
+  }
+  return found.map((fine) => refine(problem, fine, options)).filter((path) => holds({ path }));
+}
 
 /**
  * Beside a pole rough paths stall, the shortest among them: a path that is shorter than the best of those that do not, of its own status.
  * @param {Problem} problem @param {Found[]} unknown @param {SolveOptions} options @param {RawPath} best
  */
 function stalledBeside(problem, unknown, options, best) {
-  const weak = problem.domain?.poles.length && shortestWeak(unknown.filter(({ path }) => path.status === STALLED));
+  const [weak] = problem.domain?.poles.length ? weakOf(unknown.filter(({ path }) => path.status === STALLED)) : [];
   const least = best.length * (1 - options.tolerance);
   if (!weak || !(estimate(weak.path) < least)) return null;
   const path = refine(problem, weak, options);
@@ -95,6 +114,6 @@ function shorterAnyway(problem, path, least, options) {
 
 /** What can be had where no start leads to a path that holds: from the best of those that do not, or straight. @param {Problem} problem @param {Found[]} tried @param {SolveOptions} options */
 function solveWeakly(problem, tried, options) {
-  const best = shortestWeak(tried);
+  const [best] = weakOf(tried);
   return best ? refine(problem, best, options) : problem.solve(tried[0].to, null, options);
 }
