@@ -294,3 +294,17 @@ for (const bow of [4, 12])
     }
     lens.dispose();
   });
+
+/* A finer graph did not join these ends, and what it did not know took the place of the path. */
+test('a plano-convex lens: from its edge over the dome', () => {
+  const lens = surfpath.implicit({ f: 'max(x^2 + y^2 + (z + 3)^2 - 10, -z)', bounds: cube(1.2) });
+  const [from, to] = [
+    [0.6747451909819533, -0.7380507619714987, 0],
+    [0.3881365749793293, 0.04730836987779374, 0.1380108217313118],
+  ];
+  const { status, length } = lens.shortestPath(from, to);
+  const known = 2 * Math.sqrt(10) * Math.asin(Math.hypot(...from.map((x, j) => x - to[j])) / (2 * Math.sqrt(10)));
+  assert.equal(status, 'converged');
+  assert.ok(Math.abs(length - known) <= RIGHT * known, `${length}, ${known}`);
+  lens.dispose();
+});

@@ -66,6 +66,8 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
   const ways = findWays(field, asked, start, finer);
+  /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
+  if (finer && ways.ways.length === 0) return null;
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
   /* A graph that knows no way nearly as short may know none where the shortest leads. */
   if (best && start === 'global' && !finer && ways.distance < Infinity && ways.distance > lengthOf(best.legs) * BLIND) {
