@@ -41,6 +41,11 @@ static inline struct sp_vector sp_chart_normal(const sp_pair *chart) {
  * Returns 0 if some point did not settle. `scale`: a length beside which coordinates are rounded. */
 int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_pair *places, double scale);
 
+/* The same for an end, also beside an edge that is sharper than a right angle. There steps go to and fro between the faces, shorter by the
+ * cosine between these each time; here one after which the gradient has turned by more than a right angle is followed by one within its
+ * plane. */
+int sp_implicit_settle_end(const struct sp_surface *surface, sp_pair place[3], double scale);
+
 /* Implicit: the middle of a chord put onto f = 0, and the gradient of f there. Returns 0 if it does not settle. */
 int sp_implicit_halve(const struct sp_surface *surface, const double from[3], const double to[3], double scale, double at[3],
                       double normal[3]);

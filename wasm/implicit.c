@@ -104,12 +104,27 @@ enum { TRIES = 3 };
 static const double OUTWARDS[TRIES] = {0.5, 0.25, 1}, FARTHEST = 1.5;
 
 /* How far a pair of points has come: lanes that still move, their last step's length, and the size of the coordinates. Of those that are
- * looked after: which have just gone to where f has no value, the last step, and how many they may still take. */
+ * looked after: which have just gone to where f has no value, the last step and gradient, and how many steps they may still take. */
 struct settling {
     sp_mask moving, lost;
     sp_pair last, size, left;
-    struct sp_vector step;
+    struct sp_vector step, gradient;
 };
+
+/* Faces are parallel, and meet in no edge, where the squared sine between their normals is below this. */
+static const double PARALLEL = 1e-8;
+
+/* The way to where f vanishes, by its gradient; where that has turned by more than a right angle since the last step, within its plane. */
+static struct sp_vector toward_edge(struct sp_vector gradient, sp_pair value, struct settling *state) {
+    sp_pair turned = sp_dot(gradient, state->gradient), squared = sp_dot(gradient, gradient);
+    struct sp_vector within = sp_subtract(gradient, sp_scale(state->gradient, turned / sp_dot(state->gradient, state->gradient)));
+    sp_pair across = sp_dot(within, within);
+    sp_mask is_edge = (turned < sp_splat(0.0)) & (across > PARALLEL * squared);
+    sp_pair far = value / sp_select(is_edge, across, squared);
+    state->gradient = gradient;
+    return (struct sp_vector){far * sp_select(is_edge, within.x, gradient.x), far * sp_select(is_edge, within.y, gradient.y),
+                              far * sp_select(is_edge, within.z, gradient.z)};
+}
 
 /* A step to where f has no value, as beyond the rim of a root, is taken back by half. It counts for nothing. */
 static struct sp_vector look_after(sp_pair value, struct sp_vector step, struct settling *state) {
@@ -129,7 +144,7 @@ static void settle_pair(const sp_pair *values, sp_pair *place, struct settling *
     sp_pair unit = 1.0 / magnitude(gradient);
     gradient = sp_scale(gradient, unit);
     struct sp_vector step = sp_scale(gradient, values[0] * unit / sp_dot(gradient, gradient));
-    if (careful) step = look_after(values[0], step, state);
+    if (careful) step = look_after(values[0], toward_edge(gradient, values[0] * unit, state), state);
     struct sp_vector next = sp_subtract(at, step);
     sp_pair length = sp_square_root(sp_dot(step, step)), size = state->size;
     sp_mask exact = values[0] == sp_splat(0.0), goes = ~exact & (state->left >= sp_splat(0.0)), moves = state->moving & goes;
@@ -188,6 +203,10 @@ int sp_implicit_settle(const struct sp_surface *surface, int32_t pair_count, sp_
         settled &= rests;
     }
     return settled;
+}
+
+int sp_implicit_settle_end(const struct sp_surface *surface, sp_pair place[3], double scale) {
+    return sp_implicit_settle(surface, 1, place, scale) || settle_block(surface, 1, place, scale, 1);
 }
 
 int sp_implicit_halve(const struct sp_surface *surface, const double from[3], const double to[3], double scale, double at[3],

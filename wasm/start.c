@@ -39,7 +39,7 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     surface->value(1, place, values);
     if (!(values[0][0] - values[0][0] == 0)) return SP_NOT_FINITE;
     if (values[1][0] == 0 && values[2][0] == 0 && values[3][0] == 0) return SP_SINGULAR_METRIC;
-    if (!sp_implicit_settle(surface, 1, place, scale)) return SP_OFF_SURFACE;
+    if (!sp_implicit_settle_end(surface, place, scale)) return SP_OFF_SURFACE;
     double moved[3] = {place[0][0] - point[0], place[1][0] - point[1], place[2][0] - point[2]};
     if (!(norm(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;
     for (int j = 0; j < 3; j++)

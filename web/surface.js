@@ -128,7 +128,9 @@ export class Surface {
     // The shortest is looked for in more ways than all of them are.
     const shortest = findPath(field, ends, asked, 'global');
     const mayBeIt = (/** @type {Path} */ { length, lengthError }) => length - lengthError <= shortest.length + shortest.lengthError;
-    const isKnown = !isGeodesic(shortest) || found.some((path) => isGeodesic(path) && mayBeIt(path));
+    /* What is not solved does not stand for what is, however much its error leaves open. */
+    const isAsGood = (/** @type {Path} */ path) => path.converged || (isGeodesic(path) && !shortest.converged);
+    const isKnown = !isGeodesic(shortest) || found.some((path) => isAsGood(path) && mayBeIt(path));
     const all = isKnown ? found : [shortest, ...found.filter((path) => !mayBeIt(path))].slice(0, max);
     return all.map((path) => this.#scaled(path));
   }

@@ -66,6 +66,8 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const asked = isTurned ? [settled[1], settled[0]] : settled;
   const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
   const ways = findWays(field, asked, start, finer);
+  /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
+  if (finer && ways.ways.length === 0) return null;
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
   /* A graph that knows no way nearly as short may know none where the shortest leads. */
   if (best && start === 'global' && !finer && ways.distance < Infinity && ways.distance > lengthOf(best.legs) * BLIND) {
@@ -102,9 +104,9 @@ function findRoute(question, { ways, distance }, start) {
         understood.some((other) => isBeside(line, other.line, sides.scale, crossed !== null && other.crossed === crossed ? ALIKE : APART))
       )
         continue;
-      const { most, measured } = mostOf(field, line, length);
+      const { most, measured } = mostOf(field, line, length, distance);
       const found = followPinned(question, line, length, (part, along, about) =>
-        followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about).most),
+        followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about, distance).most),
       );
       if (found) best = shorter(best, found.route);
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
@@ -143,10 +145,15 @@ const crossedBy = (sides, line, width) =>
     ?.joints.map(({ crease, signs }) => `${crease} ${signs}`)
     .join() ?? null;
 
-/** How long a polyline of about this length is on the surface, infinite where that is not known, and a path that it leads to at most. @param {Field} field @param {Float64Array} line @param {number} length */
-function mostOf(field, line, length) {
+/**
+ * How long a polyline of about this length is on the surface, infinite where that is not known, and a path that it leads to at most. One that leaps through a body beside a sharp edge tells no
+ * length; the way that it was relaxed from does.
+ * @param {Field} field @param {Float64Array} line @param {number} length @param {number} distance of the shortest way
+ */
+function mostOf(field, line, length, distance) {
   const measured = measureLength(field, line, length);
-  return { measured, most: Math.max(length * (1 + (field.domain ? ROUGH : ROUGHER)), measured < Infinity ? measured * (1 + ROUGH) : 0) };
+  const known = measured < Infinity ? measured * (1 + ROUGH) : field.isPlain && distance < Infinity ? distance * (1 + ROUGHER) : 0;
+  return { measured, most: Math.max(length * (1 + (field.domain ? ROUGH : ROUGHER)), known) };
 }
 
 /** @param {Way | null} one @param {Way} other */

@@ -16,7 +16,7 @@ import { spread } from './spread.js';
  * @typedef {object} FieldOptions
  * @property {number} [resolution] of the mesh, as for `mesh`
  * @property {boolean} [exact] true: the length of the shortest path to each vertex, to 1e-9, begun from the paths to its neighbours, in 0.1 to 1 ms a vertex (up to
- *   10 ms where many paths are about as long, 100 ms from a point where the surface is singular or a density infinite, 400 ms under a density with creases); default false: of the
+ *   10 ms where many paths are about as long, 100 ms on bodies joined and cut and from a point where the surface is singular or a density infinite, 400 ms under a density with creases); default false: of the
  *   shortest way through a graph: on smooth surfaces of moderate slopes 0.5 % too long as a rule, up to a few per cent; a fifth and more in places where one
  *   direction counts much more than the other, as on steep slopes; up to 4 % too short where there are waves of a dozen cells of the graph and less
  */
@@ -122,11 +122,13 @@ function findSources(field, caller, from, places) {
 function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
   const places = mesh.parameters ?? mesh.positions;
   const width = place.length;
-  const isAlone = isUnique || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
+  /* Neighbours' lines rest across no crease, nor does what is looked for within a sheet. */
+  const isCreased = !field.domain && Boolean(field.sides?.());
+  const isAlone = isUnique || isCreased || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
   const find = (/** @type {number} */ i, /** @type {Float32Array[]} */ lines, shortest = Infinity) => {
     const ends = [place, Array.from(places.subarray(width * i, width * (i + 1)))];
     if (lines.length > 0) return findBeside(field, ends, options, lines, shortest);
-    return [field.domain ? findPath(field, ends, options, 'global') : findWithin(field, ends, options)];
+    return [field.domain || isCreased ? findPath(field, ends, options, 'global') : findWithin(field, ends, options)];
   };
   if (!isAlone) return spread(mesh, lengths, find);
   return lengths.map((length, i) => {
