@@ -45,6 +45,8 @@ static void contact_slants(const struct sp_newton *newton, struct sp_piece *piec
 /* Whether its ends are conjugate. */
 static int is_loose(const struct sp_piece *piece) { return piece->solved.outcome.status == SP_ILL_CONDITIONED; }
 
+static int slides_alone(const struct sp_piece *piece) { return piece->joint[0].slides != piece->joint[1].slides; }
+
 /* The larger of its slants. */
 static double slant_of(const struct sp_piece *piece) { return larger(absolute(piece->slant[0]), absolute(piece->slant[1])); }
 
@@ -153,7 +155,7 @@ static void guide(const struct sp_surface *surface, struct sp_piece *piece, stru
     int end = piece->joint[1].slides;
     const struct sp_joint *joint = piece->joint + end;
     double at = *sp_piece_slide(piece, end), *move = search->move + end, *beside = search->beside;
-    if (piece->joint[!end].slides || is_loose(piece)) return;
+    if (!slides_alone(piece) || is_loose(piece)) return;
     int inwards = (piece->slant[end] > 0) == (joint->place[joint->across] > surface->lower[joint->across]);
     double sign = inwards == end ? joint->towards : -joint->towards;
     beside[piece->slant[end] > 0] = at;
@@ -177,11 +179,10 @@ static int next_move(struct sp_newton *newton, const struct sp_options *options,
 
 /* Half of the last move, where no path leads to all of it: an end that slides alone does not go again to where it turned back. */
 static void move_half(struct sp_piece *piece, struct search *search) {
-    int alone = piece->joint[1].slides;
-    if ((!piece->joint[0].slides || !alone) && slant_of(piece) > SQUARE)
-        search->beside[!(search->before[alone] > 0)] = *sp_piece_slide(piece, alone);
-    for (int end = 0; end < 2; end++)
-        search->move[end] *= 0.5, *sp_piece_slide(piece, end) -= search->move[end];
+    int end = piece->joint[1].slides;
+    if (slides_alone(piece) && slant_of(piece) > SQUARE) search->beside[!(search->before[end] > 0)] = *sp_piece_slide(piece, end);
+    for (int i = 0; i < 2; i++)
+        search->move[i] *= 0.5, *sp_piece_slide(piece, i) -= search->move[i];
 }
 
 /* Newton; first on the few elements of a rough solve, where most of the way is gone. A step to where no path leads is halved. Where edges
