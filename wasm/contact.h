@@ -41,7 +41,7 @@ struct sp_surface sp_contact_open(const struct sp_surface *surface);
 
 /* Solves a path from a start of many nodes, newton's present one: the arcs into which those on walls cut it. Where none lies on one, what
  * it leads to without walls; and if that leaves the rectangle, the arcs into which it is cut where the start was near to a wall, or where
- * it leaves it. Then `arcs` is filled. Returns 0 where that fails. */
+ * it leaves it. Then `arcs` is filled. Returns 0 where that fails, or few steps are left. */
 int sp_contact_follow(struct sp_newton *newton, const struct sp_options *options, struct sp_arena *arena, struct sp_arcs *arcs,
                       struct sp_refined *whole);
 

@@ -8,8 +8,8 @@
 struct sp_run {
     int32_t first, last, across, side;
     double from, to;  /* where in the path, 0 … 1 */
-    double along[2];  /* the coordinate along the edge there, */
-    double beside[2]; /* and around it: of one node on an edge only the nodes beside it tell a direction */
+    double along[2];  /* the coordinate along the edge halfway from there to the next node, */
+    double beside[2]; /* and at that: of one node on an edge only the nodes beside it tell a direction */
 };
 
 /* Runs of nodes on the edges, those of the same edge at most two free nodes apart made one. `lone`: an end of the path that is alone on its

@@ -8,10 +8,10 @@ const [pairs = 20, seed = 1] = process.argv.slice(2).map(Number);
 
 const surfpath = await load();
 console.log(`seed ${seed}\nheight           pairs  converged   mean ms  most ms  others`);
-for (const [name, { z, side }] of Object.entries(STEEP)) {
-  const surface = surfpath.parametric({ x: 'u', y: 'v', z, u: [-side, side], v: [-side, side] });
+for (const [name, { z, side, across = side }] of Object.entries(STEEP)) {
+  const surface = surfpath.parametric({ x: 'u', y: 'v', z, u: [-side, side], v: [-across, across] });
   const random = createRandom(seed);
-  const place = () => [random.between(-side, side), random.between(-side, side)];
+  const place = () => [random.between(-side, side), random.between(-across, across)];
   surface.shortestPath(place(), place());
   const times = [];
   const counts = new Map();
