@@ -26,6 +26,11 @@ export function refuseName(name, what, value) {
   refuse(name, what, value, typeof value === 'string' ? RangeError : TypeError);
 }
 
+/** Throws where a method has lost what it belongs to, or sees it through a Proxy, which has no private fields. @param {string} caller @param {string} owner @param {string} name as in the manual @returns {never} */
+export function refuseReceiver(caller, owner, name) {
+  throw new TypeError(`${caller} belongs to ${owner}: call it as ${name}.${caller}, not through a Proxy (in Vue: markRaw or shallowRef)`);
+}
+
 /** Whether it holds named values: no array, and no Map, whose entries would go unnoticed. @param {unknown} value @returns {value is Record<string, any>} */
 export const isNamed = (value) => typeof value === 'object' && value !== null && !(Symbol.iterator in value);
 

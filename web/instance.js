@@ -1,6 +1,6 @@
 /** `load` and what it gives: one instance of the solver, and the factories of surfaces. The two entries, with the module inlined or beside, share it. */
 
-import { checkObject, checkOptions, refuseName } from './arguments.js';
+import { checkObject, checkOptions, refuseName, refuseReceiver } from './arguments.js';
 import { DISPOSE } from './dispose.js';
 import { PARAMETRIC_KINDS } from './manifold/shapes.js';
 import { compileSolver, Solver } from './runtime/solver.js';
@@ -97,6 +97,7 @@ export class Surfpath {
 
   /** Disposes all surfaces, each of which leaves the list then, and lets the memory go. */
   dispose() {
+    Surfpath.#check(this, 'dispose');
     for (const surface of this.#surfaces) surface.dispose();
     this.#solver = null;
   }
@@ -106,9 +107,14 @@ export class Surfpath {
     this.dispose();
   }
 
+  /** Throws where a method has lost its instance. @param {Surfpath} instance @param {string} caller */
+  static #check(instance, caller) {
+    if (!(#solver in Object(instance))) refuseReceiver(caller, 'what load() gives', 'surfpath');
+  }
+
   /** @param {Surfpath} to @param {string} kind @param {any} definition */
   static #add(to, kind, definition) {
-    if (!(to instanceof Surfpath)) throw new TypeError(`${kind} belongs to what load() gives: call it as surfpath.${kind}`);
+    Surfpath.#check(to, kind);
     /** @type {Surface | null} */
     const surface = to.#solver && new Surface(to.#solver, kind, definition, () => to.#surfaces.delete(/** @type {Surface} */ (surface)));
     if (to.#solver && surface) {

@@ -1,6 +1,6 @@
 /** A surface as its users see it: every question that can be asked about it, its arguments checked, and handed on. No mathematics. */
 
-import { checkOptions, wholeNumber } from './arguments.js';
+import { checkOptions, refuseReceiver, wholeNumber } from './arguments.js';
 import { readPairOptions, readPairs } from './batch.js';
 import { checkParameters, readList, readNumbers } from './definition.js';
 import { DISPOSE } from './dispose.js';
@@ -248,7 +248,7 @@ export class Surface {
 
   /** Frees the surface's memory and table slots. Using it afterwards throws; disposing twice does not. */
   dispose() {
-    if (this.#manifold.isDisposed) return;
+    if (Surface.#own(this, 'dispose').isDisposed) return;
     this.#manifold.dispose();
     this.#forget();
   }
@@ -258,13 +258,18 @@ export class Surface {
     this.dispose();
   }
 
+  /** Throws where a method has lost its surface. @param {Surface} surface @param {string} caller */
+  static #own(surface, caller) {
+    if (!(#manifold in Object(surface))) refuseReceiver(caller, 'a surface', 'surface');
+    return surface.#manifold;
+  }
+
   /**
    * Throws where a method has lost its surface, or the surface is gone.
    * @param {Surface} surface @param {string} caller @returns {string} caller
    */
   static #enter(surface, caller) {
-    if (!(surface instanceof Surface)) throw new TypeError(`${caller} belongs to a surface: call it as surface.${caller}`);
-    if (surface.#manifold.isDisposed) throw new Error(`${caller}: this surface was disposed`);
+    if (Surface.#own(surface, caller).isDisposed) throw new Error(`${caller}: this surface was disposed`);
     return caller;
   }
 

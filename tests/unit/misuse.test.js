@@ -10,11 +10,20 @@ const plane = () => surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [0, 1], v: [0
 
 test('a method taken off its surface, or off the instance, says where it belongs', () => {
   const { shortestPath, mesh, set } = plane();
-  refuses(() => shortestPath([0, 0], [1, 1]), TypeError, /^shortestPath belongs to a surface: call it as surface\.shortestPath$/);
+  refuses(() => shortestPath([0, 0], [1, 1]), TypeError, /^shortestPath belongs to a surface: call it as surface\.shortestPath, /);
   refuses(() => mesh.call(anything({})), TypeError, /^mesh belongs to a surface/);
   refuses(() => set({}), TypeError, /^set belongs to a surface/);
   const { graph } = surfpath;
-  refuses(() => graph({ z: 0, x: [0, 1], y: [0, 1] }), TypeError, /^graph belongs to what load\(\) gives: call it as surfpath\.graph$/);
+  refuses(() => graph({ z: 0, x: [0, 1], y: [0, 1] }), TypeError, /^graph belongs to what load\(\) gives: call it as surfpath\.graph, /);
+});
+
+test('so does one that is called through a Proxy, as frameworks make them, and how to have none', () => {
+  const [surface, instance] = [new Proxy(plane(), {}), new Proxy(surfpath, {})];
+  const advice = ', not through a Proxy \\(in Vue: markRaw or shallowRef\\)$';
+  for (const call of [() => surface.shortestPath([0, 0], [1, 1]), () => surface.kind, () => surface.dispose()])
+    refuses(call, TypeError, new RegExp(`^(shortestPath|kind|dispose) belongs to a surface: call it as surface\\.\\w+${advice}`));
+  for (const call of [() => instance.graph({ z: 0, x: [0, 1], y: [0, 1] }), () => instance.dispose()])
+    refuses(call, TypeError, new RegExp(`^(graph|dispose) belongs to what load\\(\\) gives: call it as surfpath\\.\\w+${advice}`));
 });
 
 test('a disposed surface answers nothing any more', () => {

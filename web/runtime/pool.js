@@ -1,6 +1,6 @@
 /** The face of a pool: a surface's questions, asked of workers. Checks what can be checked without a solver; what a worker throws is thrown here again. */
 
-import { allFields, checkOptions, describe, isNamed, refuse, wholeNumber } from '../arguments.js';
+import { allFields, checkOptions, describe, isNamed, refuse, refuseReceiver, wholeNumber } from '../arguments.js';
 import { readPairNumbers, readPairOptions } from '../batch.js';
 import { ASYNC_DISPOSE, DISPOSE } from '../dispose.js';
 import { makePath } from '../path.js';
@@ -164,6 +164,7 @@ export class Pool {
 
   /** Ends all workers, and rejects what is under way. Using the pool afterwards throws. @returns {Promise<void>} when the workers have ended */
   async dispose() {
+    Pool.#check(this, 'dispose');
     this.#disposed = true;
     await this.#crew.dispose(new Error('surfpath: this pool was disposed'));
   }
@@ -189,9 +190,9 @@ export class Pool {
     const { signal, onProgress, options } = readCall(method, given, true);
     readPairOptions(method, options);
     const variables = definition?.kind === 'implicit' ? ['x', 'y', 'z'] : ['u', 'v'];
-    const all = readPairNumbers(method, pairs, variables);
+    const all = readIfRight(method, pairs, variables);
     const width = 2 * variables.length;
-    if (all.length === 0) return this.#ask(method, definition, [all], options && { ...options, signal });
+    if (!all?.length) return this.#ask(method, definition, [pairs], options && { ...options, signal });
     const results = make(all.length / width);
     return this.#run({ method, definition, args: [all, options], signal }, (text, [numbers, wanted]) => ({
       total: results.length,
@@ -278,12 +279,17 @@ export class Pool {
     }
   }
 
+  /** Throws where a method has lost its pool. @param {Pool} pool @param {string} method */
+  static #check(pool, method) {
+    if (!(#crew in Object(pool))) refuseReceiver(method, 'a pool', 'pool');
+  }
+
   /**
    * Throws where a method has lost its pool, the pool is gone, or it is asked about something that a worker cannot make.
    * @template {Method} M @param {Pool} pool @param {M} method @param {any} definition @returns {M}
    */
   static #enter(pool, method, definition) {
-    if (!(pool instanceof Pool)) throw new TypeError(`${method} belongs to a pool: call it as pool.${method}`);
+    Pool.#check(pool, method);
     if (pool.#disposed) throw new Error(`${method}: this pool was disposed`);
     if (typeof definition?.shortestPath === 'function')
       throw new TypeError(`${method}: workers make their surfaces themselves: pass the definition, not a Surface`);
@@ -293,9 +299,24 @@ export class Pool {
 
 /** Copies, which the caller does not change any more; null: they cannot be copied. @param {AnyDefinition} definition @param {any[]} args */
 function freeze(definition, args) {
+  for (const see of [(/** @type {any[]} */ given) => given, plain])
+    try {
+      return { text: writeDefinition(definition), args: structuredClone(see(args)) };
+    } catch {}
+  return null;
+}
+
+/** Pairs; null: wrong ones, or those of a definition that has a mistake itself, which a worker tells. @param {Method} method @param {ArrayLike<number>} pairs @param {string[]} variables */
+function readIfRight(method, pairs, variables) {
   try {
-    return { text: writeDefinition(definition), args: structuredClone(args) };
+    return readPairNumbers(method, pairs, variables);
   } catch {
     return null;
   }
+}
+
+/** What is behind the Proxies by which frameworks watch arrays and objects: these cannot be cloned. @param {any} value @returns {any} */
+function plain(value) {
+  if (Array.isArray(value)) return value.map(plain);
+  return isNamed(value) ? Object.fromEntries(Object.entries(value).map(([name, one]) => [name, plain(one)])) : value;
 }

@@ -265,6 +265,42 @@ describe('the exceptions of the main thread', () => {
     });
 });
 
+/** As frameworks watch data: all of it through Proxies. @template T @param {T} data @returns {T} */
+const watched = (data) =>
+  data && typeof data === 'object' && !ArrayBuffer.isView(data)
+    ? new Proxy(data, { get: (target, name, receiver) => watched(Reflect.get(target, name, receiver)) })
+    : data;
+
+test('what a framework watches through Proxies is asked of the workers, not answered by the page; a Proxy of the pool says what it is', async () => {
+  const { from, to, ...definition } = structuredClone(gallery.saddle);
+  const earlier = await pool.shortestPath(definition, from, to, { points: 5 });
+  const asked = { via: [[0.1, 0.2]] };
+  const nowhere = createPool({ workers: 1, worker: new URL('./nowhere.js', import.meta.url) });
+  for (const options of [undefined, asked, { start: earlier }]) {
+    const question = /** @type {Parameters<typeof pool.shortestPath>} */ ([definition, from, to, options]);
+    const seen = /** @type {typeof question} */ (question.map(watched));
+    assert.deepEqual(await pool.shortestPath(...seen), await pool.shortestPath(...question));
+    await assert.rejects(nowhere.shortestPath(...seen), /no worker can be started/);
+  }
+  assert.deepEqual(await pool.lengths(definition, watched([...from, ...to])), await pool.lengths(definition, [...from, ...to]));
+  await nowhere.dispose();
+  for (const call of [() => watched(pool).shortestPath(definition, from, to), () => watched(pool).dispose()])
+    await assert.rejects(
+      call,
+      /^TypeError: (shortestPath|dispose) belongs to a pool: .*, not through a Proxy \(in Vue: markRaw or shallowRef\)$/,
+    );
+});
+
+test('a definition that has a mistake says so whatever its pairs', async () => {
+  const f = 'x^2 + y^2 + z^2 - 1';
+  for (const [definition, said] of [
+    [{ f }, /^TypeError: surface: kind must be one of parametric, .*, not undefined$/],
+    [{ kind: 'Implicit', f }, /^RangeError: surface: kind must be one of .*, not 'Implicit'$/],
+    [{ kind: 'implicit', f }, /^RangeError: lengths: pairs must be a flat array of x y z x y z, 6 numbers a pair, not 5 numbers$/],
+  ])
+    await assert.rejects(pool.lengths(anything(definition), [1, 0, 0, 0, 1]), anything(said));
+});
+
 test('settings, signals and listeners are checked', async () => {
   assert.throws(() => createPool(anything(5)), /createPool: options must be an object, not 5/);
   assert.throws(() => createPool(anything({ threads: 2 })), /there is no option 'threads'; the options are workers, worker/);
@@ -277,7 +313,7 @@ test('settings, signals and listeners are checked', async () => {
   await assert.rejects(pool.lengths(anything(surface), []), /lengths: .* pass the definition, not a Surface/);
   surface.dispose();
   const { lengths, shortestPath } = pool;
-  await assert.rejects(lengths(gallery.saddle, []), /^TypeError: lengths belongs to a pool: call it as pool\.lengths$/);
+  await assert.rejects(lengths(gallery.saddle, []), /^TypeError: lengths belongs to a pool: call it as pool\.lengths, /);
   await assert.rejects(shortestPath(gallery.saddle, [0, 0], [1, 0]), /^TypeError: shortestPath belongs to a pool/);
   for (const workers of [0, 1.5, 257, Number.NaN]) assert.throws(() => createPool({ workers }), RangeError);
   await assert.rejects(pool.lengths(gallery.saddle, [], { signal: anything(1) }), /lengths: options.signal must be an AbortSignal, not 1/);
