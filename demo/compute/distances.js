@@ -10,15 +10,19 @@ import { liftNear, turnOn } from '../state/lifts.js';
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {{ path: Path, direction: number[] }} Reached direction: unit, in which the path leaves the point */
 
-/** Inner points of a polyline; more where so few would leave the surface. */
+/** Inner points of a polyline; more where so few would leave the surface, or bend with it too roughly. */
 const POINTS = [24, 96];
+/** An error of a larger share of the length is not known to a tenth. */
+const ROUGH = 5e-3;
 /** Cosine of the angle from which two neighbours' paths may be of different ways around something: then both are tried. */
 const APART = 0.97;
 const MOST_STARTS = 2;
 /** A path that is so much longer than the graph's way has lost the shortest one on the way from vertex to vertex: it is searched for. */
 const LOST = 1.002;
-/** A search takes as long as a thousand polylines. */
-const MOST_SEARCHES = 100;
+/** So much too short may the graph's way be, of waves: of a longer path nothing is known but that it is not the shortest. */
+const BEYOND = 1.05;
+/** A search takes as long as a thousand polylines; one in vain, as where a density jumps, as long as so many. */
+const [MOST_SEARCHES, IN_VAIN] = [100, 20];
 /** Distance of vertices that are one point, in parts of the coordinates' size: rounding leaves that of a pole. */
 const SAME = 1e-12;
 /** Parts of a range into which coordinates are rounded to be compared. */
@@ -42,8 +46,11 @@ export function* measureDistances(surface, from, mesh, rough) {
     const starts = chooseStarts([...neighbours[i]], reached, (j) => distances[j] + chord(mesh, i, j));
     let path = count > 0 ? follow(surface, from, to, starts) : solve(surface, from, to, 'straight');
     const isLost = count > 0 && !(path && lengthOf(path) <= LOST * rough[i]);
-    if (isLost && searches++ < MOST_SEARCHES) path = shorter(path, solve(surface, from, to, 'global'));
-    if (path) {
+    if (isLost && searches < MOST_SEARCHES) {
+      path = shorter(path, solve(surface, from, to, 'global'));
+      searches += mayBeShortest(path, rough[i]) ? 1 : IN_VAIN;
+    }
+    if (path && mayBeShortest(path, rough[i])) {
       distances[i] = lengthOf(path);
       reached[i] = { path, direction: directionOf(path) };
     }
@@ -125,16 +132,21 @@ function follow(surface, from, to, starts) {
 /** A sum of chords is too short; with the estimate of its error it is the length of the curve. @param {Path} path */
 const lengthOf = ({ length, lengthError }) => length + lengthError;
 
+/** Whether the graph's way does not tell otherwise. @param {Path | null} path @param {number} way */
+const mayBeShortest = (path, way) => path !== null && lengthOf(path) <= (path.converged ? BEYOND : LOST) * way;
+
 /** @param {Path | null} one @param {Path | null} other */
 const shorter = (one, other) => (one && !(other && lengthOf(other) < lengthOf(one)) ? one : other);
 
 /** @param {Surface} surface @param {number[]} from @param {number[]} to @param {Path | 'straight' | 'global'} start @returns {Path | null} */
 function solve(surface, from, to, start) {
+  /** @type {Path | null} */ let found = null;
   for (const points of POINTS) {
     const path = surface.shortestPath(from, to, { start, algorithm: 'polyline', points });
-    if (Number.isFinite(path.length)) return path;
+    if (Number.isFinite(path.length)) found = path;
+    if (path.lengthError <= ROUGH * path.length) break;
   }
-  return null;
+  return found;
 }
 
 /** A point moved by whole turns to where a path to its surroundings ends. @param {Surface} surface @param {number[]} to @param {Path} path */
