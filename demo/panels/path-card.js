@@ -68,12 +68,17 @@ function unitOf({ mesh, seen }) {
 /** @param {Event} event */
 function changePoints({ target }) {
   const input = /** @type {HTMLInputElement} */ (target);
+  if (checkPoints(input)) change({ points: input.valueAsNumber });
+}
+
+/** Whether there may be so many, and says so where not. @param {HTMLInputElement} input */
+function checkPoints(input) {
   const points = input.valueAsNumber;
   const good = Number.isInteger(points) && points >= 1 && points <= MOST_POINTS;
   if (good) input.removeAttribute('aria-invalid');
   else input.setAttribute('aria-invalid', 'true');
   say(find('points-problem'), good ? null : `Write a whole number from 1 to ${MOST_POINTS}.`);
-  if (good) change({ points });
+  return good;
 }
 
 /** @param {HTMLInputElement} input */
@@ -136,7 +141,10 @@ function renderPathCard(state) {
   for (const name of LISTED) /** @type {HTMLSelectElement} */ (find(name)).value = sketch[name];
   showTolerance(/** @type {HTMLSelectElement} */ (find('tolerance')), sketch.tolerance);
   const points = /** @type {HTMLInputElement} */ (find('points'));
-  if (points !== document.activeElement) points.valueAsNumber = sketch.points;
+  if (points !== document.activeElement) {
+    points.valueAsNumber = sketch.points;
+    checkPoints(points);
+  }
   find('tolerance-row').hidden = sketch.algorithm !== 'elements';
   for (const id of ['solver-card', 'swap-ends', 'add-via']) find(id).hidden = sketch.task === 'trace';
   find('start-row').hidden = sketch.task === 'all';

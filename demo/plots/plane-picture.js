@@ -64,8 +64,8 @@ function handleOf(frame, end, index) {
 export function picture(frame) {
   const { sketch, solved, chosen } = state;
   const path = chosenPath();
-  // What is half written has no place.
-  const isPlace = (/** @type {number[]} */ point) => point.every(Number.isFinite);
+  // What is half written has no place, nor what lies where SVG, which has 32 bits, has no numbers.
+  const isPlace = (/** @type {number[]} */ point) => frame.to(point).every((x) => Number.isFinite(Math.fround(x)));
   const ends = sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends;
   const handles = ends.flatMap((end, i) => (isPlace(end) ? [handleOf(frame, end, i)] : []));
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));

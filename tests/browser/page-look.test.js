@@ -275,6 +275,26 @@ test('terrain in metres of a map looks as it does at the origin', async () => {
   assert.ok(differ < 30, `${differ} pixels`);
 });
 
+test('a surface in nanometres or picometres fills the view as one in metres', async () => {
+  const pictureIn = async (/** @type {number} */ unit) => {
+    const range = Object.fromEntries(
+      ['x', 'y'].flatMap((name) => [`${name}-from`, `${name}-to`].map((end, k) => [end, `${k ? unit : -unit}`])),
+    );
+    const ends = [
+      [-0.8 * unit, -0.7 * unit],
+      [0.7 * unit, 0.8 * unit],
+    ];
+    await openSketch(page, { entry: 'own-graph', texts: { z: `${unit}*0.2sin(4x/${unit})`, ...range }, ends });
+    return pictureOfView(page);
+  };
+  const inMetres = await pictureIn(1);
+  for (const unit of [1e-9, 1e-12]) {
+    const differ = await countDifferent(page, inMetres, await pictureIn(unit));
+    // Edges are not the same to the last hair.
+    assert.ok(differ < 30, `${differ} pixels`);
+  }
+});
+
 test('a scale has the numbers of its surface, however large that is and wherever', async () => {
   const ball = (/** @type {number[]} */ middle, /** @type {number} */ radius) => {
     const f = ['x', 'y', 'z'].map((name, k) => `(${name} - ${middle[k]})^2`).join(' + ');

@@ -199,6 +199,9 @@ test('end points are numbers: a wrong one is said in words, a right one moves th
   await page.fill('#end-1-0', '7');
   assert.match(await text('#ends-problem'), /u of B must lie between -1 and 1/);
   assert.equal(await page.getAttribute('#end-1-0', 'aria-invalid'), 'true');
+  // Of no picture of the plane: SVG would complain on the console.
+  await page.fill('#end-1-0', '1e40');
+  assert.equal(await page.locator('#plane .end-handle').count(), 1);
   await page.fill('#end-1-0', '');
   assert.match(await text('#ends-problem'), /B needs a number for u/);
   await page.fill('#end-1-0', '0.5');
@@ -221,6 +224,12 @@ test('algorithm and points change what is solved', async () => {
   assert.ok((await length()) < Number.parseFloat(chords));
   await page.fill('#points', '0');
   assert.match(await text('#points-problem'), /whole number/);
+  await page.focus('#start');
+  await doing(() => page.selectOption('#start', 'straight'));
+  await doing(() => page.selectOption('#start', 'global'));
+  assert.equal(await page.inputValue('#points'), '9', 'once it is left, the field has the number that counts');
+  assert.equal(await page.isVisible('#points-problem'), false);
+  assert.equal(await page.getAttribute('#points', 'aria-invalid'), null);
   await doing(() => page.fill('#points', '64'));
   assert.equal(await text('#length'), chords);
   await doing(() => page.selectOption('#algorithm', 'paper'));
