@@ -79,7 +79,7 @@ const isCompared = (options) => options.points === compared(options).points && !
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
 function isGood(field, path, { tolerance }) {
   const size = Math.max(...path.points.subarray(0, 3).map(Math.abs));
-  return path.converged && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
+  return isGeodesic(path) && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
 }
 
 /** Whether there is a path, or may be one, that was not solved. @param {Path} path */
