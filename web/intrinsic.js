@@ -12,6 +12,7 @@ import { compared, ELEMENTS } from './search/candidates.js';
 import { findFromInfinite } from './search/infinite-ends.js';
 import { findRaised } from './search/raised.js';
 import { settleEnd } from './search/routes.js';
+import { findFromStill } from './search/still-ends.js';
 import { gap, norm } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
@@ -79,7 +80,7 @@ const isCompared = (options) => options.points === compared(options).points && !
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
 function isGood(field, path, { tolerance }) {
   const size = Math.max(...path.points.subarray(0, 3).map(Math.abs));
-  return path.converged && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
+  return isGeodesic(path) && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
 }
 
 /** Whether there is a path, or may be one, that was not solved. @param {Path} path */
@@ -104,6 +105,14 @@ const shorter = (path, creased) => (creased && !(path.converged && path.length <
  * @returns {Path}
  */
 export function findPath(field, ends, options, start) {
+  return (
+    (options.algorithm === ELEMENTS ? findFromStill(field, ends, options, start, findMoving) : null) ??
+    findMoving(field, ends, options, start)
+  );
+}
+
+/** As {@link findPath}, where length is not zero in all directions at an end. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
+function findMoving(field, ends, options, start) {
   const begun = options.algorithm === ELEMENTS ? findFromInfinite(field, ends, options, start, findFinite) : null;
   return begun ?? findFinite(field, ends, options, start);
 }

@@ -189,6 +189,29 @@ test('through a coin of 1:100: no chord of the body, but a path around its rim, 
   }
 });
 
+test('from pole to pole of a coin of 1:20, and from near by: along a meridian, ill-conditioned as on a ball', () => {
+  const height = 0.05;
+  const coin = surfpath.parametric({ x: 'sin(u)cos(v)', y: 'sin(u)sin(v)', z: `${height}cos(u)`, u: [0, 'pi'], v: [0, '2pi'] });
+  /* By the trapezoidal rule, exact to rounding over half an ellipse. */
+  const steps = 2000;
+  let half = 0;
+  for (let i = 0; i < steps; i++)
+    half += (Math.PI / steps) * Math.hypot(Math.cos((Math.PI * i) / steps), height * Math.sin((Math.PI * i) / steps));
+  for (const [from, to, cut] of /** @type {[number[], number[], number][]} */ ([
+    [[0, 2.09], [Math.PI, 1.454], 0],
+    [[1e-6, 1], [Math.PI, 5], 1e-6],
+  ])) {
+    const path = coin.shortestPath(from, to);
+    assert.equal(path.status, 'ill-conditioned');
+    assert.ok(Math.abs(path.length - (half - cut)) <= 1e-9, `${path.length}, expected ${half - cut}`);
+  }
+  assert.deepEqual(
+    coin.geodesics([0, 0], [Math.PI, 0]).map(({ status }) => status),
+    ['ill-conditioned'],
+  );
+  coin.dispose();
+});
+
 test('over a strip folded many times: as unfolded, whatever chords stall on', () => {
   const surface = surfpath.parametric({ x: 'u/50 + 0.5sin(u)', y: '0.02cos(u)', z: 'v', u: [0, 40], v: [-1, 1] });
   const between = (/** @type {number} */ from, /** @type {number} */ to) => {

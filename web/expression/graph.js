@@ -64,6 +64,7 @@ export class Graph {
     if (this.#isZero(b)) return a;
     if (this.#is(b, Operation.negate)) return this.subtract(a, this.left[b]);
     if (this.#is(a, Operation.negate)) return this.subtract(b, this.left[a]);
+    if (this.#isPiece(a, b)) return this.#within(a, this.add(this.left[a], this.left[b]));
     return this.#commutative(Operation.add, a, b);
   }
 
@@ -75,6 +76,7 @@ export class Graph {
     if (a === b) return this.zero;
     if (this.#is(b, Operation.negate)) return this.add(a, this.left[b]);
     if (this.#is(a, Operation.negate)) return this.negate(this.add(this.left[a], b));
+    if (this.#isPiece(a, b)) return this.#within(a, this.subtract(this.left[a], this.left[b]));
     return this.#node(Operation.subtract, a, b);
   }
 
@@ -84,7 +86,20 @@ export class Graph {
     if (this.#isConstant(b)) return this.#scale(a, b);
     if (this.#is(a, Operation.negate)) return this.negate(this.multiply(this.left[a], b));
     if (this.#is(b, Operation.negate)) return this.negate(this.multiply(a, this.left[b]));
+    if (this.#isPiece(a)) return this.#within(a, this.multiply(this.left[a], b));
+    if (this.#isPiece(b)) return this.#within(b, this.multiply(this.left[b], a));
     return this.#commutative(Operation.multiply, a, b);
+  }
+
+  /** Whether both are 0 but on one side of a comparison, the same of both. There what they are multiplied with may be infinite, as the slope of a root. @param {number} a @param {number} [b] */
+  #isPiece(a, b = a) {
+    const isOne = this.#is(a, Operation.and) || this.#is(a, Operation.andNot);
+    return isOne && this.#is(b, this.operations[a]) && this.right[a] === this.right[b] && this.#is(this.right[a], Operation.less);
+  }
+
+  /** What a node is where a piece is not 0. @param {number} piece @param {number} a */
+  #within(piece, a) {
+    return a === this.zero || this.#isPiece(a, piece) ? a : this.#node(this.operations[piece], a, this.right[piece]);
   }
 
   /** Multiplies by a constant. @param {number} a @param {number} factor @returns {number} */
@@ -94,6 +109,7 @@ export class Graph {
     if (value === 1) return a;
     if (value === -1) return this.negate(a);
     if (this.#is(a, Operation.negate)) return this.#scale(this.left[a], this.constant(-value));
+    if (this.#isPiece(a)) return this.#within(a, this.#scale(this.left[a], factor));
     return this.#commutative(Operation.multiply, a, factor);
   }
 

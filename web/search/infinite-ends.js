@@ -39,10 +39,18 @@ const PARTS = 32;
 export function findFromInfinite(field, ends, options, start, solve) {
   const { domain, isPlain } = field;
   if (!domain || isPlain || isMeasured(field, ends.flat()) || String(ends[0]) === String(ends[1])) return null;
-  if (!isAfter(ends[0], ends[1])) return findForwards(field, ends, options, start, solve);
+  return inOrder(findForwards, field, ends, options, start, solve);
+}
+
+/**
+ * What finds a path, asked so that exchanged ends reverse it.
+ * @param {typeof findFromInfinite} find @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @param {Parameters<typeof findFromInfinite>[4]} solve
+ */
+export function inOrder(find, field, ends, options, start, solve) {
+  if (!isAfter(ends[0], ends[1])) return find(field, ends, options, start, solve);
   const line = start && start !== 'global' ? turned(Float64Array.from(start), 2) : start;
-  const path = findForwards(field, [ends[1], ends[0]], options, line, solve);
-  return path && placed(domain, reverse(path), ends[0]);
+  const path = find(field, [ends[1], ends[0]], options, line, solve);
+  return path && placed(domainOf(field), reverse(path), ends[0]);
 }
 
 /** @type {typeof findFromInfinite} */
@@ -105,7 +113,7 @@ function inside(field, infinite, places) {
 }
 
 /** @param {Field} field */
-const domainOf = ({ domain }) => /** @type {import('../manifold/domain.js').Domain} */ (domain);
+export const domainOf = ({ domain }) => /** @type {import('../manifold/domain.js').Domain} */ (domain);
 
 /** Whether length is measured by numbers at all of some places. @param {Field} field @param {number[]} places */
 const isMeasured = ({ forms }, places) => forms(places).every((form) => Number.isFinite(form[0] + form[1] + form[2]));
@@ -128,11 +136,7 @@ function infiniteAt(field, end, other) {
 /** @param {Infinite} infinite @param {number} part of the way across @param {number} slope what the other coordinate changes by */
 const placeOf = ({ end, across, depth }, part, slope) => end.map((x, j) => x + part * depth * (j === across ? 1 : slope));
 
-/**
- * The leg from an end straight away from its edge: halves of halves of it are as a geometric series, where length is measured by a power of the depth.
- * @param {Field} field @param {Infinite | null} infinite @param {number} depth
- * @returns {Leg | null} of infinite length where the halves do not become shorter
- */
+/** The leg from an end straight away from its edge. @param {Field} field @param {Infinite | null} infinite @param {number} depth @returns {Leg | null} */
 function legOf(field, infinite, depth) {
   if (!infinite) return null;
   const { across } = infinite;
@@ -143,7 +147,17 @@ function legOf(field, infinite, depth) {
   const steepest = -form[1] / form[2 * along];
   const place = placeOf(infinite, depth, steepest);
   const isInside = periodic[along] || (place[along] >= lower[along] && place[along] <= upper[along]);
-  const slope = isInside ? steepest : 0;
+  return measure(field, infinite, depth, isInside ? steepest : 0);
+}
+
+/**
+ * The straight way from an end: halves of halves of it are as a geometric series, where length is measured by a power of the depth.
+ * @param {Field} field @param {Infinite} infinite @param {number} depth @param {number} slope
+ * @returns {Leg} of infinite length where the halves do not become shorter
+ */
+export function measure({ forms }, infinite, depth, slope) {
+  const { across } = infinite;
+  const along = 1 - across;
   const [first, second, third] = [0.5, 0.25, 0.125].map((from) => {
     const parts = Array.from({ length: PARTS }, (_, i) => GAUSS.map(({ at }) => from * (1 + (i + at) / PARTS) * depth)).flat();
     const speeds = forms(parts.flatMap((part) => placeOf(infinite, part, slope))).map((at) =>
@@ -159,10 +173,10 @@ function legOf(field, infinite, depth) {
 
 /**
  * A path that begins, or ends, where it was asked to.
- * @param {Field} field @param {(Infinite | null)[]} infinite @param {Found} found @param {number} tolerance
+ * @param {Field} field @param {(Infinite | null)[]} infinite @param {{ path: Path, legs: Leg[], length: number, missed: number }} found @param {number} tolerance
  * @returns {Path}
  */
-function begun({ positions }, infinite, { path, legs, length, missed }, tolerance) {
+export function begun({ positions }, infinite, { path, legs, length, missed }, tolerance) {
   const lengthError = path.lengthError + missed;
   const [points, parameters] = [path.points.slice(), path.parameters?.slice() ?? null];
   for (const [i, one] of infinite.entries()) {

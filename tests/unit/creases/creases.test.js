@@ -84,6 +84,15 @@ test('where curvature alone jumps there is no crease: the path is right', () => 
   joined.dispose();
 });
 
+test('on the ground beside a dome that stands upright on it, a root of what is 0 there, paths are straight', () => {
+  const dome = surfpath.graph({ z: 'sqrt(max(0, 1 - x^2 - y^2))', x: [-1.2, 1.2], y: [-1.2, 1.2] });
+  assert.deepEqual([...dome.evaluate([1.1, 1.1])], [1.1, 1.1, 0, 0, 0, 1]);
+  const path = dome.shortestPath([-0.349, 1.2], [-1.187, 1.192]);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - Math.hypot(0.838, 0.008)) <= 1e-12);
+  dome.dispose();
+});
+
 test('a superellipsoid of powers 1.5, curved infinitely along six lines: rungs that wander end, with an error that covers what 16,000 chords extrapolate to', () => {
   const power = (/** @type {string} */ value) => `sign(${value})*abs(${value})^1.5`;
   const surface = surfpath.parametric({

@@ -37,7 +37,7 @@ test('the surfaces of the paper need no more operations than they did', () => {
     metamorphosis: 259,
     genusTwo: 67,
     torus: 43,
-    everything: 878,
+    everything: 876,
   };
   const counted = Object.fromEntries(
     Object.entries(SURFACES).map(([name, { outputs, variables, parameters }]) => [
