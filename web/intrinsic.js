@@ -10,7 +10,7 @@ import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS } from './search/candidates.js';
 import { findFromInfinite } from './search/infinite-ends.js';
-import { findRaised } from './search/raised.js';
+import { findSteep } from './search/steep.js';
 import { settleEnd } from './search/routes.js';
 import { findFromStill } from './search/still-ends.js';
 import { gap, norm } from './vector.js';
@@ -142,9 +142,10 @@ function findFinite(field, ends, options, start) {
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
 function findSmooth(field, ends, options, start) {
   if (!field.domain) return findImplicit(field, ends, options, start);
-  const path = findByPieces(field, ends, options, start);
-  const raised = start === 'global' && isUnsolved(path) ? findRaised(field, ends, options) : null;
-  if (raised?.converged && (path.status === 'stalled' || raised.length <= mostOf(path))) return raised;
+  const first = findByPieces(field, ends, options, start);
+  const isOne = isGeodesic(first) || isUnsolved(first);
+  const path = start === 'global' && isOne ? findSteep(field, ends, options, first) : first;
+  if (path !== first) return path;
   const again = instead(field, path, options);
   if (!again) return path;
   const own = findByPieces(again.field, ends, compared(again.options), start);

@@ -39,7 +39,7 @@ for (const [name, z, x] of /** @type {const} */ ([
     const random = createRandom(3);
     const [low, high] = x;
     const point = () => [random.between(low, high), random.between(low, high)];
-    for (let i = 0; i < 16; i++) {
+    for (let i = 0; i < 8; i++) {
       const [from, to] = [point(), point()];
       const path = surface.shortestPath(from, to);
       assert.equal(path.status, 'converged', `${from} to ${to}`);
@@ -462,4 +462,41 @@ test('egg boxes of slopes 6 to 7, among whose bumps ways are many: none is short
       assert.ok(path.length <= length * (1 + RIGHT), `${from} to ${to}: ${path.length}, from ${start} ${length}`);
     }
   }
+});
+
+/** Test functions as steep as they stand, ends, and places that a way leads through which is shorter than what is found without lines of equal height. */
+for (const [name, z, side, from, to, via] of /** @type {[string, string, number, number[], number[], number[][]][]} */ ([
+  [
+    "Rastrigin's",
+    '20 + x^2 + y^2 - 10cos(2pi*x) - 10cos(2pi*y)',
+    5.12,
+    [3.14, 2.64],
+    [-0.44, -4.06],
+    // biome-ignore format: places
+    [[3.43, 1.9], [3.59, 1.14], [4.34, 0.93], [4.36, 0.06], [4.26, -0.81], [3.73, -1.24], [3.26, -1.73], [2.95, -2.55], [2.16, -3.33], [1.28, -3.27], [1.29, -4.16], [0.42, -4.07]],
+  ],
+  [
+    'peaks, a hundred times as high,',
+    '100(3(1 - x)^2*exp(-x^2 - (y + 1)^2) - 10(x/5 - x^3 - y^5)*exp(-x^2 - y^2) - exp(-(x + 1)^2 - y^2)/3)',
+    3,
+    [-2.92, 1.9],
+    [2.92, 2.7],
+    // biome-ignore format: places
+    [[-1.64, 1.34], [-0.76, 0.77], [-0.86, -0.18], [-1.84, -1.12], [-2.06, -2.17], [-1.01, -1.54], [0.26, -0.74], [1.06, -0.99], [2.42, -1.49], [3, -0.13], [2.95, 0.8], [2.82, 1.57]],
+  ],
+]))
+  test(`${name} function, from ${from} to ${to}: no longer than a way along lines of equal height`, () => {
+    const surface = surfpath.graph({ z, x: [-side, side], y: [-side, side] });
+    const path = surface.shortestPath(from, to);
+    const way = surface.shortestPath(from, to, { via, start: 'straight' });
+    assert.ok(way.converged, `${way.status}`);
+    assert.ok(path.length + path.lengthError < way.length, `${path.status}, ${path.length} ± ${path.lengthError}, the way ${way.length}`);
+    surface.dispose();
+  });
+
+test("Rosenbrock's function: a path that is locally shortest, where a way across the valley at its far end is 1 % shorter, is not taken for the shortest", () => {
+  const surface = surfpath.graph({ z: '(1 - x)^2 + 100(y - x^2)^2', x: [-2, 2], y: [-2, 2] });
+  const { converged, length } = surface.shortestPath([1.13, 1.82], [1.31, -1.06]);
+  assert.ok(length < (converged ? 792.06 : 793), `${length}`);
+  surface.dispose();
 });

@@ -30,6 +30,7 @@ export class Graphs {
     null;
   /** Legs between branch points, and from these to ends, by what was asked. @type {Map<string, import('../path.js').Path>} */ legs =
     new Map();
+  /** How steep the surface is over x and y (lowered.js), once that is known. @type {number | null} */ steepness = null;
   #kind;
   /** @type {number[]} by level */ #resolutions;
   /** How cells on both sides of a crease are joined. */ #creases;
@@ -91,7 +92,7 @@ export class Graphs {
     if (heap) for (const graph of [...this.#graphs, this.#flood]) if (graph) heap.releaseGraph(graph);
     this.#graphs = [];
     this.#flood = null;
-    this.net = this.branches = null;
+    this.net = this.branches = this.steepness = null;
     this.legs.clear();
   }
 }

@@ -159,7 +159,9 @@ export class Manifold {
 
   /** It with lower heights, and how steep it is; null: it is no steep one over x and y. @returns {import('../search/raised.js').Lowered | null} */
   #findLowered() {
-    const steepness = steepnessOf((places) => this.evaluate('jet', places), /** @type {Domain} */ (this.domain));
+    const [[graphs]] = this.#graphs;
+    graphs.steepness ??= steepnessOf((places) => this.evaluate('jet', places), /** @type {Domain} */ (this.domain));
+    const { steepness } = graphs;
     return steepness > 0 ? { steepness, at: (height) => this.#lower(height) } : null;
   }
 

@@ -4,7 +4,7 @@
  */
 
 import { isGeodesic } from '../path.js';
-import { compared, ELEMENTS } from './candidates.js';
+import { compared } from './candidates.js';
 import { branchesOf, findGlobal, solveNear } from './routes.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -28,12 +28,10 @@ const POINTS = 16383;
 const [STEPS, MORE_STEPS] = [100, 400];
 
 /**
- * The shortest of the paths between two ends of a steep surface that are found; null: this is none, or no path can be raised.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
+ * The shortest of the paths between two ends that are found with lower heights; null: none can be raised.
+ * @param {Lowered} low @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
  */
-export function findRaised(field, ends, options) {
-  const low = options.algorithm === ELEMENTS && options.maxIterations >= STEPS ? field.lowered?.() : null;
-  if (!low) return null;
+export function findRaised(low, field, ends, options) {
   const roughly = { ...compared(options), points: POINTS };
   /** @type {Path | null} */
   let shortest = null;

@@ -1,0 +1,73 @@
+// Ways over the net of lines of equal height, on surfaces whose distances are known in closed form.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { LevelNet } from '../../web/search/level-ways.js';
+import { createRandom } from '../helpers/random.js';
+
+const RANGE = { lower: [-1, -1], upper: [1, 1] };
+
+/** @param {(u: number, v: number) => number} height @param {number[][]} ends @param {ConstructorParameters<typeof LevelNet>[1]} [jets] */
+function netOver(height, ends, jets = (places) => new Float64Array(9 * places.length).fill(NaN)) {
+  const positions = (/** @type {ArrayLike<number>} */ places) => {
+    const points = new Float64Array(1.5 * places.length);
+    for (let i = 0; 2 * i < places.length; i++)
+      points.set([places[2 * i], places[2 * i + 1], height(places[2 * i], places[2 * i + 1])], 3 * i);
+    return points;
+  };
+  return new LevelNet(positions, jets, RANGE, ends);
+}
+
+/** @param {Float64Array} way u, v and height of its points */
+function lengthOf(way) {
+  let length = 0;
+  for (let i = 3; i < way.length; i += 3) length += Math.hypot(way[i] - way[i - 3], way[i + 1] - way[i - 2], way[i + 2] - way[i - 1]);
+  return length;
+}
+
+test('ways over corrugated iron are as long as it is unrolled, to 6 %, and begin and end where they should, seed 3', () => {
+  const random = createRandom(3);
+  const place = () => [random.between(-1, 1), random.between(-1, 1)];
+  const [high, waves] = [4, 9];
+  const height = (/** @type {number} */ u) => high * Math.sin(waves * u);
+  const unrolled = (/** @type {number} */ from, /** @type {number} */ to) => {
+    let sum = 0;
+    for (let i = 0; i < 4096; i++) {
+      const u = from + ((i + 0.5) / 4096) * (to - from);
+      sum += ((to - from) / 4096) * Math.hypot(1, high * waves * Math.cos(waves * u));
+    }
+    return sum;
+  };
+  for (let i = 0; i < 16; i++) {
+    const ends = [place(), place()];
+    const [[u, v], [s, t]] = ends;
+    const way = netOver(height, ends).find(Infinity);
+    assert.ok(way, `${ends.join(' to ')}: no way`);
+    assert.deepEqual([...way.slice(0, 3), ...way.slice(-3)], [u, v, height(u), s, t, height(s)]);
+    const exact = Math.hypot(unrolled(u, s), t - v);
+    assert.ok(Math.abs(lengthOf(way) / exact - 1) < 0.06, `${ends.join(' to ')}: ${lengthOf(way)}, not ${exact}`);
+  }
+});
+
+test('a way leads over the saddle between two hills, where no line of the grid is; the next one leads elsewhere', () => {
+  const saddle = [0.1234, 0.2345];
+  const height = (/** @type {number} */ u, /** @type {number} */ v) => 100 * ((u - saddle[0]) ** 2 - (v - saddle[1]) ** 2);
+  const ends = [
+    [0.1234 - 0.6, 0.2345],
+    [0.1234 + 0.6, 0.2345],
+  ];
+  const net = netOver(height, ends, (places) => {
+    const jets = new Float64Array(9 * places.length);
+    for (let i = 0; 2 * i < places.length; i++) {
+      const [x, y] = [places[2 * i] - saddle[0], places[2 * i + 1] - saddle[1]];
+      for (const [k, value] of Object.entries({ 5: 200 * x, 8: -200 * y, 11: 200, 17: -200 })) jets[18 * i + Number(k)] = value;
+    }
+    return jets;
+  });
+  const way = net.find(Infinity);
+  assert.ok(way);
+  const lowest = Math.min(...way.filter((_, i) => i % 3 === 2));
+  assert.ok(Math.abs(lowest) < 1e-9, `it leads down to the saddle and no farther: ${lowest}`);
+  net.avoid(way, 3);
+  const next = net.find(Infinity);
+  assert.ok(!next || lengthOf(next) > lengthOf(way));
+});

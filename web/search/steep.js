@@ -1,0 +1,137 @@
+/**
+ * The shortest path on a steep surface: a net of its lines of equal height shows ways that no other graph sees; and what is found with lower heights is raised. MATH.md, "Steep surfaces".
+ */
+
+import { isGeodesic, mostOf } from '../path.js';
+import { compared, ELEMENTS, within } from './candidates.js';
+import { LevelNet } from './level-ways.js';
+import { findRaised } from './raised.js';
+import { ROUGHLY } from './rough.js';
+import { drawLine, solveNear } from './routes.js';
+import { gap } from '../vector.js';
+
+/** @typedef {import('../path.js').Path} Path */
+/** @typedef {import('./routes.js').Field} Field */
+/** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
+
+/** @typedef {{ path: Path, start: Float64Array }} Followed a path, and a line from which elements come to it */
+
+/** @type {Path['status']} */
+const STALLED = 'stalled';
+/** From this root mean square of its slopes on a surface is steep. */
+const STEEP = 5;
+/** Who allows fewer steps wants to know where they end. */
+const LEAST_STEPS = 100;
+/** So many ways are followed that the net has for no longer than the shortest path by this factor. */
+const [MOST, LONGER] = [2, 1.1];
+/** Points that a way is drawn in, and chords and steps by which it is relaxed: elements cannot turn as often as it does. What does not come to rest then is relaxed again. */
+const [POINTS, RELAXED] = [
+  8192,
+  [
+    [8191, 60],
+    [16383, 120],
+  ],
+];
+/** What elements do not come to in so many steps they seldom do in more. */
+const FINE = 200;
+/** A line that leads to no path is shorter than one if it is so by this part. */
+const ROUGH = 1e-3;
+/** Steps that put points of a way where the surface is as high, and how far they may lead, in parts of the range. */
+const [SETTLING, FARTHEST] = [4, 0.02];
+
+/**
+ * A way in many points on the surface, each as high as it is between those of the way.
+ * @param {Field} field @param {Float64Array} way u, v and height of its points
+ */
+function draw({ domain, jets }, way) {
+  const { lower, upper } = /** @type {import('../manifold/domain.js').Domain} */ (domain);
+  const parts = Math.ceil(POINTS / (way.length / 3 - 1));
+  const count = (way.length / 3 - 1) * parts;
+  const line = new Float64Array(2 * (count + 1));
+  const heights = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const [k, t] = [3 * Math.floor(i / parts), (i % parts) / parts];
+    for (let j = 0; j < 2; j++) line[2 * i + j] = way[k + j] + t * (way[k + 3 + j] - way[k + j]);
+    heights[i] = way[k + 2] + t * (way[k + 5] - way[k + 2]);
+  }
+  line.set(way.subarray(-3, -1), 2 * count);
+  const drawn = line.slice();
+  for (let step = 0; step < SETTLING; step++) {
+    const at = jets(line);
+    for (let i = 1; i < count; i++) {
+      const [zu, zv] = [at[18 * i + 5], at[18 * i + 8]];
+      const factor = (heights[i] - at[18 * i + 2]) / (zu * zu + zv * zv);
+      const moved = [zu, zv].map((slope, j) => Math.min(Math.max(line[2 * i + j] + factor * slope, lower[j]), upper[j]));
+      const isNear = moved.every((x, j) => Math.abs(x - drawn[2 * i + j]) < FARTHEST * (upper[j] - lower[j]));
+      for (let j = 0; j < 2; j++) line[2 * i + j] = isNear ? moved[j] : drawn[2 * i + j];
+    }
+  }
+  return line;
+}
+
+/** How long a line on the surface is by its chords. @param {Field} field @param {Float64Array} line */
+function measureChords({ positions }, line) {
+  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(line);
+  let length = 0;
+  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i - 3, i), points.subarray(i, i + 3));
+  return length;
+}
+
+/**
+ * The path that a line leads to: one that holds, as others can be compared with, or else the line as far as it was relaxed.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array} line
+ * @returns {Followed}
+ */
+function follow(field, ends, options, line) {
+  let [start, lengthError] = [line, Infinity];
+  for (const [points, maxIterations] of RELAXED) {
+    const rough = solveNear(field, ends, { ...ROUGHLY, points, maxIterations }, start);
+    if (!rough.parameters) break;
+    /* Chords that stall have jumped over what they are too long for. */
+    if (rough.status === 'stalled') continue;
+    ({ parameters: start, lengthError } = rough);
+    const path = solveNear(field, ends, within(compared(options), FINE), start);
+    if (isGeodesic(path)) return { path, start };
+  }
+  const length = measureChords(field, start);
+  const path = { ...drawLine(field, ends, start, options.points), status: STALLED, converged: false, length };
+  return { path: { ...path, lengthError: Math.min(lengthError, (LONGER - 1) * length) }, start };
+}
+
+/**
+ * The shortest of a known path and those near ways that the net has, as they can be compared.
+ * @param {Field} field @param {LevelNet} net @param {number[][]} ends @param {SolveOptions} options @param {Followed | null} known
+ */
+function followWays(field, net, ends, options, known) {
+  let shortest = known;
+  if (known) net.avoid(known.start, 2);
+  for (let i = 0; i < MOST; i++) {
+    const way = net.find(LONGER * (shortest?.path.length ?? Infinity));
+    if (!way) break;
+    net.avoid(way, 3);
+    const found = follow(field, ends, options, draw(field, way));
+    net.avoid(found.start, 2);
+    const least = isGeodesic(found.path) ? found.path.length : found.path.length * (1 + ROUGH);
+    if (!shortest || least < shortest.path.length) shortest = found;
+  }
+  return shortest;
+}
+
+/**
+ * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, or nothing better is found.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path as other searches found it @returns {Path}
+ */
+export function findSteep(field, ends, options, path) {
+  const { domain, positions, jets } = field;
+  const isSure = domain && positions && options.algorithm === ELEMENTS && options.maxIterations >= LEAST_STEPS;
+  const steep = isSure ? field.lowered?.() : null;
+  if (!steep) return path;
+  const known = isGeodesic(path) && path.parameters ? { path, start: path.parameters } : null;
+  const hasNet = domain && positions && steep.steepness >= STEEP && !domain.periodic.includes(true);
+  const found = hasNet ? followWays(field, new LevelNet(positions, jets, domain, ends), ends, options, known) : known;
+  if (found && found === known) return path;
+  if (found && isGeodesic(found.path)) return solveNear(field, ends, options, found.start);
+  const raised = known ? null : findRaised(steep, field, ends, options);
+  const best = raised?.converged && !(found && found.path.length * (1 + ROUGH) < raised.length) ? raised : found?.path;
+  return best && (known || path.status === STALLED || best.length <= mostOf(path)) ? best : path;
+}
