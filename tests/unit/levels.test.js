@@ -1,12 +1,14 @@
 // Ways over the net of lines of equal height, on surfaces whose distances are known in closed form.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { load } from '../../web/index.js';
 import { LevelNet } from '../../web/search/level-ways.js';
+import { makeLevels } from '../../web/search/levels.js';
 import { createRandom } from '../helpers/random.js';
 
 const RANGE = { lower: [-1, -1], upper: [1, 1] };
 
-/** @param {(u: number, v: number) => number} height @param {number[][]} ends @param {ConstructorParameters<typeof LevelNet>[1]} [jets] */
+/** @param {(u: number, v: number) => number} height @param {number[][]} ends @param {import('../../web/search/levels.js').Jets} [jets] */
 function netOver(height, ends, jets = (places) => new Float64Array(9 * places.length).fill(NaN)) {
   const positions = (/** @type {ArrayLike<number>} */ places) => {
     const points = new Float64Array(1.5 * places.length);
@@ -14,7 +16,9 @@ function netOver(height, ends, jets = (places) => new Float64Array(9 * places.le
       points.set([places[2 * i], places[2 * i + 1], height(places[2 * i], places[2 * i + 1])], 3 * i);
     return points;
   };
-  return new LevelNet(positions, jets, RANGE, ends);
+  const levels = makeLevels(positions, jets, RANGE, ends);
+  assert.ok(levels);
+  return new LevelNet(levels);
 }
 
 /** @param {Float64Array} way u, v and height of its points */
@@ -70,4 +74,23 @@ test('a way leads over the saddle between two hills, where no line of the grid i
   net.avoid(way, 3);
   const next = net.find(Infinity);
   assert.ok(!next || lengthOf(next) > lengthOf(way));
+});
+
+test('a steep surface that has no height somewhere has no net, and its paths are found without', async () => {
+  const surfpath = await load();
+  const surface = surfpath.graph({ z: '30sqrt(1 - x^2 - y^2)*sin(5x)', x: [-1, 1], y: [-1, 1] });
+  assert.ok(surface.shortestPath([0.1, 0.1], [0.3, 0.4]).converged);
+  surfpath.dispose();
+});
+
+test('exchanged ends reverse a path that a net leads to, to the bit', async () => {
+  const surfpath = await load();
+  const surface = surfpath.graph({ z: '20 + x^2 + y^2 - 10cos(2pi*x) - 10cos(2pi*y)', x: [-5.12, 5.12], y: [-5.12, 5.12] });
+  const [there, back] = [surface.shortestPath([0.74, 3.09], [2.78, -2.52]), surface.shortestPath([2.78, -2.52], [0.74, 3.09])];
+  const turned = Array.from({ length: back.points.length / 3 }, (_, i) => [...back.points.slice(3 * i, 3 * i + 3)])
+    .reverse()
+    .flat();
+  assert.ok(there.converged && there.length === back.length);
+  assert.deepEqual([...there.points], turned);
+  surfpath.dispose();
 });

@@ -3,12 +3,9 @@
  * one another, and along a line to those across the bands beside it. MATH.md, "Steep surfaces". Knows nothing of the solver.
  */
 
-import { countBelow, distance, edgeAt, makeLevels, TRIANGLES } from './levels.js';
+import { countBelow, distance, edgeAt, TRIANGLES } from './levels.js';
 
-/** @typedef {import('../manifold/rectangle.js').Range} Range */
 /** @typedef {import('./levels.js').Levels} Levels */
-/** @typedef {import('./levels.js').Positions} Positions */
-/** @typedef {import('./levels.js').Jets} Jets */
 /** @typedef {(node: number, length: number, left: number) => void} Visit what a node is joined to, how far that is, and where in the order of nodes the way leaves the node's line, if it follows it, or -1 */
 
 /** Between two lines a band is as good as flat: a node is joined across it to those so many crossings farther along, as long as that is not so many times as far as it is wide. */
@@ -111,18 +108,18 @@ class Queue {
 
 /** Ways between two places of a surface, one after the other. */
 export class LevelNet {
-  /** Null: the surface has no height somewhere. @type {Levels | null} */ #net;
+  #net;
   /** 1 by number of a cell's first corner: a known way leads through it. */ #known;
 
-  /** @param {Positions} positions @param {Jets} jets @param {Range} range @param {number[][]} ends */
-  constructor(positions, jets, range, ends) {
-    this.#net = makeLevels(positions, jets, range, ends);
-    this.#known = new Uint8Array(this.#net?.corners ?? 0);
+  /** @param {Levels} net */
+  constructor(net) {
+    this.#net = net;
+    this.#known = new Uint8Array(net.corners);
   }
 
   /** A line along which no other way is. @param {ArrayLike<number>} line u and v of its points, and more @param {number} size numbers a point */
   avoid(line, size) {
-    const { us, vs, width } = /** @type {Levels} */ (this.#net);
+    const { us, vs, width } = this.#net;
     let [lastU, lastV] = [-1, -1];
     for (let i = 0; i < line.length; i += size) {
       const [u, v] = [countBelow(us, line[i], true) - 1, countBelow(vs, line[i + 1], true) - 1];
@@ -142,7 +139,6 @@ export class LevelNet {
    */
   find(most) {
     const net = this.#net;
-    if (!net) return null;
     const { corners, points, edgeOf, from, to } = net;
     const count = points.length / 3;
     const known = Uint8Array.from(
@@ -180,7 +176,7 @@ export class LevelNet {
 
   /** The points of a way, those along lines between. @param {Int32Array} before @param {Int32Array} left */
   #trace(before, left) {
-    const { corners, places, points, from, to, order, along, rank } = /** @type {Levels} */ (this.#net);
+    const { corners, places, points, from, to, order, along, rank } = this.#net;
     /** @type {number[]} */
     const way = [];
     const put = (/** @type {number} */ node, /** @type {number} */ height) => way.push(height, places[2 * node + 1], places[2 * node]);

@@ -3,11 +3,15 @@
  */
 
 import { isGeodesic, mostOf } from '../path.js';
+import { placed } from '../pieces/pieces.js';
 import { compared, ELEMENTS, within } from './candidates.js';
+import { domainOf } from './infinite-ends.js';
+import { reverse } from './join.js';
 import { LevelNet } from './level-ways.js';
+import { makeLevels } from './levels.js';
 import { findRaised } from './raised.js';
 import { ROUGHLY } from './rough.js';
-import { drawLine, solveNear } from './routes.js';
+import { drawLine, isAfter, solveNear } from './routes.js';
 import { gap } from '../vector.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -118,17 +122,27 @@ function followWays(field, net, ends, options, known) {
 }
 
 /**
- * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, or nothing better is found.
+ * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, or nothing better is found. Exchanged ends reverse it.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path as other searches found it @returns {Path}
  */
 export function findSteep(field, ends, options, path) {
-  const { domain, positions, jets } = field;
-  const isSure = domain && positions && options.algorithm === ELEMENTS && options.maxIterations >= LEAST_STEPS;
+  const isSure = field.positions && options.algorithm === ELEMENTS && options.maxIterations >= LEAST_STEPS;
   const steep = isSure ? field.lowered?.() : null;
   if (!steep) return path;
+  if (!isAfter(ends[0], ends[1])) return findForwards(steep, field, ends, options, path);
+  const turned = reverse(path);
+  const found = findForwards(steep, field, [ends[1], ends[0]], options, turned);
+  return found === turned ? path : placed(domainOf(field), reverse(found), ends[0]);
+}
+
+/** As {@link findSteep}, in this order. @param {import('./raised.js').Lowered} steep @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path @returns {Path} */
+function findForwards(steep, field, ends, options, path) {
+  const { positions, jets } = field;
+  const domain = domainOf(field);
   const known = isGeodesic(path) && path.parameters ? { path, start: path.parameters } : null;
-  const hasNet = domain && positions && steep.steepness >= STEEP && !domain.periodic.includes(true);
-  const found = hasNet ? followWays(field, new LevelNet(positions, jets, domain, ends), ends, options, known) : known;
+  const hasNet = positions && steep.steepness >= STEEP && !domain.periodic.includes(true);
+  const levels = hasNet ? makeLevels(positions, jets, domain, ends) : null;
+  const found = levels ? followWays(field, new LevelNet(levels), ends, options, known) : known;
   if (found && found === known) return path;
   if (found && isGeodesic(found.path)) return solveNear(field, ends, options, found.start);
   const raised = known ? null : findRaised(steep, field, ends, options);
