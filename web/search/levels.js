@@ -53,9 +53,8 @@ function spread(knots) {
 /** So many of some numbers, evenly from the least to the largest; or all. @param {number[]} numbers */
 function quantiles(numbers) {
   const sorted = Float64Array.from(numbers).sort();
-  return numbers.length <= LEVELS
-    ? sorted
-    : Array.from({ length: LEVELS }, (_, k) => sorted[Math.round(((k + 0.5) / LEVELS) * (numbers.length - 1))]);
+  const count = Math.min(LEVELS, sorted.length);
+  return Array.from({ length: count }, (_, k) => sorted[Math.round(((k + 0.5) / count) * (sorted.length - 1))]);
 }
 
 /** @param {Float64Array} points @param {number} a @param {number} b numbers of two of them */

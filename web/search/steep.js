@@ -92,7 +92,7 @@ function follow(field, ends, options, line) {
     const rough = solveNear(field, ends, { ...ROUGHLY, points, maxIterations }, start);
     if (!rough.parameters) break;
     /* Chords that stall have jumped over what they are too long for. */
-    if (rough.status === 'stalled') continue;
+    if (rough.status === STALLED) continue;
     ({ parameters: start, lengthError } = rough);
     const path = solveNear(field, ends, within(compared(options), FINE), start);
     if (isGeodesic(path)) return { path, start };
@@ -140,8 +140,8 @@ function findForwards(steep, field, ends, options, path) {
   const { positions, jets } = field;
   const domain = domainOf(field);
   const known = isGeodesic(path) && path.parameters ? { path, start: path.parameters } : null;
-  const hasNet = positions && steep.steepness >= STEEP && !domain.periodic.includes(true);
-  const levels = hasNet ? makeLevels(positions, jets, domain, ends) : null;
+  const mayHave = steep.steepness >= STEEP && !domain.periodic.includes(true);
+  const levels = mayHave ? makeLevels(/** @type {import('./levels.js').Positions} */ (positions), jets, domain, ends) : null;
   const found = levels ? followWays(field, new LevelNet(levels), ends, options, known) : known;
   if (found && found === known) return path;
   if (found && isGeodesic(found.path)) return solveNear(field, ends, options, found.start);
