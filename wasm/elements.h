@@ -10,7 +10,7 @@
 #include "reference.h"
 
 /* Numbers that say where elements meet, less one. */
-enum { SP_SPREAD = 64 };
+enum { SP_SPREAD = 256 };
 
 struct sp_elements {
     struct sp_reference reference; /* degree p */

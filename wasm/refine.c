@@ -4,7 +4,7 @@
 #include "scalar.h"
 #include <string.h>
 
-/* Degrees and counts. The last two twice: each tells better where elements should lie. */
+/* Degrees and counts. The last two three times: each tells better where elements should lie. */
 static const uint8_t LADDER[][2] = {{8, 2},
                                     {8, 4},
                                     {8, 8},
@@ -15,6 +15,8 @@ static const uint8_t LADDER[][2] = {{8, 2},
                                     {24, 32},
                                     {24, 64},
                                     {16, 128},
+                                    {SP_REFINE_DEGREE, SP_REFINE_COUNT},
+                                    {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT},
                                     {SP_REFINE_DEGREE, SP_REFINE_COUNT},
                                     {SP_REFINE_LAST_DEGREE, SP_REFINE_LAST_COUNT},
                                     {SP_REFINE_DEGREE, SP_REFINE_COUNT},
@@ -29,8 +31,8 @@ enum { TOUCHING_NODES = 768 };
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
 enum { LAST_RUNGS = 2 };
-/* So many are climbed a second time. */
-enum { AGAIN = 2 };
+/* So many are climbed a second and a third time. */
+enum { AGAIN = 4 };
 enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
@@ -315,7 +317,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
         first = is_fine ? sp_chords_given(newton) : sp_chords_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
     if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return sp_rung_finish(newton, &first, error);
-    int lowest = lowest_rung(LADDER, RUNGS - AGAIN, newton->system.line.fold.inner);
+    int lowest = lowest_rung(LADDER, RUNGS - AGAIN + 1, newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;
     if (ends_in_branch(&newton->system.line)) {

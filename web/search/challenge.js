@@ -58,8 +58,8 @@ function besideStraight(problem, options, best, tried, known) {
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
 }
 
-/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Problem} problem @param {Float64Array} polyline @param {number} parts */
-function lengthOf({ positions }, polyline, parts) {
+/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Pick<Problem, 'positions'>} field @param {Float64Array} polyline @param {number} parts */
+export function lengthOf({ positions }, polyline, parts) {
   const places = new Float64Array((polyline.length - 2) * parts + 2);
   for (let k = 0; k < places.length; k++) {
     const at = (k >> 1) / parts;

@@ -5,6 +5,7 @@
 import { isGeodesic, mostOf } from '../path.js';
 import { placed } from '../pieces/pieces.js';
 import { compared, ELEMENTS, within } from './candidates.js';
+import { lengthOf } from './challenge.js';
 import { domainOf } from './infinite-ends.js';
 import { reverse } from './join.js';
 import { LevelNet } from './level-ways.js';
@@ -12,7 +13,6 @@ import { makeLevels } from './levels.js';
 import { findRaised } from './raised.js';
 import { ROUGHLY } from './rough.js';
 import { drawLine, isAfter, solveNear } from './routes.js';
-import { gap } from '../vector.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */
@@ -73,14 +73,6 @@ function draw({ domain, jets }, way) {
   return line;
 }
 
-/** How long a line on the surface is by its chords. @param {Field} field @param {Float64Array} line */
-function measureChords({ positions }, line) {
-  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(line);
-  let length = 0;
-  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i - 3, i), points.subarray(i, i + 3));
-  return length;
-}
-
 /**
  * The path that a line leads to: one that holds, as others can be compared with, or else the line as far as it was relaxed.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array} line
@@ -97,7 +89,7 @@ function follow(field, ends, options, line) {
     const path = solveNear(field, ends, within(compared(options), FINE), start);
     if (isGeodesic(path)) return { path, start };
   }
-  const length = measureChords(field, start);
+  const length = lengthOf(field, start, 1);
   const path = { ...drawLine(field, ends, start, options.points), status: STALLED, converged: false, length };
   return { path: { ...path, lengthError: Math.min(lengthError, (LONGER - 1) * length) }, start };
 }
