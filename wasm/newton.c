@@ -7,7 +7,7 @@
 /* Why these: MATH.md, "Constants". */
 static const double DECREMENT = 1e-7, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4, SOFT = 1e-2, LEAST_SOFT = 1e-15,
                     PAPER_TOLERANCE = 1e-6;
-enum { IDLE_LIMIT = 3, PATIENCE = 24 };
+enum { IDLE_LIMIT = 3, PATIENCE = 16 };
 
 int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
                    struct sp_arena *arena) {

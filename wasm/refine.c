@@ -31,9 +31,9 @@ enum { TOUCHING_NODES = 768 };
 enum { LEAST_RUNGS = 3 };
 /* The last rungs are no drafts: where they are needed what a step leaves is no longer less than what two of them differ by. */
 enum { LAST_RUNGS = 2 };
-/* So many are climbed a second and a third time. */
-enum { AGAIN = 4 };
-enum { RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
+/* So many are climbed a second time, and a third time from a fine start, which begins no lower. */
+enum { AGAIN = 2 };
+enum { FINE_RUNGS = sizeof(LADDER) / sizeof(LADDER[0]), RUNGS = FINE_RUNGS - AGAIN, GRADED_RUNGS = sizeof(GRADED) / sizeof(GRADED[0]) };
 
 /* How far beyond an end a surface is looked at, in parts of the length: times the root of the tolerance. One that bends aside there by more
  * than the tolerance has a point beside the end where it is not smooth, and elements from this rung on close in on that. */
@@ -317,7 +317,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
         first = is_fine ? sp_chords_given(newton) : sp_chords_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
     if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return sp_rung_finish(newton, &first, error);
-    int lowest = lowest_rung(LADDER, RUNGS - AGAIN + 1, newton->system.line.fold.inner);
+    int rungs = is_fine ? FINE_RUNGS : RUNGS, lowest = lowest_rung(LADDER, RUNGS - (is_fine ? 1 : AGAIN), newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;
     if (ends_in_branch(&newton->system.line)) {
@@ -332,7 +332,7 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
                           .chords = &storage,
                           .is_fine = is_fine,
                           .first_length = is_fine ? 0 : first.length};
-    struct sp_refined refined = climb_all(&climb, LADDER + lowest, RUNGS - lowest);
+    struct sp_refined refined = climb_all(&climb, LADDER + lowest, rungs - lowest);
     double tolerance = tolerance_of(newton, options, refined.length);
     if (refined.outcome.status < 0 || !bends_aside(newton, tolerance, refined.length)) return refined;
     kept = sp_storage_keep(&storage, &newton->system), arena->used = used;

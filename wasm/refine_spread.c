@@ -94,10 +94,10 @@ int sp_spread_elements(const struct sp_system *system, sp_pair *pieces, double s
     for (int32_t i = 0; i < count; i++)
         total += pieces[i][0];
     for (int32_t i = 0; i < count; i++) {
-        double part = pieces[i][0], span = pieces[i][1] - from, rate = span / part;
+        double part = pieces[i][0], span = pieces[i][1] - from;
         most = larger(most, part / span);
         for (; k < SP_SPREAD && passed + part >= total * k / SP_SPREAD; k++)
-            spread[k] = from + rate * (total * k / SP_SPREAD - passed);
+            spread[k] = from + span * ((total * k / SP_SPREAD - passed) / part);
         passed += part, from = pieces[i][1];
     }
     for (spread[0] = 0; k <= SP_SPREAD; k++)
