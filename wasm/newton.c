@@ -7,7 +7,7 @@
 /* Why these: MATH.md, "Constants". */
 static const double DECREMENT = 1e-7, CONDITIONING = 1e-3, CERTAIN = 1e-3, SHORT = 1e-4, SOFT = 1e-2, LEAST_SOFT = 1e-15,
                     PAPER_TOLERANCE = 1e-6;
-enum { IDLE_LIMIT = 3, PATIENCE = 16 };
+enum { IDLE_LIMIT = 3, PATIENCE = 16, SOFTEST = 22 };
 
 int sp_newton_take(struct sp_newton *newton, const struct sp_surface *surface, const struct sp_options *options, int32_t inner,
                    struct sp_arena *arena) {
@@ -155,25 +155,36 @@ static int shifted_descent(struct sp_newton *newton, double shift, double *desce
     return inertia.usable && inertia.negative == 0;
 }
 
+/* By what curvature is negative, in steps: below SOFT there are SOFTEST. */
+static double negative_part(int32_t step) { return LEAST_SOFT * (1 << step) * (1 << step); }
+
 /* By what part of its length a path between nearly conjugate ends may be longer than the one to which it could turn, by as much as it is
  * long: the slope along its soft direction, without a word of the curvature, which is less than what is left to correct in all others; and
- * by what curvature is negative. MATH.md, "Newton". Leaves a shifted factorisation. */
-static double doubt_of(struct sp_newton *newton, const struct sp_round *round) {
+ * by what curvature is negative. MATH.md, "Newton". Above `most` nobody asks. Leaves a shifted factorisation. */
+static double doubt_of(struct sp_newton *newton, const struct sp_round *round, double most) {
     struct sp_fold fold = newton->system.line.fold;
-    double weights = 0, descent, part = SOFT, negative = sp_round_is_definite(round) ? 0 : LEAST_SOFT, unused;
+    double weights = 0, descent, unused;
     for (int32_t k = 1; k <= sp_fold_unknown(fold); k++)
         weights += sp_fold_sum(fold, k, newton->system.rows[k].weight);
     weights *= sp_system_segments(&newton->system);
-    if (!shifted_descent(newton, part / weights, &descent)) return 1;
-    while (negative > 0 && negative < part && !shifted_descent(newton, negative / weights, &unused))
-        negative *= 4;
-    return root(2 * part * descent / round->energy.squares) + negative;
+    if (!shifted_descent(newton, SOFT / weights, &descent)) return 1;
+    double doubt = root(2 * SOFT * descent / round->energy.squares);
+    if (sp_round_is_definite(round)) return doubt;
+    int32_t low = 0, high = SOFTEST;
+    while (low < high) {
+        int32_t middle = (low + high) / 2;
+        if (doubt + negative_part(middle) > most || shifted_descent(newton, negative_part(middle) / weights, &unused))
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return doubt + negative_part(low);
 }
 
 /* Whether the ends are so nearly conjugate that the path can hardly be moved on, and what is left to gain below `enough`. */
 static int is_loose(struct sp_newton *newton, const struct sp_round *round, double enough) {
     if (is_stiff(round, CONDITIONING) || !(sp_system_steepness(&newton->system, round->energy.squares) <= SP_STATIONARY)) return 0;
-    if (doubt_of(newton, round) <= enough) return 1;
+    if (doubt_of(newton, round, enough) <= enough) return 1;
     sp_system_factor(&newton->system, 0);
     return 0;
 }
@@ -263,7 +274,7 @@ struct sp_outcome sp_newton_run(struct sp_newton *newton, const struct sp_option
     outcome.index = round.inertia.usable ? round.inertia.negative : -1;
     outcome.energy = sp_system_segments(&newton->system) * round.energy.squares, outcome.gradient_norm = round.gradient_norm;
     outcome.active = newton->system.line.touches;
-    if (outcome.status == SP_ILL_CONDITIONED) outcome.doubt = doubt_of(newton, &round);
+    if (outcome.status == SP_ILL_CONDITIONED) outcome.doubt = doubt_of(newton, &round, __builtin_inf());
     return outcome;
 }
 

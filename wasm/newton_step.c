@@ -95,8 +95,10 @@ static int shifted_step(struct sp_newton *newton, struct sp_round *round, double
     double segments = newton->system.line.fold.inner + 1;
     double shift = round->shift > 0 ? 0.25 * round->shift : 1 / (segments * segments);
     if (shift < least) shift = least;
-    for (int i = 0; i < SHIFTS; i++, shift *= 4) {
+    for (int i = 0, broken = 0; i < SHIFTS; i++, shift *= 4) {
         struct sp_inertia inertia = sp_system_factor(&newton->system, shift);
+        /* A pivot may be zero by chance, once: else second derivatives are no numbers, whatever is added. */
+        if (!is_finite(inertia.descent) && broken++) return 0;
         if (!inertia.usable || inertia.negative) continue;
         round->shift = shift, round->inertia.descent = inertia.descent;
         sp_system_solve(&newton->system, newton->step);

@@ -8,9 +8,9 @@ import { GAUSS } from './gauss.js';
 import { vector } from './manifold/rectangle.js';
 import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
-import { compared, ELEMENTS } from './search/candidates.js';
+import { compared, ELEMENTS, isCompared } from './search/candidates.js';
 import { findFromInfinite } from './search/infinite-ends.js';
-import { findSteep } from './search/steep.js';
+import { findSteep, hasNet, isNoLonger } from './search/steep.js';
 import { settleEnd } from './search/routes.js';
 import { findFromStill } from './search/still-ends.js';
 import { gap, norm } from './vector.js';
@@ -73,9 +73,6 @@ function instead({ own, graphs, isPlain }, path, options) {
   const field = own && isOpen && !graphs.branches?.length ? own() : null;
   return field && { field, options: { ...options, maxIterations: STEPS } };
 }
-
-/** @param {SolveOptions} options */
-const isCompared = (options) => options.points === compared(options).points && !options.record;
 
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
 function isGood(field, path, { tolerance }) {
@@ -142,10 +139,13 @@ function findFinite(field, ends, options, start) {
 /** As {@link findPath}, where no crease is crossed. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
 function findSmooth(field, ends, options, start) {
   if (!field.domain) return findImplicit(field, ends, options, start);
-  const first = findByPieces(field, ends, options, start);
+  const find = (/** @type {Field} */ given) => findByPieces(given, ends, options, start);
+  const isNetted = start === 'global' && hasNet(field, options);
+  const first = find(isNetted ? { ...field, isBrief: true } : field);
   const isOne = isGeodesic(first) || isUnsolved(first);
-  const path = start === 'global' && isOne ? findSteep(field, ends, options, first) : first;
-  if (path !== first) return path;
+  const steep = start === 'global' && isOne ? findSteep(field, ends, options, first) : first;
+  const path = isNetted && !isGeodesic(steep) ? find(field) : first;
+  if (steep !== first && (path === first || isNoLonger(steep, path))) return steep;
   const again = instead(field, path, options);
   if (!again) return path;
   const own = findByPieces(again.field, ends, compared(again.options), start);

@@ -76,6 +76,25 @@ test('a way leads over the saddle between two hills, where no line of the grid i
   assert.ok(!next || lengthOf(next) > lengthOf(way));
 });
 
+test('crossings are placed so many at a time as a processor has at hand: of 100,000 no more than 2,048', () => {
+  /** @type {number[]} */
+  const counts = [];
+  const positions = (/** @type {ArrayLike<number>} */ places) => {
+    counts.push(places.length / 2);
+    const points = new Float64Array(1.5 * places.length);
+    for (let i = 0; 2 * i < places.length; i++) points.set([places[2 * i], places[2 * i + 1], Math.sin(30 * places[2 * i])], 3 * i);
+    return points;
+  };
+  const jets = (/** @type {ArrayLike<number>} */ places) => new Float64Array(9 * places.length).fill(NaN);
+  const net = makeLevels(positions, jets, RANGE, [
+    [-0.9, -0.8],
+    [0.7, 0.6],
+  ]);
+  assert.ok(net && net.points.length / 3 - net.corners > 1e5);
+  /* Twice all corners come before. */
+  assert.ok(Math.max(...counts.slice(2)) <= 2048, `${Math.max(...counts.slice(2))}`);
+});
+
 test('a steep surface that has no height somewhere has no net, and its paths are found without', async () => {
   const surfpath = await load();
   const surface = surfpath.graph({ z: '30sqrt(1 - x^2 - y^2)*sin(5x)', x: [-1, 1], y: [-1, 1] });

@@ -2,10 +2,33 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from '../../web/index.js';
+import { Heap } from '../../web/runtime/heap.js';
+import { STALLED } from '../../web/runtime/status.js';
+import { ELEMENTS } from '../../web/search/candidates.js';
 import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
+
+/** What the solver is asked for, and what it answers. @param {() => void} ask */
+function solvesOf(ask) {
+  const { solve } = Heap.prototype;
+  /** @type {{ asked: string, algorithm: number, status: number }[]} */
+  const solves = [];
+  Heap.prototype.solve = function (surface, request, options) {
+    const result = solve.call(this, surface, request, options);
+    const { status, iterations, length } = result;
+    solves.push({ asked: JSON.stringify([request, options, iterations, length]), algorithm: options.algorithm, status });
+    return result;
+  };
+  try {
+    ask();
+  } finally {
+    Heap.prototype.solve = solve;
+  }
+  return solves;
+}
+
 /** Two tolerances of 1e-9, relative: one of each path. */
 const RIGHT = 2e-9;
 
@@ -498,5 +521,23 @@ test("Rosenbrock's function: a path that is locally shortest, where a way across
   const surface = surfpath.graph({ z: '(1 - x)^2 + 100(y - x^2)^2', x: [-2, 2], y: [-2, 2] });
   const { converged, length } = surface.shortestPath([1.13, 1.82], [1.31, -1.06]);
   assert.ok(length < (converged ? 792.06 : 793), `${length}`);
+  surface.dispose();
+});
+
+test('where a net leads to a path no elements are solved from chords that stall', () => {
+  const surface = surfpath.graph({ z: '20 + x^2 + y^2 - 10cos(2pi*x) - 10cos(2pi*y)', x: [-5.12, 5.12], y: [-5.12, 5.12] });
+  const solves = solvesOf(() => assert.ok(surface.shortestPath([-4.15, 3.36], [-4.3, -4.59]).converged));
+  const stalled = solves.filter(({ algorithm, status }) => algorithm === ELEMENTS && status === STALLED).length;
+  assert.equal(stalled, 0, 'three, of 400 steps each, were most of the search');
+  surface.dispose();
+});
+
+test('a path that cannot be raised to the full height is not raised to it again', () => {
+  const surface = surfpath.graph({ z: '30cos(3sqrt(x^2 + y^2 + 0.01))', x: [-4, 4], y: [-4, 4] });
+  const from = [-3.241481862962246, 2.6276900991797447];
+  const solves = solvesOf(() => surface.shortestPath(from, [-3.355735879391432, -3.583812093362212]));
+  const asked = solves.filter(({ algorithm, asked: text }) => algorithm === ELEMENTS && text.length > 1e5).map(({ asked: text }) => text);
+  assert.ok(asked.length > 10, `${asked.length}`);
+  assert.equal(new Set(asked).size, asked.length);
   surface.dispose();
 });

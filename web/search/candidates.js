@@ -24,6 +24,7 @@ import { estimate } from './distinct.js';
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('../runtime/heap.js').Passage | null) => RawPath} solve from `from`
  * @property {(line: Float64Array, options: SolveOptions) => RawPath} between from the first place of a line to its last one
  * @property {boolean} isLeg a leg of a way through branch points: what leads through others is none
+ * @property {boolean} isBrief where no rough path holds somebody knows better how to go on
  * @property {import('./branches.js').Branch[]} branches branch points of the surface, and what solves globally, and near a start, between two other places
  * @property {(ends: number[][], options: SolveOptions) => import('../path.js').Path} leg
  * @property {(ends: number[][], options: SolveOptions, start: Float64Array) => import('../path.js').Path} near
@@ -60,9 +61,11 @@ export const isOnSurface = ({ status }) => status > CONVERGED && status !== STAL
 /** @param {SolveOptions} options @returns {SolveOptions} */
 export const compared = (options) => ({ ...options, points: COMPARED_POINTS, record: false });
 
+/** @param {SolveOptions} options */
+export const isCompared = ({ points, record }) => points === COMPARED_POINTS && !record;
+
 /** @param {Found} found @param {SolveOptions} options @returns {RawPath} */
-export const asAsked = ({ path, again }, options) =>
-  again && (options.points !== COMPARED_POINTS || options.record || !holds({ path })) ? again(options) : path;
+export const asAsked = ({ path, again }, options) => (again && !(isCompared(options) && holds({ path })) ? again(options) : path);
 
 /** Infinite where there is none. @param {Found[]} list */
 export const lengthOfShortest = (list) => Math.min(...list.map(({ path }) => estimate(path) || Infinity));

@@ -94,7 +94,7 @@ function solveBest(problem, options, most, status, { tried, rough }) {
   const poles = overPoles(problem, options, tried, rough);
   const { beside, over } = besidePoles(problem, options, poles, rough);
   const ways = [...over, ...through];
-  if (problem.isLeg && rough.length === 0 && ![...ways, ...beside].some(holds)) return [emptyPath(STALLED)];
+  if ((problem.isLeg || problem.isBrief) && rough.length === 0 && ![...ways, ...beside].some(holds)) return [emptyPath(STALLED)];
   const found = choosePaths(problem, options, most, { tried, status, rough, ways, beside });
   const corner = most === 1 && ways.find(({ path, beyond }) => !(beyond > 0) && path.status === STALLED);
   if (corner && !(found[0].length * (1 - options.tolerance) - found[0].lengthError <= corner.path.length))

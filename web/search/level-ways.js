@@ -7,6 +7,7 @@ import { countBelow, distance, edgeAt, TRIANGLES } from './levels.js';
 
 /** @typedef {import('./levels.js').Levels} Levels */
 /** @typedef {(node: number, length: number, left: number) => void} Visit what a node is joined to, how far that is, and where in the order of nodes the way leaves the node's line, if it follows it, or -1 */
+/** @typedef {(node: number) => boolean} Open whether a way to a node may become shorter: how far it is need not be known else */
 
 /** Between two lines a band is as good as flat: a node is joined across it to those so many crossings farther along, as long as that is not so many times as far as it is wide. */
 const [ALONG, SLANT] = [[1, 2, 3, 4, 6, 8, 12, 16, 24, 32], 8];
@@ -21,8 +22,8 @@ const AROUND = [
   [[0, 0, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 1], [-1, -1, 0], [-1, -1, 1]],
 ];
 
-/** Nodes around the bands that a node is on. @param {Levels} net @param {number} node @param {Visit} visit */
-function visitAround({ width, corners, points, lowest, highest, first, base, edgeOf }, node, visit) {
+/** Nodes around the bands that a node is on. @param {Levels} net @param {number} node @param {Open} isOpen @param {Visit} visit */
+function visitAround({ width, corners, points, lowest, highest, first, base, edgeOf }, node, isOpen, visit) {
   const edge = node < corners ? 3 * node : edgeOf[node - corners];
   const corner = Math.floor(edge / 3);
   const bottom = node < corners ? lowest[node] : base[edge] + node - first[edge];
@@ -34,17 +35,17 @@ function visitAround({ width, corners, points, lowest, highest, first, base, edg
     const triangle = TRIANGLES[around[t][2]];
     for (let k = 0; k < 3; k++) {
       const q = cell + triangle.corners[k][0] + triangle.corners[k][1] * width;
-      if (lowest[q] <= top && highest[q] >= bottom) visit(q, distance(points, node, q), -1);
+      if (lowest[q] <= top && highest[q] >= bottom && isOpen(q)) visit(q, distance(points, node, q), -1);
       const other = edgeAt(cell, width, triangle.edges[k]);
       const zero = first[other] - base[other];
       const last = Math.min(first[other + 1] - 1, zero + top);
-      for (let n = Math.max(first[other], zero + bottom - 1); n <= last; n++) visit(n, distance(points, node, n), -1);
+      for (let n = Math.max(first[other], zero + bottom - 1); n <= last; n++) if (isOpen(n)) visit(n, distance(points, node, n), -1);
     }
   }
 }
 
-/** Nodes across the bands beside a crossing, along its line. @param {Levels} net @param {number} node @param {Visit} visit */
-function visitAlong({ corners, points, order, line, along, rank, across }, node, visit) {
+/** Nodes across the bands beside a crossing, along its line. @param {Levels} net @param {number} node @param {Open} isOpen @param {Visit} visit */
+function visitAlong({ corners, points, order, line, along, rank, across, widths }, node, isOpen, visit) {
   const at = rank[node - corners];
   for (let way = -1; way <= 1; way += 2) {
     for (let step = 0, isNear = true; isNear && step < ALONG.length; step++) {
@@ -52,16 +53,17 @@ function visitAlong({ corners, points, order, line, along, rank, across }, node,
       if (line[here] !== line[at]) break;
       const [there, last] = [order[here], order[here - way]];
       const far = Math.abs(along[here] - along[at]);
-      const chord = distance(points, there, last);
       isNear = false;
       for (let side = 0; side < 2; side++) {
-        const other = across[2 * (there - corners) + side];
+        const at = 2 * (there - corners) + side;
+        const [other, wide] = [across[at], widths[at]];
         if (other < 0) continue;
+        isNear ||= far < SLANT * wide;
+        if (!isOpen(other)) continue;
+        const chord = distance(points, there, last);
         let part = 0;
         for (let k = 0; k < 3; k++)
           part += ((points[3 * other + k] - points[3 * there + k]) * (points[3 * there + k] - points[3 * last + k])) / chord;
-        const wide = distance(points, there, other);
-        isNear ||= far < SLANT * wide;
         visit(other, Math.sqrt((far + part) ** 2 + Math.max(0, wide * wide - part * part)), here);
       }
     }
@@ -161,12 +163,13 @@ export class LevelNet {
       left[other] = by;
       queue.put(least, other);
     };
+    const isOpen = (/** @type {number} */ other) => lengths[other] > lengths[node];
     lengths[from] = 0;
     for (; node >= 0 && node !== to; node = queue.take()) {
       if (done[node]) continue;
       done[node] = 1;
-      visitAround(net, node, visit);
-      if (node >= corners) visitAlong(net, node, visit);
+      visitAround(net, node, isOpen, visit);
+      if (node >= corners) visitAlong(net, node, isOpen, visit);
     }
     if (lengths[to] === Infinity) return null;
     let apart = 0;

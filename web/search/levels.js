@@ -14,6 +14,7 @@ const TURNS = 4;
 const [SETTLING, FARTHEST] = [4, 0.4];
 /** False positions and halvings, in turn, that put a crossing onto its line. */
 const PLACING = 7;
+const AT_ONCE = 2048;
 
 /** Edges of a net by direction: what a corner's number grows by along them, in rows and columns. */
 // biome-ignore format: a table
@@ -104,32 +105,39 @@ function moveToSaddles(jets, us, vs, grid, seen, fixed) {
 }
 
 /**
- * Puts crossings of edges and lines of equal height where they are.
+ * Puts crossings of edges and lines of equal height where they are, so many at a time as a processor has at hand.
  * @param {Positions} positions @param {Float64Array} places of corners, then of crossings, which are written @param {Float64Array} points the same
- * @param {ArrayLike<number>} ends the low and the high corner of each @param {Float64Array} heights of each
+ * @param {Int32Array} ends the low and the high corner of each @param {Float64Array} heights of each
  */
 function placeCrossings(positions, places, points, ends, heights) {
-  const count = heights.length;
-  const [cut, seen] = [places.subarray(places.length - 2 * count), points.subarray(points.length - 3 * count)];
+  const corners = places.length / 2 - heights.length;
   /* Of each edge the part, and the height, of a place below and of one above. */
-  const [below, above] = [0, 1].map((side) =>
-    Float64Array.from({ length: 2 * count }, (_, i) => (i % 2 ? points[3 * ends[i - 1 + side] + 2] : side)),
-  );
-  const parts = new Float64Array(count);
-  for (let step = 0; step < PLACING; step++) {
+  const [below, above] = [new Float64Array(2 * AT_ONCE), new Float64Array(2 * AT_ONCE)];
+  const parts = new Float64Array(AT_ONCE);
+  for (let start = 0; start < heights.length; start += AT_ONCE) {
+    const count = Math.min(AT_ONCE, heights.length - start);
+    const cut = places.subarray(2 * (corners + start), 2 * (corners + start + count));
     for (let i = 0; i < count; i++) {
-      const ratio = step % 2 ? 0.5 : (heights[i] - below[2 * i + 1]) / (above[2 * i + 1] - below[2 * i + 1]);
-      parts[i] = below[2 * i] + ratio * (above[2 * i] - below[2 * i]);
-      for (let j = 0; j < 2; j++) {
-        const from = places[2 * ends[2 * i] + j];
-        cut[2 * i + j] = from + parts[i] * (places[2 * ends[2 * i + 1] + j] - from);
-      }
+      [below[2 * i], above[2 * i]] = [0, 1];
+      below[2 * i + 1] = points[3 * ends[2 * (start + i)] + 2];
+      above[2 * i + 1] = points[3 * ends[2 * (start + i) + 1] + 2];
     }
-    seen.set(positions(cut));
-    for (let i = 0; i < count; i++) {
-      const side = seen[3 * i + 2] <= heights[i] ? below : above;
-      side[2 * i] = parts[i];
-      side[2 * i + 1] = seen[3 * i + 2];
+    for (let step = 0; step < PLACING; step++) {
+      for (let i = 0; i < count; i++) {
+        const height = heights[start + i];
+        const ratio = step % 2 ? 0.5 : (height - below[2 * i + 1]) / (above[2 * i + 1] - below[2 * i + 1]);
+        parts[i] = below[2 * i] + ratio * (above[2 * i] - below[2 * i]);
+        const [low, high] = [2 * ends[2 * (start + i)], 2 * ends[2 * (start + i) + 1]];
+        cut[2 * i] = places[low] + parts[i] * (places[high] - places[low]);
+        cut[2 * i + 1] = places[low + 1] + parts[i] * (places[high + 1] - places[low + 1]);
+      }
+      const seen = positions(cut);
+      for (let i = 0; i < count; i++) {
+        const side = seen[3 * i + 2] <= heights[start + i] ? below : above;
+        side[2 * i] = parts[i];
+        side[2 * i + 1] = seen[3 * i + 2];
+      }
+      if (step === PLACING - 1) points.set(seen, 3 * (corners + start));
     }
   }
 }
@@ -175,21 +183,21 @@ function makeNet(positions, jets, { lower, upper }, ends) {
   const points = new Float64Array(3 * first[3 * corners]);
   places.set(grid);
   points.set(seen);
-  placeCrossings(positions, places, points, pairs, Float64Array.from(goals));
+  placeCrossings(positions, places, points, Int32Array.from(pairs), Float64Array.from(goals));
   const edgeOf = Int32Array.from(edges);
   return { us, vs, width, corners, from, to, places, points, lowest, highest, first, base, edgeOf };
 }
 
 /**
- * Of each crossing those on the lines below and above it, in a triangle with it, that are nearest, or -1.
+ * Of each crossing those on the lines below and above it, in a triangle with it, that are nearest, or -1, and how far these are.
  * @param {Pick<Net, 'corners' | 'width' | 'first' | 'base' | 'points'>} net
  */
 function findAcross({ corners, width, first, base, points }) {
   const across = new Int32Array(2 * (points.length / 3 - corners)).fill(-1);
-  const near = new Float64Array(across.length).fill(Infinity);
+  const widths = new Float64Array(across.length).fill(Infinity);
   const offer = (/** @type {number} */ at, /** @type {number} */ other) => {
     const far = distance(points, corners + (at >> 1), other);
-    if (far < near[at]) [near[at], across[at]] = [far, other];
+    if (far < widths[at]) [widths[at], across[at]] = [far, other];
   };
   for (let cell = 0; cell < corners - width; cell++) {
     if (cell % width === width - 1) continue;
@@ -207,11 +215,11 @@ function findAcross({ corners, width, first, base, points }) {
       }
     }
   }
-  return across;
+  return { across, widths };
 }
 
 /**
- * Lines of equal height: nodes in the order in which they follow each other, the line of each, how far along it that is, where in this order a crossing is, and what is across from it.
+ * Lines of equal height: nodes in the order in which they follow each other, the line of each, how far along it that is, where in this order a crossing is, and what is across from it, how far.
  * @param {Pick<Net, 'corners' | 'width' | 'first' | 'base' | 'points'>} net
  */
 function findLines({ corners, width, first, base, points }) {
@@ -236,7 +244,7 @@ function findLines({ corners, width, first, base, points }) {
       }
     }
   }
-  const across = findAcross({ corners, width, first, base, points });
+  const sides = findAcross({ corners, width, first, base, points });
   const [order, line, along] = [new Int32Array(count), new Int32Array(count), new Float64Array(count)];
   const rank = new Int32Array(count).fill(-1);
   let at = 0;
@@ -252,7 +260,7 @@ function findLines({ corners, width, first, base, points }) {
   };
   /* From ends first; what is left is closed. */
   for (const most of [0, Infinity]) for (let i = 0; i < count; i++) if (rank[i] < 0 && links[2 * i + 1] < most) follow(corners + i);
-  return { order, line, along, rank, across };
+  return { order, line, along, rank, ...sides };
 }
 
 /**

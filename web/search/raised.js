@@ -28,18 +28,18 @@ const POINTS = 16383;
 const [STEPS, MORE_STEPS] = [100, 400];
 
 /**
- * The shortest of the paths between two ends that are found with lower heights; null: none can be raised.
- * @param {Lowered} low @param {Field} field @param {number[][]} ends @param {SolveOptions} options @returns {Path | null}
+ * The shortest of the paths between two ends that are found with lower heights; null: none can be raised, or is short enough.
+ * @param {Lowered} low @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {number} most what it must be shorter than @returns {Path | null}
  */
-export function findRaised(low, field, ends, options) {
+export function findRaised(low, field, ends, options, most) {
   const roughly = { ...compared(options), points: POINTS };
   /** @type {Path | null} */
   let shortest = null;
   const passed = new Map();
   for (const slope of SLOPES) {
     const height = slope / low.steepness;
-    const path = height < 1 ? raise(low.at, ends, roughly, height, passed) : null;
-    if (path && !(shortest && path.length >= shortest.length)) shortest = path;
+    const path = height < 1 ? raise(low.at, ends, roughly, height, { passed, most }) : null;
+    if (path && path.length < most) [shortest, most] = [path, path.length];
   }
   return shortest && solveNear(field, ends, options, shortest.parameters);
 }
@@ -47,16 +47,16 @@ export function findRaised(low, field, ends, options) {
 /**
  * A path found on a lower surface, followed to the height that this has; null: it cannot be, or comes to where another one was.
  * @param {(height: number) => Field | null} at @param {number[][]} ends @param {SolveOptions} options @param {number} height the first
- * @param {Map<number, number>} passed lengths of paths that were followed, by height
+ * @param {{ passed: Map<number, number>, most: number }} known lengths of paths that were followed, by height; and what it must be shorter than: it grows with its heights
  */
-function raise(at, ends, options, height, passed) {
+function raise(at, ends, options, height, { passed, most }) {
   const low = at(height);
-  /* With branch points it stands upright somewhere: it lies over no plane. */
-  let path = low && branchesOf(low).length === 0 ? findGlobal(low, ends, options, 1)[0] : null;
+  /** With branch points it stands upright somewhere: it lies over no plane. @type {Path | null} */
+  let path = low && branchesOf(low).length === 0 ? findGlobal({ ...low, isBrief: true }, ends, options, 1)[0] : null;
   if (!path || !isGeodesic(path)) return null;
   let factor = FIRST;
   for (let failures = 0; height < 1; ) {
-    if (failures === OFTEN || factor < LEAST) return null;
+    if (failures === OFTEN || factor < LEAST || path.length > most) return null;
     const higher = Math.min(factor * height, 1);
     const field = at(higher);
     /** @type {Path} */
@@ -72,7 +72,8 @@ function raise(at, ends, options, height, passed) {
       factor = Math.min(factor * FASTER, MOST);
     } else {
       failures++;
-      factor = Math.sqrt(factor);
+      /* What leads to the full height at once is not tried again by more. */
+      factor = Math.sqrt(Math.min(factor, 1 / height));
     }
   }
   return path;

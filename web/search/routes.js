@@ -37,6 +37,7 @@ import { findStarts } from './starts.js';
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points
+ * @property {boolean} [isBrief] where no rough path holds nothing is solved: there are other ways
  * @property {import('../manifold/graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
  * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
@@ -212,6 +213,7 @@ function pose(field, [from, to], find) {
         ),
       branches,
       isLeg: !!field.isLeg,
+      isBrief: !!field.isBrief,
       leg: (places, asked) => remember(graphs.legs, JSON.stringify([places, asked]), () => findGlobal(legs, places, asked, 1)[0]),
       near: (places, asked, start) => solveNear(legs, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, field, level)),

@@ -4,7 +4,7 @@
 
 import { isGeodesic, mostOf } from '../path.js';
 import { placed } from '../pieces/pieces.js';
-import { compared, ELEMENTS, within } from './candidates.js';
+import { compared, ELEMENTS, isCompared, within } from './candidates.js';
 import { lengthOf } from './challenge.js';
 import { domainOf } from './infinite-ends.js';
 import { reverse } from './join.js';
@@ -113,13 +113,26 @@ function followWays(field, net, ends, options, known) {
   return shortest;
 }
 
+/** @param {Field} field @param {SolveOptions} options */
+function steepOf({ positions, lowered }, { algorithm, maxIterations }) {
+  return (positions && algorithm === ELEMENTS && maxIterations >= LEAST_STEPS && lowered?.()) || null;
+}
+
+/** Whether a net tells ways over a surface. @param {Field} field @param {SolveOptions} options */
+export function hasNet(field, options) {
+  const steep = steepOf(field, options);
+  return !!steep && steep.steepness >= STEEP && !domainOf(field).periodic.includes(true);
+}
+
+/** Whether a line that leads to no path is no longer than what a whole search found. @param {Path} line @param {Path} path */
+export const isNoLonger = (line, path) => path.status === STALLED || line.length * (isGeodesic(path) ? 1 + ROUGH : 1) <= mostOf(path);
+
 /**
  * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, or nothing better is found. Exchanged ends reverse it.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path as other searches found it @returns {Path}
  */
 export function findSteep(field, ends, options, path) {
-  const isSure = field.positions && options.algorithm === ELEMENTS && options.maxIterations >= LEAST_STEPS;
-  const steep = isSure ? field.lowered?.() : null;
+  const steep = steepOf(field, options);
   if (!steep) return path;
   if (!isAfter(ends[0], ends[1])) return findForwards(steep, field, ends, options, path);
   const turned = reverse(path);
@@ -132,12 +145,12 @@ function findForwards(steep, field, ends, options, path) {
   const { positions, jets } = field;
   const domain = domainOf(field);
   const known = isGeodesic(path) && path.parameters ? { path, start: path.parameters } : null;
-  const mayHave = steep.steepness >= STEEP && !domain.periodic.includes(true);
-  const levels = mayHave ? makeLevels(/** @type {import('./levels.js').Positions} */ (positions), jets, domain, ends) : null;
+  const levels = hasNet(field, options) ? makeLevels(/** @type {import('./levels.js').Positions} */ (positions), jets, domain, ends) : null;
   const found = levels ? followWays(field, new LevelNet(levels), ends, options, known) : known;
   if (found && found === known) return path;
-  if (found && isGeodesic(found.path)) return solveNear(field, ends, options, found.start);
-  const raised = known ? null : findRaised(steep, field, ends, options);
-  const best = raised?.converged && !(found && found.path.length * (1 + ROUGH) < raised.length) ? raised : found?.path;
-  return best && (known || path.status === STALLED || best.length <= mostOf(path)) ? best : path;
+  if (found && isGeodesic(found.path)) return isCompared(options) ? found.path : solveNear(field, ends, options, found.start);
+  const most = found ? found.path.length * (1 + ROUGH) : Infinity;
+  const raised = known ? null : findRaised(steep, field, ends, options, most);
+  const best = raised?.converged ? raised : found?.path;
+  return best && (known || isNoLonger(best, path)) ? best : path;
 }
