@@ -48,7 +48,8 @@ struct sp_graph {
     int32_t width;
     int32_t resolved; /* 1: few details are smaller than edges. 0 with a metric on an implicit surface */
     int32_t coarse;   /* 1: parametric, level 0, in space: so many are that level 1 finds ways which this one, without wide edges, does not;
-                         implicit, of a box, smooth: sheets end in it where what is thinner than cells was not seen */
+                         implicit, of a box, smooth: sheets end in it where what is thinner than cells was not seen, or many
+                         cells that share a sheet are not joined */
     double form[3];   /* parametric: e, f, g of the surface, on an average over the vertices at which they are finite */
 };
 

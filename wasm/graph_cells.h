@@ -20,6 +20,7 @@ struct sp_cells {
     int32_t count, capacity;
     int32_t *slots; /* numbers of cells, -1: free. Of a box in its order; of a flood by open addressing */
     int32_t halved; /* so many chords around rims */
+    int32_t gaps;   /* pairs of cells that the surface passes between, but that are not joined */
 };
 
 /* Finds the cells that the options ask for: of a box, or, where `cell` is set, of a flood from the point (box[0], box[2], box[4]).

@@ -23,6 +23,10 @@ static const double FARTHEST_MIDDLE = 0.2;
 /* Edges all around have a mean direction near zero, those of half a plane one of 0.64. */
 static const double ONE_SIDED = 0.5;
 
+/* Where the surface passes from cell to cell, and is too steep there to be joined, at more places than this part of the vertices, ways
+ * are missing. Sharp edges alone, which ways lead around, part none. */
+static const double MOST_GAPS = 0.01;
+
 /* Newton comes to a node by halves: f is less steep there by this part, and more, than beside it. */
 static const double NODE = 1e-3;
 
@@ -221,6 +225,7 @@ static int join_around(struct sp_cells *cells, int32_t vertex) {
                 if (to <= vertex) continue;
                 int folds = 0;
                 double length = length_between(cells, vertex, to, normal, &folds);
+                cells->gaps += !is_finite(length) && passes(cells->list + vertex, cells->list + to);
                 /* A crease is no detail that is too small for the graph. Between the ends a metric was not looked at. */
                 double chord = !is_plain ? 0 : folds ? length : distance_between(sample_at(graph, vertex), sample_at(graph, to));
                 if (!sp_builder_join(cells->builder, vertex, to, length, chord)) return 0;
@@ -253,9 +258,11 @@ static int is_end(const struct sp_cells *cells, int32_t vertex) {
     return sp_cells_at(cells, cell) < 0;
 }
 
-/* Whether a smooth surface is missing where it is thinner than cells are wide: what is cut there may hang together by a longer way. */
+/* Whether a smooth surface is missing where it is thinner than cells are wide, or full of gaps: what is cut there may hang together by a
+ * longer way. */
 static int is_torn(const struct sp_cells *cells) {
     int is_seen = cells->size[0] && !cells->builder->options->loose;
+    if (is_seen && cells->gaps > MOST_GAPS * cells->count) return 1;
     for (int32_t i = 0; is_seen && i < cells->count; i++)
         if (is_end(cells, i)) return 1;
     return 0;

@@ -103,7 +103,8 @@ static int32_t finer(int32_t chords, int32_t count) {
 }
 
 double sp_refine_polyline_bytes(int32_t dimension, int32_t count) {
-    return (count / (2.0 * COARSEN) + 4) * dimension * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) + 4 * 16;
+    return (count / (2.0 * COARSEN) + 4) * dimension * sizeof(sp_pair) + (2 * (SP_MAX_DEGREE + 1) + SP_SPREAD + 1) * sizeof(double) +
+           4 * 16;
 }
 
 int sp_refine_polyline(struct sp_newton *newton, const struct sp_options *options, int32_t count, struct sp_arena *arena) {

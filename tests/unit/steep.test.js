@@ -73,6 +73,44 @@ for (const [name, z, x] of /** @type {const} */ ([
     surface.dispose();
   });
 
+test('steep heights in a tall box: the graph of the implicit surface is as fine as hills are wide, so that its paths are those of the same graph over x and y', () => {
+  const z = '(20 + x^2 + y^2 - 10cos(2pi*x) - 10cos(2pi*y))/4';
+  const hills = surfpath.graph({ z, x: [-2, 2], y: [-2, 2] });
+  const body = surfpath.implicit({
+    f: `z - (${z})`,
+    bounds: [
+      [-2, 2],
+      [-2, 2],
+      [-0.5, 14],
+    ],
+  });
+  for (const [from, to] of [
+    [
+      [-1.256, 1.579],
+      [1.579, -0.454],
+    ],
+    [
+      [1.698, -0.947],
+      [-1.136, -1.789],
+    ],
+    [
+      [0.508, -1.989],
+      [0.11, 1.924],
+    ],
+    [
+      [-0.787, 1.576],
+      [-0.84, -1.425],
+    ],
+  ]) {
+    const over = hills.shortestPath(from, to);
+    const path = body.shortestPath(over.points.slice(0, 3), over.points.slice(-3));
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(path.length < over.length * (1 + RIGHT), `${from} to ${to}: ${path.length}, over x and y ${over.length}`);
+  }
+  body.dispose();
+  hills.dispose();
+});
+
 const POINTS = 65535;
 /** Test functions of optimisation, half the side of a square, and ends whose path is pressed onto edges of it. @type {[string, string, number, number[], number[]][]} */
 const pressed = [

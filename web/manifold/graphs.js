@@ -15,6 +15,8 @@ const RESOLUTION = [
   [40, 56, 96, 96],
   [40, 56, 96],
 ];
+/** Where the last of them that is not loose is still coarse, and has fewer vertices, as that of steep heights in a tall box, so many cells in its place. */
+const [FEW, FINEST] = [16_000, 160];
 /** Without a box: cells between the ends; more than the third only where that does not resolve the surface. */
 const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
@@ -53,12 +55,20 @@ export class Graphs {
    */
   find(heap, record, where, level) {
     const { domain } = where;
-    const box = domain ? [domain.lower[0], domain.upper[0], domain.lower[1], domain.upper[1]] : where.box;
+    const box = domain ? domain.lower.flatMap((x, j) => [x, domain.upper[j]]) : where.box;
     const resolutions = this.#resolutions;
     const resolution = Math.round(resolutions[level] * Math.sqrt(domain?.turn?.folds ?? 1));
     if (!box || !resolution) return null;
     const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
-    const graph = this.#graphs[level] ?? heap.buildGraph(record, this.#kind, { box, cell: 0, resolution, loose, level });
+    const build = (/** @type {number} */ cells) => heap.buildGraph(record, this.#kind, { box, cell: 0, resolution: cells, loose, level });
+    let graph = this.#graphs[level];
+    if (!graph) {
+      graph = build(resolution);
+      if (graph.coarse && !resolutions[level + 2] && graph.vertices < FEW) {
+        heap.releaseGraph(graph);
+        graph = build(FINEST);
+      }
+    }
     if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
     /* The last one is only for what stays apart without it. */
     /** @type {Graph | null} */
