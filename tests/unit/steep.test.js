@@ -62,7 +62,7 @@ for (const [name, z, x] of /** @type {const} */ ([
     const random = createRandom(3);
     const [low, high] = x;
     const point = () => [random.between(low, high), random.between(low, high)];
-    for (let i = 0; i < 8; i++) {
+    for (let i = 0; i < 16; i++) {
       const [from, to] = [point(), point()];
       const path = surface.shortestPath(from, to);
       assert.equal(path.status, 'converged', `${from} to ${to}`);
