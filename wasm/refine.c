@@ -238,9 +238,10 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         if (uneven) rung.spread = memcpy(present, spread, sizeof spread);
         int agrees = climb_rung(climb, rung), status = now->outcome.status;
         if (status == SP_ITERATION_LIMIT) return give_up(climb);
-        /* Spread as chords say, rungs of a fine start may wander: what they end at tells the next better. */
-        int wanders = status == SP_TOLERANCE_NOT_MET && !climb->astray && !climb->is_fine;
-        if (wanders || status == SP_OUT_OF_MEMORY) return finish(climb, absolute(now->length - climb->last));
+        /* Spread as chords say, rungs of a fine start may wander, and each that changes much tells the next better. */
+        double change = absolute(now->length - climb->last);
+        int wanders = status == SP_TOLERANCE_NOT_MET && !climb->astray && !(climb->is_fine && change > LOOSEST * now->length);
+        if (wanders || status == SP_OUT_OF_MEMORY) return finish(climb, change);
         if (wants_chords(climb, rung)) {
             if (!begin_again(climb)) return finish(climb, absolute(now->length - climb->last));
             r--;

@@ -216,21 +216,12 @@ static enum sp_status start_fine(struct sp_newton *newton, const struct sp_reque
     return refined->outcome.status;
 }
 
-/* Elements from a start of many points as it is, in most of the steps; from one of few, or where that comes to nothing, from few chords.
- * Where these jump between sheets, or a given one stalls: on twice as many. MATH.md, "Starts". */
-static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
-                                     double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
-                                     struct sp_refined *refined) {
+/* Elements from few chords; where these jump between sheets, or given ones stall, from twice as many. */
+static enum sp_status start_coarse(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                   double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
+                                   struct sp_refined *refined) {
     size_t used = arena->used;
     struct sp_elements chords = newton->system.elements;
-    int32_t steps = newton->steps_left;
-    if (request->start_count > FINE_START) {
-        newton->steps_left -= steps / 4;
-        enum sp_status status = start_fine(newton, request, options, ends, arena, arcs, result, refined);
-        newton->steps_left += steps / 4;
-        if (status == SP_CONVERGED) return status;
-        arcs->count = 0, arena->used = used, newton->system.elements = chords;
-    }
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {
         enum sp_status status = start_with(newton, request, ends, inner, 1, arena, result);
         if (status == SP_CONVERGED) {
@@ -240,6 +231,26 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
         int is_coarse = status == SP_SHEET_JUMP || (request->start && status == SP_STALLED);
         if (!is_coarse || inner >= SP_REFINE_CHORDS - 1) return status;
     }
+}
+
+/* Elements from a start of many points as it is, in most of the steps, and where that comes to nothing from few chords; the other way round
+ * where few tell as much: that takes few steps, or leads nowhere. MATH.md, "Starts". */
+static enum sp_status start_elements(struct sp_newton *newton, const struct sp_request *request, const struct sp_options *options,
+                                     double ends[2][3], struct sp_arena *arena, struct sp_arcs *arcs, struct sp_result *result,
+                                     struct sp_refined *refined) {
+    size_t used = arena->used;
+    struct sp_elements chords = newton->system.elements;
+    int is_fine = request->start_count > FINE_START && !sp_start_is_smooth(&newton->system.line, request, FINEST_START, arena);
+    int32_t kept = is_fine ? newton->steps_left / 4 : newton->steps_left / 4 * 3;
+    arena->used = used;
+    if (request->start_count > FINE_START) {
+        newton->steps_left -= kept;
+        enum sp_status status = (is_fine ? start_fine : start_coarse)(newton, request, options, ends, arena, arcs, result, refined);
+        newton->steps_left += kept;
+        if (status == SP_CONVERGED) return status;
+        arcs->count = 0, arena->used = used, newton->system.elements = chords, is_fine = !is_fine;
+    }
+    return (is_fine ? start_fine : start_coarse)(newton, request, options, ends, arena, arcs, result, refined);
 }
 
 /* So far from an end, in parts of the size of things, the gradient of f is not that of a node. */

@@ -91,14 +91,14 @@ static void measure_point(const struct sp_polyline *line, const double *point, s
     }
 }
 
-/* The length of the given polyline up to each point, as length is measured; returns that of all. Nodes that begin evenly spaced in space
- * have far to go along the path where a metric changes much. */
-static double measure(const struct sp_polyline *line, const struct sp_request *request, double *along) {
-    int32_t components = line->kind->components;
+/* The length of the given polyline up to each `stride`-th point, as length is measured; returns that of all. Nodes that begin evenly spaced
+ * in space have far to go along the path where a metric changes much. */
+static double measure(const struct sp_polyline *line, const struct sp_request *request, int32_t stride, double *along) {
+    int32_t components = line->kind->components, end = request->start_count - 1;
     sp_pair at[2][3] = {{{0}}}, metric[2][SP_METRIC_LARGEST], chord[3];
     double total = 0;
-    for (int32_t i = 0; i < request->start_count; i++) {
-        int here = i & 1;
+    for (int32_t k = 0, i = 0; k * stride < end + stride; k++, i = k * stride < end ? k * stride : end) {
+        int here = k & 1;
         measure_point(line, request->start + line->kind->dimension * i, at[here], metric[here]);
         for (int j = 0; j < 3; j++)
             chord[j] = at[here][j] - at[!here][j];
@@ -110,6 +110,15 @@ static double measure(const struct sp_polyline *line, const struct sp_request *r
         along[i] = total += 0.5 * both;
     }
     return total;
+}
+
+/* A smooth start that many chords follow is as long as they, but for this part: it turns by 12 radians in 256. */
+static const double THINNED = 1e-4;
+
+int sp_start_is_smooth(const struct sp_polyline *line, const struct sp_request *request, int32_t chords, struct sp_arena *arena) {
+    double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
+    double thinned = along ? measure(line, request, (request->start_count + chords - 2) / chords, along) : 0;
+    return along && thinned >= (1 - THINNED) * measure(line, request, 1, along);
 }
 
 /* Where node i of the new polyline lies on the given one: a segment and a place within it, at i/(n + 1) of the length. With `keep` and as
@@ -149,7 +158,7 @@ enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_reque
     if (request->start) {
         double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
         if (!along) return SP_OUT_OF_MEMORY;
-        double total = measure(line, request, along);
+        double total = measure(line, request, 1, along);
         if (!is_finite(total)) return SP_NOT_FINITE;
         resample(line, request, along, from, to, keep);
     } else {

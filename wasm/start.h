@@ -21,4 +21,8 @@ int sp_start_is_multiple(const struct sp_surface *surface, const double place[3]
 enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
                                  double scale, int32_t keep, struct sp_arena *arena);
 
+/* Whether no more than `chords` of its chords would tell the shape of request->start: it is hardly shorter then. Needs arena for
+ * start_count points. */
+int sp_start_is_smooth(const struct sp_polyline *line, const struct sp_request *request, int32_t chords, struct sp_arena *arena);
+
 #endif

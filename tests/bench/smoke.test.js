@@ -26,6 +26,7 @@ test('there are benchmarks', () => {
     'iteration',
     'solves',
     'speed',
+    'starts',
     'surface',
     'table1',
     'tolerance',

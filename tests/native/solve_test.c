@@ -246,9 +246,23 @@ static void check_scale(void) {
     CHECK(fabs(sp_start_scale(&saddle_surface, &on_saddle) - size) < 1e-15, "a saddle's");
 }
 
+/* Whether 256 of 1,001 points tell the way that they lead: across a saddle, straight over u and v, or in waves of 25 points. */
+static void check_smooth(void) {
+    double start[2 * 1001];
+    for (int waves = 0; waves <= 1; waves++) {
+        for (int i = 0; i <= 1000; i++)
+            start[2 * i] = 1e-3 * i - 0.5, start[2 * i + 1] = 0.3 + 1e-3 * waves * sin(2 * 3.141592653589793 * i / 25);
+        struct sp_request request = {.start = start, .start_count = 1001};
+        struct sp_polyline line = {.surface = &saddle_surface, .kind = sp_kind_of(&saddle_surface)};
+        arena.used = 0;
+        CHECK(sp_start_is_smooth(&line, &request, 256, &arena) == !waves, "waves: %d", waves);
+    }
+}
+
 int main(void) {
     check_scale();
     arena = (struct sp_arena){aligned_alloc(16, 1 << 22), 1 << 22, 0};
+    check_smooth();
     uint64_t seed = 77;
     struct sp_request on_globe = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}}, on_sphere = {.from = {1, 0, 0}, .to = {0, 1, 0}};
     check_great_circle(&globe_surface, on_globe, acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));

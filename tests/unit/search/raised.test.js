@@ -44,19 +44,15 @@ for (const [name, least] of /** @type {const} */ ([
   });
 }
 
-/** The first rung, and the second, gains too little in 16 steps: each told the next better where elements should lie. */
-for (const [from, to, length] of /** @type {const} */ ([
-  [[4.404894089698792, -1.519233732223511], [-4.401702032089234, 4.300845704078674], 60.301895514],
-  [[-3.8373898720741275, -4.099967360496521], [4.098971388339996, -5.05480660200119], 47.773498],
-]))
-  test(`a rung from many chords that wanders is not the last: Rastrigin's function from ${from.map(Math.round)} to ${to.map(Math.round)}`, () => {
-    const { z, side } = STEEP.Rastrigin;
-    const surface = surfpath.parametric({ x: 'u', y: 'v', z, u: [-side, side], v: [-side, side] });
-    const path = surface.shortestPath(from, to);
-    assert.equal(path.status, 'converged');
-    assert.ok(path.length < length * (1 + 1e-6), `${path.length}`);
-    surface.dispose();
-  });
+/* The first rung gains too little in 16 steps, and tells the next better where elements should lie. */
+test("a rung from many chords that wanders is not the last: a path on Rastrigin's function comes to rest on the next", () => {
+  const { z, side } = STEEP.Rastrigin;
+  const surface = surfpath.parametric({ x: 'u', y: 'v', z, u: [-side, side], v: [-side, side] });
+  const path = surface.shortestPath([4.404894089698792, -1.519233732223511], [-4.401702032089234, 4.300845704078674]);
+  assert.equal(path.status, 'converged');
+  assert.ok(path.length < 60.3019, `${path.length}`);
+  surface.dispose();
+});
 
 /** Jets of a surface, given X, its two slopes, by place. @param {(u: number, v: number) => number[]} jet */
 const sampled = (jet) => (/** @type {number[]} */ places) => {
