@@ -82,3 +82,21 @@ for (const [flat, ends] of /** @type {[number, number[][]][]} */ ([
       close(length, same.shortestPath(above, below).length, 1e-8);
     }
   });
+
+test('over the rim of a vase whose walls are thinner than cells are wide, as on the same vase in u and v', () => {
+  const bounds = anything(Array(3).fill([-2.2, 2.2]));
+  const vase = surfpath.implicit({ f: '(sqrt(x^2 + y^2) - (0.5 + 0.3sin(3z)))^2 - 0.0025(4 - z^2)', bounds });
+  const profile = surfpath.revolution({ r: '0.5 + 0.3sin(6cos(t)) + 0.1sin(t)', z: '2cos(t)', t: [0, '2pi'] });
+  for (const [u, from, v, to] of [
+    [0.3, 0.8, 1.1, -0.7],
+    [1, 0.9, 0.2, -0.4],
+    [0, 1.2, 3, -0.6],
+    [0, 2.6, 1, -2.4],
+  ]) {
+    const known = profile.shortestPath([u, from], [v, to]);
+    const [a, b] = [profile.evaluate([u, from]), profile.evaluate([v, to])].map((seen) => Array.from(seen.slice(0, 3)));
+    const { status, length } = vase.shortestPath(a, b);
+    assert.deepEqual([known.status, status], ['converged', 'converged']);
+    close(length, known.length, 1e-9);
+  }
+});
