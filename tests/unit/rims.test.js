@@ -100,3 +100,17 @@ test('over the rim of a vase whose walls are thinner than cells are wide, as on 
     close(length, known.length, 1e-9);
   }
 });
+
+test('over the rim of a dish, sharper than cells are wide and than chords that a search begins with, as long as on the same dish in u and v', () => {
+  const bounds = anything(Array(3).fill([-1.2, 1.2]));
+  const dish = surfpath.implicit({ f: '(z - (x^2 + y^2)/2)^2 - 0.0009(1 - x^2 - y^2)', bounds });
+  const at = (/** @type {number} */ angle, /** @type {number} */ t) => {
+    const r = Math.cos(t);
+    return [r * Math.cos(angle), r * Math.sin(angle), r ** 2 / 2 + 0.03 * Math.sin(t)];
+  };
+  const first = dish.shortestPath(at(2.6, -1.52), at(-2.3, 1.31));
+  const second = dish.shortestPath(at(0, -1.3), at(0.4, 1.3));
+  assert.deepEqual([first.status, second.status], ['converged', 'converged']);
+  close(first.length, 2.024388422647867, 1e-9);
+  close(second.length, 1.76924854008267, 1e-9);
+});
