@@ -24,7 +24,7 @@ double sp_graph_build_bytes(int32_t kind, const struct sp_graph_options *options
     }
     double flood = SP_GRAPH_FLOOD_CELLS / 4, cells = options->cell > 0 ? flood : CELLS_PER_FACE * resolution * resolution;
     double lookup = options->cell > 0 ? 1 << 17 : resolution * resolution * resolution;
-    return cells * (vertex + 16 + IMPLICIT_EDGES * edge) + lookup * sizeof(int32_t) + 4096;
+    return cells * (vertex + 72 + IMPLICIT_EDGES * edge) + lookup * sizeof(int32_t) + 4096;
 }
 
 int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_options *options, struct sp_arena *arena,

@@ -8,6 +8,9 @@ enum { FLOOD_SLOTS = 1 << 17 };
 /* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
 enum { LEAST_PART = 4 };
 
+/* Where coarser cells than those of this level are enough, corners tell of all sheets. */
+enum { GROWN = 2 };
+
 /* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up. */
 static uint32_t home(const int32_t at[3]) {
     uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
@@ -48,6 +51,12 @@ void sp_cells_corner(const struct sp_cells *cells, int32_t i, int32_t j, int32_t
     point[0] = cells->origin[0] + cells->width[0] * i;
     point[1] = cells->origin[1] + cells->width[1] * j;
     point[2] = cells->origin[2] + cells->width[2] * k;
+}
+
+void sp_cells_centre(const struct sp_cells *cells, const int32_t at[3], double point[3]) {
+    sp_cells_corner(cells, at[0], at[1], at[2], point);
+    for (int c = 0; c < 3; c++)
+        point[c] += 0.5 * cells->width[c];
 }
 
 /* Bit 0: f < 0. Bit 1: f >= 0. Neither where f is not a number. */
@@ -96,7 +105,7 @@ static int list_layer(struct sp_cells *cells, int32_t k, const uint8_t *below, c
             const uint8_t signs[8] = {below[p], below[p + 1], below[q], below[q + 1], above[p], above[p + 1], above[q], above[q + 1]};
             if ((signs[0] | signs[1] | signs[2] | signs[3] | signs[4] | signs[5] | signs[6] | signs[7]) != 3) continue;
             if (cells->count == cells->capacity) return 0;
-            cells->list[cells->count++] = (struct sp_cell){{i, j, k}, faces_of(signs)};
+            cells->list[cells->count++] = (struct sp_cell){.at = {i, j, k}, .faces = faces_of(signs), .next = -1};
         }
     return 1;
 }
@@ -128,7 +137,8 @@ static int sweep_box(struct sp_cells *cells) {
     }
     for (int32_t i = 0; i < cells->count; i++)
         cells->slots[sp_cells_place(cells, cells->list[i].at)] = i;
-    return close_list(cells);
+    cells->swept = cells->count;
+    return (options->level < GROWN || options->loose || sp_cells_grow(cells)) && close_list(cells);
 }
 
 /* The signs at the corners of a cell; corner c lies at x + (c & 1), y + (c >> 1 & 1), z + (c >> 2). */
@@ -180,7 +190,7 @@ static int flood(struct sp_cells *cells) {
     open_list(cells);
     int32_t most = cells->capacity < SP_GRAPH_FLOOD_CELLS ? cells->capacity : SP_GRAPH_FLOOD_CELLS;
     if (most < 1) return 0;
-    cells->list[0] = (struct sp_cell){{0, 0, 0}, 0}, cells->count = 1;
+    cells->list[0] = (struct sp_cell){.next = -1}, cells->count = 1;
     *sp_cells_slot(cells, cells->list[0].at) = 0;
     for (int32_t i = 0; i < cells->count; i++)
         flood_around(cells, i, most);

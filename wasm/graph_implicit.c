@@ -35,18 +35,22 @@ static const double NODE = 1e-3;
 enum { HALVINGS = 16, MOST_HALVED = 30000, IN_VAIN = 20 };
 static const double FARTHEST_AROUND = 3;
 
-static void centre_of(const struct sp_cells *cells, int32_t cell, double centre[3]) {
-    const int32_t *at = cells->list[cell].at;
-    sp_cells_corner(cells, at[0], at[1], at[2], centre);
-    for (int c = 0; c < 3; c++)
-        centre[c] += 0.5 * cells->width[c];
+/* Where sheets were followed around rims vertices lie on these, and none is looked for between places whose normals are so far apart. */
+static const double OPPOSITE = -0.9;
+
+/* Where the vertex of a cell is looked for. */
+static void begin_at(const struct sp_cells *cells, int32_t cell, double at[3]) {
+    if (cells->size[0] && cell >= cells->swept)
+        memcpy(at, cells->list[cell].place, 3 * sizeof *at);
+    else
+        sp_cells_centre(cells, cells->list[cell].at, at);
 }
 
 /* Writes one settled centre, or, if it went astray, a vertex without a normal. */
 static void write_vertex(const struct sp_cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
     struct sp_graph *graph = cells->builder->graph;
     double *position = graph->samples + (size_t)graph->width * (size_t)vertex, center[3], gradient[3];
-    centre_of(cells, vertex, center);
+    begin_at(cells, vertex, center);
     for (int32_t c = 0; c < 3; c++) {
         position[c] = block->in[SP_IMPLICIT_INPUTS * (k / 2) + c][k & 1];
         gradient[c] = sp_block_get(block, k, 1 + c);
@@ -70,7 +74,7 @@ static void write_vertices(const struct sp_cells *cells) {
     for (int32_t first = 0; first < cells->count; first += block.capacity) {
         block.count = 0;
         for (int32_t i = first; i < cells->count && i < first + block.capacity; i++) {
-            centre_of(cells, i, point);
+            begin_at(cells, i, point);
             sp_block_put(&block, point);
         }
         sp_implicit_settle(cells->builder->surface, (block.count + 1) / 2, block.in, graph->spacing);
@@ -164,6 +168,7 @@ static double length_around(struct sp_cells *cells, int32_t from, int32_t to) {
     struct place left, ahead[HALVINGS + 1];
     read_place(graph, from, &left), read_place(graph, to, ahead);
     double most = FARTHEST_AROUND * sp_graph_chord(surface, left.sample, ahead->sample, NULL), length = 0;
+    if (cells->swept < cells->count && dot(left.normal, ahead->normal) < OPPOSITE) return __builtin_inf();
     for (int halvings = 0, next = 0; next >= 0;) {
         double part = sp_graph_sheet_length(surface, left.sample, left.normal, ahead[next].sample, ahead[next].normal);
         if (is_finite(part)) {
@@ -218,18 +223,19 @@ static int join_around(struct sp_cells *cells, int32_t vertex) {
     int is_plain = cells->builder->surface->metric == SP_INDUCED;
     double normal[3];
     read_vertex(graph, vertex, normal);
-    for (int32_t k = cells->size[0] ? 0 : -REACH; k <= REACH; k++)
+    for (int32_t k = cells->count == cells->swept ? 0 : -REACH; k <= REACH; k++)
         for (int32_t j = -REACH; j <= REACH; j++)
-            for (int32_t i = -REACH; i <= REACH; i++) {
-                int32_t to = sp_cells_at(cells, (int32_t[3]){center[0] + i, center[1] + j, center[2] + k});
-                if (to <= vertex) continue;
-                int folds = 0;
-                double length = length_between(cells, vertex, to, normal, &folds);
-                cells->gaps += !is_finite(length) && passes(cells->list + vertex, cells->list + to);
-                /* A crease is no detail that is too small for the graph. Between the ends a metric was not looked at. */
-                double chord = !is_plain ? 0 : folds ? length : distance_between(sample_at(graph, vertex), sample_at(graph, to));
-                if (!sp_builder_join(cells->builder, vertex, to, length, chord)) return 0;
-            }
+            for (int32_t i = -REACH; i <= REACH; i++)
+                for (int32_t to = sp_cells_at(cells, (int32_t[3]){center[0] + i, center[1] + j, center[2] + k}); to >= 0;
+                     to = cells->list[to].next) {
+                    if (to <= vertex) continue;
+                    int folds = 0;
+                    double length = length_between(cells, vertex, to, normal, &folds);
+                    cells->gaps += !is_finite(length) && passes(cells->list + vertex, cells->list + to);
+                    /* A crease is no detail that is too small for the graph. Between the ends a metric was not looked at. */
+                    double chord = !is_plain ? 0 : folds ? length : distance_between(sample_at(graph, vertex), sample_at(graph, to));
+                    if (!sp_builder_join(cells->builder, vertex, to, length, chord)) return 0;
+                }
     return 1;
 }
 

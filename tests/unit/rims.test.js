@@ -82,3 +82,35 @@ for (const [flat, ends] of /** @type {[number, number[][]][]} */ ([
       close(length, same.shortestPath(above, below).length, 1e-8);
     }
   });
+
+test('over the rim of a vase whose walls are thinner than cells are wide, as on the same vase in u and v', () => {
+  const bounds = anything(Array(3).fill([-2.2, 2.2]));
+  const vase = surfpath.implicit({ f: '(sqrt(x^2 + y^2) - (0.5 + 0.3sin(3z)))^2 - 0.0025(4 - z^2)', bounds });
+  const profile = surfpath.revolution({ r: '0.5 + 0.3sin(6cos(t)) + 0.1sin(t)', z: '2cos(t)', t: [0, '2pi'] });
+  for (const [u, from, v, to] of [
+    [0.3, 0.8, 1.1, -0.7],
+    [1, 0.9, 0.2, -0.4],
+    [0, 1.2, 3, -0.6],
+    [0, 2.6, 1, -2.4],
+  ]) {
+    const known = profile.shortestPath([u, from], [v, to]);
+    const [a, b] = [profile.evaluate([u, from]), profile.evaluate([v, to])].map((seen) => Array.from(seen.slice(0, 3)));
+    const { status, length } = vase.shortestPath(a, b);
+    assert.deepEqual([known.status, status], ['converged', 'converged']);
+    close(length, known.length, 1e-9);
+  }
+});
+
+test('over the rim of a dish, sharper than cells are wide and than chords that a search begins with, as long as on the same dish in u and v', () => {
+  const bounds = anything(Array(3).fill([-1.2, 1.2]));
+  const dish = surfpath.implicit({ f: '(z - (x^2 + y^2)/2)^2 - 0.0009(1 - x^2 - y^2)', bounds });
+  const at = (/** @type {number} */ angle, /** @type {number} */ t) => {
+    const r = Math.cos(t);
+    return [r * Math.cos(angle), r * Math.sin(angle), r ** 2 / 2 + 0.03 * Math.sin(t)];
+  };
+  const first = dish.shortestPath(at(2.6, -1.52), at(-2.3, 1.31));
+  const second = dish.shortestPath(at(0, -1.3), at(0.4, 1.3));
+  assert.deepEqual([first.status, second.status], ['converged', 'converged']);
+  close(first.length, 2.024388422647867, 1e-9);
+  close(second.length, 1.76924854008267, 1e-9);
+});

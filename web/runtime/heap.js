@@ -27,6 +27,7 @@ export const BESIDE_POINT = 3;
  * @property {number} status
  * @property {number} at address of its struct
  * @property {number} block address of its arrays
+ * @property {boolean} isLoose it joins whatever shares a face, walls and all
  * @property {number} bytes of them
  * @property {number} vertices
  * @property {number} spacing implicit: diagonal of a cell
@@ -202,6 +203,7 @@ export class Heap extends Memory {
       status: block ? CONVERGED : status || OUT_OF_MEMORY,
       at: block && at,
       block,
+      isLoose: loose === 1,
       bytes,
       vertices: word(layout.sp_graph_vertex_count),
       spacing: block && this.doubles(at + layout.sp_graph_spacing, 1)[0],

@@ -6,9 +6,9 @@ import { estimate } from './distinct.js';
 /** @typedef {import('../runtime/result.js').RawPath} RawPath */
 /** @typedef {import('../runtime/heap.js').Graph} Graph */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
-/** @typedef {{ to: number[], start: Float64Array | null }} Start where the second end is lifted to, and a polyline, or null: straight */
+/** @typedef {{ to: number[], start: Float64Array | null, fine?: () => Float64Array | undefined }} Start where the second end is lifted to, and a polyline, or null: straight; fine: the polyline in many points, if its graph is still there */
 /** @typedef {{ to: number[], path: RawPath, again?: (options: SolveOptions) => RawPath, doubt?: number }} Found a path, and where its second end is lifted to; again: solves it as asked, where so far it was as others can be compared with; doubt: by how much it may be shorter than it looks, where that is known better than from it alone */
-/** @typedef {Found & { start: Start['start'], coarse: RawPath, followed?: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points; followed: what it led to as it was asked */
+/** @typedef {Found & Pick<Start, 'start' | 'fine'> & { coarse: RawPath, followed?: RawPath }} Tried a start, its path solved roughly, and the one of the fewest points; followed: what it led to as it was asked */
 /** @typedef {Found & import('../manifold/domain.js').Tip & { bound: number, again: (options: SolveOptions) => RawPath }} Way over a pole, or where a hole takes its place; bound: no way over it is shorter */
 
 /**

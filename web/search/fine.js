@@ -1,5 +1,6 @@
 /** Candidates solved as they were asked for: rough paths, best ones first, and ways that rough polylines cannot follow. */
 
+import { SHEET_JUMP } from '../runtime/status.js';
 import { COMPARED_POINTS, compared, ELEMENTS, endAlike, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { distinct, estimate, isAmong, isBesideWay } from './distinct.js';
 import { refine } from './poles.js';
@@ -127,6 +128,8 @@ export function followAsTheyAre({ solve }, options, unfollowed, isFound) {
     const { to, start, path } = one;
     if (isLonger(path) || (found.length >= LEAST_UNFOLLOWED && (!path.crossesSingularity || found.some(holds)))) continue;
     one.followed = solve(to, start, options);
+    const fine = one.followed.status === SHEET_JUMP ? one.fine?.() : undefined;
+    if (fine) one.followed = solve(to, fine, options);
     found.push({ to, path: one.followed });
   }
   return found;

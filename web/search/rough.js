@@ -61,10 +61,10 @@ export const stallsAtBranch = ({ branches }, { coarse }) => coarse.status === ST
  * @param {Problem} problem @param {Start} start @param {Tried[]} tried
  * @returns {Tried}
  */
-export function solveRoughly(problem, { to, start }, tried) {
+export function solveRoughly(problem, { to, start, fine }, tried) {
   const coarse = problem.solve(to, start, { ...ROUGHLY, points: ROUGH[0] });
   const more = (start || !tried.length) && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
-  const one = { to, start, path: coarse, coarse };
+  const one = { to, start, fine, path: coarse, coarse };
   return more ? solveFiner(problem, one) : one;
 }
 

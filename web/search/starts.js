@@ -9,11 +9,12 @@ import { holds, LONGEST } from './candidates.js';
 /** @typedef {import('./candidates.js').Problem} Problem */
 /** @typedef {import('./candidates.js').Start} Start */
 /** @typedef {import('./candidates.js').Tried} Tried */
-/** @typedef {{ graph: Graph } & ReturnType<Problem['search']>} Looked what a graph says of the ends */
+/** @typedef {{ graph: Graph, fine: () => Float64Array[] } & ReturnType<Problem['search']>} Looked what a graph says of the ends; fine: its candidates in many points, while it is there */
 
 /** A flood that stopped at this many cells may not have come to its end: SP_GRAPH_FLOOD_CELLS of wasm/graph.h. */
 const FLOOD_CELLS = 40_000;
-const CANDIDATE_POINTS = 65;
+/** Of a way; and of one that chords cannot follow, so many that none of them cuts off where it leads around a rim. */
+const [CANDIDATE_POINTS, FINE_POINTS] = [65, 1000];
 /** Where no path is known, a flood looks first where ways lead that are so many times as long as the ends are apart, then, 0, everywhere, in cells so many times as wide. */
 const FLOODS = [
   [2, 1],
@@ -34,8 +35,10 @@ export function* findStarts(problem, isAll, straight) {
   /** @type {Start[]} */
   const starts = domain ? neighbours(domain, to, from, problem.graph(0)?.form).map((end) => ({ to: end, start: null })) : [];
   if (straight && isBadEnd(problem, straight.path.status)) return yield { starts, status: OFF_SURFACE };
-  const along = (/** @type {Looked} */ { candidates, status, distance }) => {
-    for (const start of candidates) starts.push({ to: Array.from(start.subarray(-from.length)), start });
+  const along = (/** @type {Looked} */ looked) => {
+    const { candidates, status, distance } = looked;
+    for (const [i, start] of candidates.entries())
+      starts.push({ to: Array.from(start.subarray(-from.length)), start, fine: () => looked.fine()[i] });
     return { starts: starts.splice(0), status, distance };
   };
   const known = straight && holds(straight) ? straight.path.length : 0;
@@ -88,7 +91,17 @@ function* look({ domain, search }, find, level, isAll, fine = Infinity) {
       if (isRoom) level = 1;
     }
     const { status } = graph;
-    yield { graph, ...(status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] }) };
+    const found = status === CONVERGED ? search(graph, CANDIDATE_POINTS, isAll) : { status, distance: 0, candidates: [] };
+    /** @type {Float64Array[] | null} */
+    let ways = null;
+    const { isLoose } = graph;
+    const looked = {
+      graph,
+      ...found,
+      fine: () => (ways ??= isLoose ? [] : search(/** @type {Graph} */ (graph), FINE_POINTS, isAll).candidates),
+    };
+    yield looked;
+    looked.fine = () => [];
     if (level >= fine && graph.resolved) return;
   }
 }
