@@ -91,8 +91,8 @@ test('crossings are placed so many at a time as a processor has at hand: of 100,
     [0.7, 0.6],
   ]);
   assert.ok(net && net.points.length / 3 - net.corners > 1e5);
-  /* Twice all corners come before. */
-  assert.ok(Math.max(...counts.slice(2)) <= 2048, `${Math.max(...counts.slice(2))}`);
+  /* All corners, twice, and the middles of cells come before. */
+  assert.ok(Math.max(...counts.slice(3)) <= 2048, `${Math.max(...counts.slice(3))}`);
 });
 
 test('a steep surface that has no height somewhere has no net, and its paths are found without', async () => {
@@ -111,5 +111,13 @@ test('exchanged ends reverse a path that a net leads to, to the bit', async () =
     .flat();
   assert.ok(there.converged && there.length === back.length);
   assert.deepEqual([...there.points], turned);
+  surfpath.dispose();
+});
+
+test('waves no wider than cells have no net: no way along its lines, which are not theirs, takes the place of a path', async () => {
+  const surfpath = await load();
+  const surface = surfpath.graph({ z: '0.3sin(30x)*sin(30y)', x: [-4, 4], y: [-4, 4] });
+  const path = surface.shortestPath([0.5, 0.3], [2.1, 1.4]);
+  assert.ok(path.length < 2.6, `${path.status}, ${path.length}`);
   surfpath.dispose();
 });

@@ -27,7 +27,7 @@ export function cornersNear(question, line, near) {
   const width = ends[0].length;
   const survey = new Survey(sides, line, width, 1);
   const reach = near * span(line, sides.scale);
-  /** @type {(Corner & { mayHold: boolean })[]} */
+  /** @type {Corner[]} */
   const corners = [];
   /** From where pairs of creases were followed to where they meet. @type {Map<string, number[]>} */
   const tried = new Map();
@@ -51,15 +51,14 @@ export function cornersNear(question, line, near) {
       const known = corners.find((corner) => apart(corner.place, place, sides.scale) <= SAME * reach);
       const creases = known ? null : creasesAt(sides, signs, place, survey.size);
       if (!creases) continue;
-      const corner = { place, creases, signs, at };
-      corners.push({ ...corner, mayHold: !field.isPlain || hasMore(survey, corner) });
+      corners.push({ place, creases, signs, at });
     }
   }
   return corners
-    .filter(({ mayHold }) => mayHold)
-    .map((corner) => ({ ...corner, ...nearest(survey, corner.place) }))
-    .filter(({ away }) => away <= reach)
-    .sort((a, b) => a.at - b.at);
+    .map((corner) => ({ corner, ...nearest(survey, corner.place) }))
+    .filter(({ corner, away }) => away <= reach && (!field.isPlain || hasMore(survey, corner)))
+    .sort((a, b) => a.at - b.at)
+    .map(({ corner, at }) => ({ ...corner, at }));
 }
 
 /** Whether there is more than a full turn around a corner, from the direction of a node near by, or of an end, that lies on the side which that tells. @param {Survey} survey @param {Corner} corner */
@@ -68,7 +67,7 @@ function hasMore(survey, corner) {
   const nodes = [...BESIDE.map((by) => Math.min(Math.max(corner.at + by, 0), last)), 0, last];
   for (const at of nodes) {
     const direction = survey.placeAt(at).map((x, j) => x - corner.place[j]);
-    const around = turnBetween(sides, corner, signsAlong(sides, corner, corner.signs, direction), direction, direction);
+    const around = turnBetween(sides, corner, signsAlong(sides, corner, corner.signs, direction), direction);
     if (around) return isBeyond(around.turn, 2);
   }
   return false;

@@ -28,20 +28,23 @@ function add({ halves, x, y }, half) {
 
 /**
  * How far it is counter-clockwise around a corner from one direction to another, or all around to the same, the creases between, and whether ways past it on that side are longer.
- * @param {Sides} sides @param {Corner} corner @param {number[]} signs of the side of the first @param {number[]} from @param {number[]} to
- * @param {number[]} [own] signs of the side of that, if it may follow a crease
+ * @param {Sides} sides @param {Corner} corner @param {number[]} signs of the side of the first @param {number[]} from
+ * @param {number[]} [toward] the other, as far as it is tangent to its side @param {number[]} [own] signs of that, which tell where it follows a crease
  * @returns {{ turn: Turn, rays: number[][], isHeld: boolean } | null}
  */
-export function turnBetween(sides, corner, signs, from, to, own) {
+export function turnBetween(sides, corner, signs, from, toward = from, own = signs) {
+  const side = sides.on(own);
+  const to = side && planeAt(side, corner.place, toward)?.e1;
+  if (!to) return null;
   /** @type {Turn} */
   let turn = { halves: 0, x: 1, y: 0 };
   const rays = [];
   /** @type {{ half: number, onto: number }[]} */
   const fan = [];
   for (const { plane, half, onto, signs: here } of sectors(sides, corner, signs, from)) {
-    const rest = from !== to || isBeyond(turn, 0) ? halfAngle(plane, to) : null;
+    const rest = from !== toward || isBeyond(turn, 0) ? halfAngle(plane, to) : null;
     const isLast = rest !== null && rest <= half * (1 + ALIKE) + ALIKE;
-    const isBeside = isLast && own && rest >= half * (1 - ALIKE) && corner.creases.some((k) => own[k] !== here[k]);
+    const isBeside = isLast && rest >= half * (1 - ALIKE) && corner.creases.some((k) => own[k] !== here[k]);
     if (isLast && !isBeside) return { turn: add(turn, rest), rays, isHeld: isLonger([...fan, { half: rest, onto }]) };
     turn = add(turn, half);
     fan.push({ half, onto });

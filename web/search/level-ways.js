@@ -143,10 +143,9 @@ export class LevelNet {
     const net = this.#net;
     const { corners, points, edgeOf, from, to } = net;
     const count = points.length / 3;
-    const known = Uint8Array.from(
-      { length: count },
-      (_, node) => this.#known[node < corners ? node : Math.floor(edgeOf[node - corners] / 3)],
-    );
+    const known = new Uint8Array(count);
+    known.set(this.#known);
+    for (let i = 0; i < edgeOf.length; i++) known[corners + i] = this.#known[Math.floor(edgeOf[i] / 3)];
     const lengths = new Float64Array(count).fill(Infinity);
     const [before, left] = [new Int32Array(count).fill(-1), new Int32Array(count)];
     const done = new Uint8Array(count);

@@ -10,6 +10,8 @@
 const [CELLS, LEVELS] = [96, 48];
 /** Around a saddle the land is now higher, now lower, so often at least. */
 const TURNS = 4;
+/** Where more of the cells than this part are in their middles higher, or lower, than at both ends of a diagonal, they are as wide as waves: of these a net knows nothing. */
+const BEYOND = 0.45;
 /** Newton steps to a saddle, which moves a corner by less than this part of a cell. */
 const [SETTLING, FARTHEST] = [4, 0.4];
 /** False positions and halvings, in turn, that put a crossing onto its line. */
@@ -72,7 +74,7 @@ const isBeside = (lines, i, x) =>
 
 /**
  * Moves corners beside saddles onto them; on an edge of the range, along it, those that are highest or lowest there.
- * @param {Jets} jets @param {number[]} us @param {number[]} vs @param {number[]} grid places of the corners @param {Float64Array} seen points of them @param {number[]} fixed numbers of corners
+ * @param {Jets} jets @param {number[]} us @param {number[]} vs @param {Float64Array} grid places of the corners @param {Float64Array} seen points of them @param {number[]} fixed numbers of corners
  * @returns {number[]} numbers of these corners
  */
 function moveToSaddles(jets, us, vs, grid, seen, fixed) {
@@ -107,9 +109,9 @@ function moveToSaddles(jets, us, vs, grid, seen, fixed) {
 /**
  * Puts crossings of edges and lines of equal height where they are, so many at a time as a processor has at hand.
  * @param {Positions} positions @param {Float64Array} places of corners, then of crossings, which are written @param {Float64Array} points the same
- * @param {Int32Array} ends the low and the high corner of each @param {Float64Array} heights of each
+ * @param {{ edgeOf: Int32Array, ends: Int32Array, heights: Float64Array }} crossings the edge of each, the low and the high corner of each edge, and the height of each
  */
-function placeCrossings(positions, places, points, ends, heights) {
+function placeCrossings(positions, places, points, { edgeOf, ends, heights }) {
   const corners = places.length / 2 - heights.length;
   /* Of each edge the part, and the height, of a place below and of one above. */
   const [below, above] = [new Float64Array(2 * AT_ONCE), new Float64Array(2 * AT_ONCE)];
@@ -119,15 +121,16 @@ function placeCrossings(positions, places, points, ends, heights) {
     const cut = places.subarray(2 * (corners + start), 2 * (corners + start + count));
     for (let i = 0; i < count; i++) {
       [below[2 * i], above[2 * i]] = [0, 1];
-      below[2 * i + 1] = points[3 * ends[2 * (start + i)] + 2];
-      above[2 * i + 1] = points[3 * ends[2 * (start + i) + 1] + 2];
+      below[2 * i + 1] = points[3 * ends[2 * edgeOf[start + i]] + 2];
+      above[2 * i + 1] = points[3 * ends[2 * edgeOf[start + i] + 1] + 2];
     }
     for (let step = 0; step < PLACING; step++) {
       for (let i = 0; i < count; i++) {
         const height = heights[start + i];
         const ratio = step % 2 ? 0.5 : (height - below[2 * i + 1]) / (above[2 * i + 1] - below[2 * i + 1]);
         parts[i] = below[2 * i] + ratio * (above[2 * i] - below[2 * i]);
-        const [low, high] = [2 * ends[2 * (start + i)], 2 * ends[2 * (start + i) + 1]];
+        const edge = 2 * edgeOf[start + i];
+        const [low, high] = [2 * ends[edge], 2 * ends[edge + 1]];
         cut[2 * i] = places[low] + parts[i] * (places[high] - places[low]);
         cut[2 * i + 1] = places[low + 1] + parts[i] * (places[high + 1] - places[low + 1]);
       }
@@ -143,19 +146,30 @@ function placeCrossings(positions, places, points, ends, heights) {
 }
 
 /**
- * The net; null: the surface has no height somewhere. Its nodes: corners, row by row, then crossings, edge by edge and upwards. Edge 3q + k leads from corner q in direction k.
- * @param {Positions} positions @param {Jets} jets @param {Range} range @param {number[][]} ends
+ * Whether the surface has waves between the corners of cells that these do not see.
+ * @param {Positions} positions @param {Float64Array} grid places of the corners @param {Float64Array} seen points of them @param {number} next from the first corner of a cell to the last
  */
-function makeNet(positions, jets, { lower, upper }, ends) {
-  const [us, vs] = [0, 1].map((j) => spread([lower[j], upper[j], ends[0][j], ends[1][j]]));
+function isBlind(positions, grid, seen, next) {
+  const middles = positions(grid.map((x, i) => (x + grid[i + 2 * next]) / 2).subarray(0, -2 * next));
+  let beyond = 0;
+  for (let i = 2; i < middles.length; i += 3) beyond += Number((middles[i] - seen[i]) * (middles[i] - seen[i + 3 * next]) > 0);
+  return 3 * beyond > BEYOND * middles.length;
+}
+
+/**
+ * The net; null: the surface has no height somewhere, or waves too short for it. Its nodes: corners, row by row, then crossings, edge by edge and upwards. Edge 3q + k leads from corner q in direction k.
+ * @param {Positions} positions @param {Jets} jets @param {Range} range @param {number[][]} asked ends of the path
+ */
+function makeNet(positions, jets, { lower, upper }, asked) {
+  const [us, vs] = [0, 1].map((j) => spread([lower[j], upper[j], asked[0][j], asked[1][j]]));
   const width = us.length;
   const corners = width * vs.length;
-  const grid = vs.flatMap((v) => us.flatMap((u) => [u, v]));
-  const [from, to] = ends.map(([u, v]) => us.indexOf(u) + width * vs.indexOf(v));
+  const grid = Float64Array.from(vs.flatMap((v) => us.flatMap((u) => [u, v])));
+  const [from, to] = asked.map(([u, v]) => us.indexOf(u) + width * vs.indexOf(v));
   const saddles = moveToSaddles(jets, us, vs, grid, positions(grid), [from, to]);
   const seen = positions(grid);
   const heights = Array.from({ length: corners }, (_, q) => seen[3 * q + 2]);
-  if (!heights.every(Number.isFinite)) return null;
+  if (!heights.every(Number.isFinite) || isBlind(positions, grid, seen, width + 1)) return null;
   const levels = Float64Array.from(
     new Set([heights[from], heights[to], ...quantiles(heights), ...quantiles(saddles.map((q) => heights[q]))]),
   ).sort();
@@ -164,27 +178,32 @@ function makeNet(positions, jets, { lower, upper }, ends) {
   const first = new Int32Array(3 * corners + 1);
   /* Of each edge the level of its first crossing. */
   const base = new Int32Array(3 * corners);
-  const [edges, pairs, goals] = [/** @type {number[]} */ ([]), /** @type {number[]} */ ([]), /** @type {number[]} */ ([])];
+  const ends = new Int32Array(6 * corners);
   for (let edge = 0; edge < 3 * corners; edge++) {
     const q = Math.floor(edge / 3);
     const step = STEPS[edge % 3];
     const other = q % width < width - step[0] && q < corners - step[1] * width ? q + step[0] + step[1] * width : q;
     const [low, high] = heights[other] < heights[q] ? [other, q] : [q, other];
-    first[edge] = corners + edges.length;
+    ends.set([low, high], 2 * edge);
     base[edge] = highest[low];
-    for (let level = highest[low]; level < lowest[high]; level++) {
-      edges.push(edge);
-      pairs.push(low, high);
-      goals.push(levels[level]);
-    }
+    first[edge + 1] = first[edge] + Math.max(0, lowest[high] - highest[low]);
   }
-  first[3 * corners] = corners + edges.length;
-  const places = new Float64Array(2 * first[3 * corners]);
-  const points = new Float64Array(3 * first[3 * corners]);
+  const count = first[3 * corners];
+  const edgeOf = new Int32Array(count);
+  const goals = new Float64Array(count);
+  for (let edge = 0; edge < 3 * corners; edge++) {
+    for (let i = first[edge]; i < first[edge + 1]; i++) {
+      edgeOf[i] = edge;
+      goals[i] = levels[base[edge] + i - first[edge]];
+    }
+    first[edge] += corners;
+  }
+  first[3 * corners] += corners;
+  const places = new Float64Array(2 * (corners + count));
+  const points = new Float64Array(3 * (corners + count));
   places.set(grid);
   points.set(seen);
-  placeCrossings(positions, places, points, Int32Array.from(pairs), Float64Array.from(goals));
-  const edgeOf = Int32Array.from(edges);
+  placeCrossings(positions, places, points, { edgeOf, ends, heights: goals });
   return { us, vs, width, corners, from, to, places, points, lowest, highest, first, base, edgeOf };
 }
 
@@ -264,7 +283,7 @@ function findLines({ corners, width, first, base, points }) {
 }
 
 /**
- * The net of a surface, with both ends among its corners and their heights among its lines; null: it has no height somewhere.
+ * The net of a surface, with both ends among its corners and their heights among its lines; null: it has no height somewhere, or waves too short for a net.
  * @param {Positions} positions @param {Jets} jets @param {Range} range @param {number[][]} ends
  */
 export function makeLevels(positions, jets, range, ends) {

@@ -1,7 +1,9 @@
 // Paths that turn at corners, where creases meet: on bodies of boxes as long as faces unfolded around these, on graphs as long as the straight lines to the corner.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { turnBetween } from '../../../web/creases/fan.js';
 import { load } from '../../../web/index.js';
+import { dot } from '../../../web/vector.js';
 import { askOnBoxes, BODIES, formulaOf, randomBoxes, Ways } from '../../accuracy/measure/boxes.js';
 import { createRandom } from '../../helpers/random.js';
 
@@ -141,4 +143,16 @@ test('|x| − |y|: through the corner where that is shortest, past it elsewhere,
   }
   assert.ok(through >= 3, `only ${through} lead through the corner`);
   graph.dispose();
+});
+
+test('all around a corner it is a full turn, from the direction of a node that is not tangent to its side, as on what bends', () => {
+  /** A plane with a crease along y. @type {any} */
+  const side = { jets: () => [[0, 0, 0, 1]], measure: () => [[0, 1, 0, 0]], productOf: () => dot };
+  const sides = { ...side, scale: [1, 1, 1], count: 1, on: () => side };
+  for (const steep of [0, 1e-9, 1e-3, 0.1]) {
+    const around = turnBetween(sides, { place: [0, 0, 0], creases: [0] }, [1], [1, 0.3, steep]);
+    assert.ok(around && around.rays.length === 2, `${steep}: ${JSON.stringify(around)}`);
+    const turn = Math.PI * around.turn.halves + Math.atan2(around.turn.y, around.turn.x);
+    assert.ok(Math.abs(turn - 2 * Math.PI) < 1e-9, `${steep}: ${JSON.stringify(around)}`);
+  }
 });
