@@ -176,7 +176,9 @@ test('through a coin of 1:100: no chord of the body, but a path around its rim, 
   const surface = surfpath.parametric({ x: 'cos(u)*cos(v)', y: 'sin(u)*cos(v)', z: 'sin(v)/100', u: [0, '2pi'], v: ['-pi/2', 'pi/2'] });
   for (const start of /** @type {const} */ (['global', 'straight'])) {
     const path = surface.shortestPath([0, Math.acos(0.3)], [Math.atan2(0.2, -0.3), -Math.acos(Math.hypot(0.2, 0.3))], { start });
-    assert.ok(['converged', 'tolerance-not-met'].includes(path.status), path.status);
+    assert.ok(['converged', 'ill-conditioned', 'tolerance-not-met'].includes(path.status), path.status);
+    /* At rest: Clairaut's constant is 0.213404 on both of its sides. */
+    if (path.status !== 'tolerance-not-met') assert.ok(Math.abs(path.length - 1.87472667519) < 1e-10, `${path.length}`);
     /* Of a plate, the way from (0.3, 0) by the best point of the rim to (-0.3, 0.2). */
     const flat = Math.min(
       ...Array.from({ length: 6000 }, (_, i) => {
