@@ -96,9 +96,10 @@ export class Surface {
    */
   shortestPath(from, to, options) {
     const caller = Surface.#enter(this, 'shortestPath');
+    const [first, last] = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     const { solve, start, via } = readOptions(caller, options, ['via']);
     const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
-    const places = [this.#manifold.readPoint(caller, 'from', from), ...stops, this.#manifold.readPoint(caller, 'to', to)];
+    const places = [first, ...stops, last];
     const asked = this.#inSpace(solve);
     const field = this.#manifold.field();
     if (stops.length > 0) return this.#scaled(passThrough(field, caller, places, asked, start));
@@ -115,11 +116,11 @@ export class Surface {
    */
   geodesics(from, to, options) {
     const caller = Surface.#enter(this, 'geodesics');
+    const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     const { solve, start } = readOptions(caller, options, ['max']);
     const { max = MOST_GEODESICS } = options ?? {};
     wholeNumber(caller, 'max', max, 1, MOST_POINTS);
     if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
-    const ends = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     const field = this.#manifold.field();
     const asked = this.#inSpace(solve);
     const found = findGeodesics(field, ends, asked, max).filter(

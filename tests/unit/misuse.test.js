@@ -35,6 +35,14 @@ test('a disposed surface answers nothing any more', () => {
   refuses(() => surface.trace([0, 0], [1, 0], 1), Error, /^trace: this surface was disposed$/);
 });
 
+test('four numbers in place of two points: what is said is what a point looks like', () => {
+  const surface = plane();
+  const call = anything(surface);
+  for (const ask of [() => call.shortestPath(0, 0, 1, 1), () => call.geodesics(0, 0, 1, 1)])
+    refuses(ask, TypeError, /^(shortestPath|geodesics): from must be \[u, v\], not 0$/);
+  surface.dispose();
+});
+
 test('a direction that does not close is not periodic, and by how much it misses is said', () => {
   const arc = { x: 'cos(u)', y: 'sin(u)', z: 'v', u: anything([0, 'a']), v: anything([0, 1]), parameters: { a: 3 }, periodic: { u: true } };
   refuses(
