@@ -72,6 +72,10 @@ describe('their figures', () => {
       assert.ok(Number(row['largest true error']) <= Math.max(Number(row.tolerance), 1e-12), `${row.surface}, ${row.tolerance}`);
   });
 
+  test('a path near an earlier one converges, of however many points that is', () => {
+    for (const row of rowsOf('starts')) assert.equal(row.converged, true, String(row.surface));
+  });
+
   /* Chords are too short by an error of second order: four times the points, a sixteenth of it. */
   test('the error of a polyline falls as the square of its points', () => {
     const errors = rowsOf('fig2').filter(({ surface }) => surface === 'dini');
