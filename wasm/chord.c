@@ -81,9 +81,9 @@ int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3]
 }
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
-static void mend_normals(const struct sp_polyline *line, double length, struct chord *chord) {
+static void mend_normals(const struct sp_polyline *line, double far, struct chord *chord) {
     for (int end = 0; end < 2; end++)
-        if (sp_implicit_is_node(line->surface, chord->place[end], length))
+        if (sp_implicit_is_node(line->surface, chord->place[end], far))
             memcpy(chord->normal[end], chord->normal[!end], sizeof chord->normal[0]);
 }
 
@@ -91,7 +91,7 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
     double length = distance_between(chord->at[0], chord->at[1]), half[3], settled[3], normal[3];
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
-    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, length, chord);
+    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, larger(length, SP_NODE_FAR * scale), chord);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE))
         return spans_creases(line->surface, *chord, scale, MOST_CREASES) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;

@@ -253,13 +253,13 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
     return (is_fine ? start_fine : start_coarse)(newton, request, options, ends, arena, arcs, result, refined);
 }
 
-/* So far from an end, in parts of the size of things, the gradient of f is not that of a node. */
-static const double BESIDE = 5e-3, CORNER = 1e-3;
+/* How large the block is around an end, in parts of the size of things, that tells whether f is a power. */
+static const double CORNER = 1e-3;
 
 /* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. Not
  * so where there is no normal anywhere. */
 static enum sp_status put_end(const struct sp_surface *surface, double scale, double end[3]) {
-    int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, BESIDE * scale);
+    int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, SP_NODE_FAR * scale);
     enum sp_status status = is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
     int is_open = is_node || status == SP_OFF_SURFACE;
     return is_open && sp_start_is_multiple(surface, end, CORNER * scale) ? SP_SINGULAR_METRIC : status;

@@ -175,6 +175,24 @@ describe('where f is a square, or a higher power, there is no normal', () => {
     ]))
       assert.equal(surfpath.implicit({ f, bounds: within(2) }).shortestPath(from, to).status, 'converged', `${f}, from ${from}`);
   });
+
+  test('nor beside the tip of a cusp, where projection comes to rest 1e-13 … 1e-8 from it: as long as from the tip', () => {
+    const heart = '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3';
+    for (const [f, tip, to] of /** @type {[string, number[], number[]][]} */ ([
+      [heart, [0, 0, 1], [0, 2 / 3, 0]],
+      [heart, [0, 0, -1], [1, 0, 0]],
+      ['x^2 + z^2 - y^3*(1 - y)^3', [0, 0, 0], [0, 0.5, 0.125]],
+    ])) {
+      const surface = surfpath.implicit({ f, bounds: within(1.5) });
+      const { length } = surface.shortestPath(tip, to);
+      for (const gap of [1e-12, 1e-9, 1e-4]) {
+        const from = Array.from(surface.project(tip.map((c, j) => c + gap * [0.6, 0.8, -0.3][j])));
+        const path = surface.shortestPath(from, to);
+        assert.equal(path.status, 'converged', `${f}, from ${from}`);
+        assert.ok(Math.abs(path.length - length) <= Math.hypot(...tip.map((c, j) => c - from[j])) + path.lengthError, `${f}, from ${from}`);
+      }
+    }
+  });
 });
 
 /** All points with these coordinates, in all orders and with all signs. @param {number[][]} points */
