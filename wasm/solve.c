@@ -254,7 +254,7 @@ static enum sp_status start_elements(struct sp_newton *newton, const struct sp_r
 }
 
 /* How large the block is around an end, in parts of the size of things, that tells whether f is a power. */
-static const double CORNER = 1e-3;
+static const double CORNER = 1e-2;
 
 /* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. Not
  * so where there is no normal anywhere. */

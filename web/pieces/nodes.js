@@ -1,18 +1,23 @@
-/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do; and what of the surface hangs together without them. */
+/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; and what of the surface hangs together without them. */
 
-import { dot, gap, norm } from '../vector.js';
+import { dot, gap, norm, unit } from '../vector.js';
 
 /**
  * @typedef {object} Node
  * @property {number[]} at x y z
  * @property {number[][]} second the second derivatives of f
  * @property {number} determinant of these
+ * @property {boolean} isFlat the determinant is zero: derivatives of higher order tell how sheets meet, as those of two cusps, or of two bowls that touch
  */
 
 /** Newton steps to a node; of more nodes none is taken, as ways over them would be too many. */
 const [STEPS, MOST] = [12, 256];
 /** A node is the same as another, f is zero there, and the second derivatives are not singular, up to these parts of what they could be. */
 const [SAME, ZERO, SINGULAR] = [1e-6, 1e-13, 1e-6];
+/** Where the gradient vanishes like a power of these orders, steps shrink by the same part, 1 − 1/order, up to this, and in a row, up to that cosine. */
+const [ORDERS, ALIKE, STRAIGHT] = [[2, 3, 4], 0.02, 0.99];
+/** Nodes where f″ is singular lie on a curve of such points if they are nearer to each other than so many cells. */
+const ALONE = 3;
 /** Cones flatter than this are not told from planes. */
 const FLAT = 1e-3;
 /** Cells a direction of the mesh that tells what hangs together; nothing so many of them around a node does. */
@@ -25,32 +30,60 @@ const SMALL = 3.5;
 /** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
 const times = (matrix, v) => matrix.map((row) => dot(row, v));
 
-/** A step to where ∇f would vanish if it were linear. @typedef {{ size: number, next: number[], determinant: number }} Step determinant: of f″ where it begins */
+/** A step to where ∇f would vanish if it were linear, taken so many times. @typedef {{ by: number[], size: number, next: number[], order: number, determinant: number }} Step size: of it taken once; determinant: of f″ where it begins */
 
-/** @param {Float64Array} jets f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of each place @param {number} i where those of one begin @param {number[]} at the place @returns {Step} */
-function stepFrom(jets, i, at) {
-  const [x, y, z, xx, xy] = [jets[i + 1], jets[i + 2], jets[i + 3], jets[i + 4], jets[i + 5]];
-  const [xz, yy, yz, zz] = [jets[i + 6], jets[i + 7], jets[i + 8], jets[i + 9]];
-  const [a, b, c] = [yy * zz - yz * yz, yz * xz - xy * zz, xy * yz - yy * xz];
-  const [d, e, f] = [zz * xx - xz * xz, xz * xy - yz * xx, xx * yy - xy * xy];
+/** The cofactors of f″, in the order of its numbers. @param {number[] | Float64Array} second xx xy xz yy yz zz */
+const cofactors = ([xx, xy, xz, yy, yz, zz]) => [
+  yy * zz - yz * yz,
+  yz * xz - xy * zz,
+  xy * yz - yy * xz,
+  zz * xx - xz * xz,
+  xz * xy - yz * xx,
+  xx * yy - xy * xy,
+];
+
+/** @param {Float64Array} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {Step} [before] that led there @returns {Step} */
+function stepFrom(jet, at, before) {
+  const [, x, y, z, xx, xy, xz] = jet;
+  const [a, b, c, d, e, f] = cofactors(jet.subarray(4));
   const determinant = xx * a + xy * b + xz * c;
-  const step = [(a * x + b * y + c * z) / determinant, (b * x + d * y + e * z) / determinant, (c * x + e * y + f * z) / determinant];
-  return { size: norm(step), next: [at[0] - step[0], at[1] - step[1], at[2] - step[2]], determinant };
+  /* 0/0: at rest. */
+  const by = [a * x + b * y + c * z, b * x + d * y + e * z, c * x + e * y + f * z].map((part) => part / determinant || 0);
+  const size = norm(by);
+  const isStraight = before?.order === 1 && dot(by, before.by) > STRAIGHT * size * before.size;
+  const order = (isStraight && ORDERS.find((n) => Math.abs(1 - 1 / n - size / before.size) < ALIKE)) || 1;
+  return { by, size, next: at.map((from, j) => from - order * by[j]), order, determinant };
 }
 
 /** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
 function nodeAt(jet, { next, determinant }, size) {
   const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
   const largest = Math.max(...jet.subarray(4).map(Math.abs));
-  if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2 && Math.abs(determinant) > SINGULAR * largest ** 3)) return null;
+  if (!(largest > 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
+  const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
   /* A form that is definite: nothing of the surface is near. */
-  if (xx * yy > xy * xy && xx * determinant > 0) return null;
+  if (!isFlat && xx * yy > xy * xy && xx * determinant > 0) return null;
   const second = [
     [xx, xy, xz],
     [xy, yy, yz],
     [xz, yz, zz],
   ];
-  return { at: next, second, determinant };
+  return { at: next, second, determinant, isFlat };
+}
+
+/**
+ * Whether the surface leads on from a node where f″ is singular, and does not end in it as in a tip: along the line on which f″ is zero f has on both sides the sign
+ * that f″ has not.
+ * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen
+ */
+function leadsOn(jets, { at, second }, cell) {
+  const [[xx, xy, xz], [, yy, yz], [, , zz]] = second;
+  const [a, b, c, d, e, f] = cofactors([xx, xy, xz, yy, yz, zz]);
+  const [trace, definite] = [xx + yy + zz, a + d + f];
+  if (!(definite > SINGULAR * trace ** 2)) return true;
+  const line = unit(a > d && a > f ? [a, b, c] : d > f ? [b, d, e] : [c, e, f]);
+  const seen = jets([cell, -cell].flatMap((far) => at.map((x, j) => x + far * line[j])));
+  return seen[0] * trace < 0 && seen[10] * trace < 0;
 }
 
 /** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
@@ -74,16 +107,17 @@ function nodesFrom(jets, places, cell, size) {
   for (let i = 0; 3 * i < places.length; i++) {
     if (!mayLead(sampled, 10 * i, cell)) continue;
     const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
-    walks.push({ from, step: stepFrom(sampled, 10 * i, from), node: null });
+    walks.push({ from, step: stepFrom(sampled.subarray(10 * i, 10 * i + 10), from), node: null });
   }
   let walking = walks;
   for (let k = 0; k < STEPS && walking.length > 0; k++) {
     walking = walking.filter(({ from, step }) => step.size < cell && gap(step.next, from) < 2 * cell);
     const own = jets(walking.flatMap(({ step }) => step.next));
     walking = walking.filter((walk, i) => {
-      walk.step = stepFrom(own, 10 * i, walk.step.next);
+      const jet = own.subarray(10 * i, 10 * i + 10);
+      walk.step = stepFrom(jet, walk.step.next, walk.step);
       const ends = walk.step.size <= SAME * SAME * size;
-      if (ends) walk.node = nodeAt(own.subarray(10 * i, 10 * i + 10), walk.step, size);
+      if (ends) walk.node = nodeAt(jet, walk.step, size);
       return !ends;
     });
   }
@@ -97,27 +131,32 @@ function nodesFrom(jets, places, cell, size) {
 function findNodes(jets, box, grid) {
   const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
   const size = gap(low, high);
-  /** @type {Node[]} */
-  const nodes = [];
+  /** @type {[Node[], Node[]]} */
+  const [nodes, flat] = [[], []];
   const line = (/** @type {number} */ j) => Float64Array.from({ length: grid }, (_, i) => low[j] + ((i + 0.5) / grid) * (high[j] - low[j]));
   const [xs, ys, zs] = [line(0), line(1), line(2)];
   const places = new Float64Array(3 * grid ** 2);
+  const cell = size / grid;
   for (const x of xs) {
     if (nodes.length > MOST) return [];
     let k = 0;
     for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
-    for (const node of nodesFrom(jets, places, size / grid, size))
-      if (!nodes.some(({ at }) => gap(at, node.at) <= SAME * size)) nodes.push(node);
+    for (const node of nodesFrom(jets, places, cell, size)) {
+      const known = node.isFlat ? flat : nodes;
+      if (!known.some(({ at }) => gap(at, node.at) <= SAME * size)) known.push(node);
+    }
   }
-  return nodes;
+  const isAlone = (/** @type {Node} */ node) => flat.every((other) => other === node || gap(other.at, node.at) > ALONE * cell);
+  return [...nodes, ...flat.filter((node) => isAlone(node) && leadsOn(jets, node, cell))];
 }
 
 /**
  * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
- * det H · aᵀHb ≥ 0; on two, ≤ 0.
+ * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular a path that goes on passes from one cusp to another: on one, or on a bowl, there is a shorter one beside the node.
  * @param {Node} node @param {number[]} a direction from the node @param {number[]} b
  */
-export function crosses({ second, determinant }, a, b) {
+export function crosses({ second, determinant, isFlat }, a, b) {
+  if (isFlat) return dot(a, b) < 0;
   const product = Math.sign(determinant) * dot(a, times(second, b));
   const largest = Math.max(...second.flat().map(Math.abs));
   return product < -FLAT * largest * dot(a, b);

@@ -195,6 +195,36 @@ describe('where f is a square, or a higher power, there is no normal', () => {
   });
 });
 
+describe('cusps that meet in a point, where second derivatives do not tell how', () => {
+  /** f, shifted along x, the place at a height and an angle, and how far that is from where the cusps meet. @type {Record<string, [string, (z: number, angle: number) => number[], (z: number) => number]>} */
+  const cusps = {
+    'a torus without a hole': [
+      '((x - c)^2 + y^2 + z^2)^2 - ((x - c)^2 + y^2)',
+      (z, angle) => [(0.5 - Math.sqrt(0.25 - z * z)) * Math.cos(angle), (0.5 - Math.sqrt(0.25 - z * z)) * Math.sin(angle), z],
+      (z) => 0.5 * Math.asin(2 * Math.abs(z)),
+    ],
+    'x² + y² = z⁴': [
+      '(x - c)^2 + y^2 - z^4',
+      (z, angle) => [z * z * Math.cos(angle), z * z * Math.sin(angle), z],
+      (z) => (2 * Math.abs(z) * Math.sqrt(1 + 4 * z * z) + Math.asinh(2 * Math.abs(z))) / 4,
+    ],
+  };
+  for (const [name, [f, at, away]] of Object.entries(cusps))
+    for (const bounds of [undefined, within(1.4)])
+      test(`${name}, ${bounds ? 'within' : 'without'} bounds: from one to the other straight through the point`, () => {
+        const random = createRandom(19);
+        for (let i = 0; i < 6; i++) {
+          const c = i % 2 ? random.between(-0.2, 0.2) : 0;
+          const surface = surfpath.implicit({ f, bounds, parameters: { c } });
+          const [up, down] = [random.between(0.1, 0.45), random.between(-0.45, -0.1)];
+          const [from, to] = [at(up, random.between(0, 7)), at(down, random.between(0, 7))].map(([x, y, z]) => [x + c, y, z]);
+          const path = surface.shortestPath(from, to);
+          assert.equal(path.status, 'converged', `${from} ${to}`);
+          close(path.length, away(up) + away(down), 1e-9);
+        }
+      });
+});
+
 /** All points with these coordinates, in all orders and with all signs. @param {number[][]} points */
 const turns = (points) =>
   points.flatMap(([x, y, z]) =>
