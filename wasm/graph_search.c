@@ -5,9 +5,10 @@
 
 /* Ways up to a quarter longer than the shortest are looked at; of those that may lead to the shortest path fewer where length is that of
  * space, or where the graph's lengths are nearly the surface's. One that keeps within a fifth of the shortest is taken for the same at
- * first, then within a tenth. */
+ * first, then within a tenth; not on another side of an edge, across which normals turn by more than 37 degrees: a narrow rim is a way of
+ * its own. */
 static const double LONGEST = 1.25, LONGEST_IN_SPACE = 1.12, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05,
-                    ROUNDING = 1e-6;
+                    ROUNDING = 1e-6, FLAT = 0.8;
 
 /* At first, and where the graph does not resolve the surface. */
 enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
@@ -128,6 +129,7 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     for (int end = 0; end < 2; end++)
         fits = fits && sp_front_take(search.front + end, graph, arena);
     if (!fits || !sp_front_take(&search.taken, graph, arena)) return SP_OUT_OF_MEMORY;
+    search.taken.flat = FLAT;
     enum sp_status status = attach(&search);
     if (status == SP_CONVERGED) status = measure(&search);
     if (status != SP_CONVERGED) return status;
