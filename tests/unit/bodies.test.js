@@ -188,6 +188,11 @@ test('outside of a bowl: over its flat rim, narrower than ways through a graph a
       [0.8599116940292074, 0.5753764694735438, 0.17886809902265677],
       [0.7061170085214187, -0.7541274974520946, 0.18759127875091508],
     ],
+    /* Along the inner edge. */
+    [
+      [1.0268343634609327, -0.033413055905469724, -0.21678274311125273],
+      [-1.024511170451845, 0.07229139239277405, 0.21829066907521338],
+    ],
   ];
   for (const ends of pairs) {
     const [path, exact] = [bowl.shortestPath(ends[0], ends[1]), overRim(ends, size)];
