@@ -85,7 +85,8 @@ double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count);
 
 /* Finds ways through the graph from one point to another: the shortest, then the shortest through a vertex away from all those found before
  * (by a fifth of the shortest; when there are no more such, by a tenth), as long as they are at most a quarter longer, at most 16; where
- * the graph does not resolve the surface, in the end by a twentieth, at most 32. Ways over a collapsed edge pass it on both sides. With
+ * the graph does not resolve the surface, in the end by a twentieth, at most 32; implicit, then also across an edge from those found.
+ * Ways over a collapsed edge pass it on both sides. With
  * `all` = 0 only those are looked for that may become the shortest path: at most 6 % longer on a surface that the graph resolves, and 12 %
  * where length is that of space. Each is resampled by length and smoothed; implicit, its places are near f = 0.
  *

@@ -11,7 +11,7 @@ static const double BELOW = 1 - 1e-6;
 
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
-    *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf()};
+    *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf(), .flat = -2};
     front->distance = sp_arena_take(arena, vertices, sizeof(double));
     front->before = sp_arena_take(arena, vertices, sizeof(int32_t));
     front->heap = sp_arena_take(arena, vertices, sizeof(struct sp_queued));
@@ -58,6 +58,16 @@ void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, doub
     rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
 }
 
+/* Whether the surface bends too much from one vertex to another. */
+static int bends(const struct sp_front *front, int32_t from, int32_t to) {
+    const float *normals = front->graph->normals;
+    if (front->flat < -1 || !normals) return 0;
+    double cosine = 0;
+    for (size_t j = 0; j < 3; j++)
+        cosine += (double)normals[3 * (size_t)from + j] * (double)normals[3 * (size_t)to + j];
+    return cosine < front->flat;
+}
+
 void sp_front_advance(struct sp_front *front, double limit) {
     const struct sp_graph *graph = front->graph;
     const double *distances = front->distance, *other = front->other, most = front->most, farthest = front->farthest;
@@ -71,7 +81,9 @@ void sp_front_advance(struct sp_front *front, double limit) {
         for (const struct sp_graph_edge *edge = graph->edges + graph->first[vertex], *end = graph->edges + graph->first[vertex + 1];
              edge < end; edge++) {
             double distance = so_far + (double)edge->length;
-            if (!(distance < distances[edge->to]) || distance >= farthest || (other && other[edge->to] + distance > most)) continue;
+            if (!(distance < distances[edge->to]) || distance >= farthest || (other && other[edge->to] + distance > most) ||
+                bends(front, vertex, edge->to))
+                continue;
             sp_front_offer(front, edge->to, vertex, distance);
         }
     }

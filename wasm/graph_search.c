@@ -5,9 +5,10 @@
 
 /* Ways up to a quarter longer than the shortest are looked at; of those that may lead to the shortest path fewer where length is that of
  * space, or where the graph's lengths are nearly the surface's. One that keeps within a fifth of the shortest is taken for the same at
- * first, then within a tenth. */
+ * first, then within a tenth; in the end not on another side of an edge, across which normals turn by more than 37 degrees: a narrow rim
+ * is a way of its own. */
 static const double LONGEST = 1.25, LONGEST_IN_SPACE = 1.12, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05,
-                    ROUNDING = 1e-6;
+                    ROUNDING = 1e-6, FLAT = 0.8;
 
 /* At first, and where the graph does not resolve the surface. */
 enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
@@ -88,14 +89,30 @@ static int32_t trace(const struct search *search, int32_t via) {
     return count;
 }
 
+/* From now on what lies across an edge from a way that was taken is not near it. */
+static void part_at_edges(struct search *search) {
+    struct sp_front *taken = &search->taken;
+    taken->flat = FLAT;
+    for (int32_t i = 0; i < search->graph->vertex_count; i++) {
+        double distance = taken->distance[i];
+        if (distance >= 0) taken->distance[i] = __builtin_inf();
+        if (distance == 0) sp_front_offer(taken, i, -1, 0);
+    }
+    sp_front_advance(taken, taken->farthest);
+}
+
 static enum sp_status find_ways(struct search *search, struct sp_arena *arena, struct sp_graph_answer *answer) {
-    int32_t rounds = search->graph->resolved ? ROUNDS : MOST_ROUNDS, most = search->graph->resolved ? WAYS : MOST_WAYS;
+    int32_t edges = search->graph->resolved ? ROUNDS : MOST_ROUNDS, most = search->graph->resolved ? WAYS : MOST_WAYS;
+    int32_t rounds = edges + (search->graph->kind == SP_IMPLICIT);
+    search->taken.farthest = APART[0] * search->best;
     for (int32_t found = 0, round = 0; found < most && round < rounds; found++) {
-        int32_t via = best_via(search, APART[round]);
-        while (via < 0 && ++round < rounds)
-            via = best_via(search, APART[round]);
+        int32_t via = best_via(search, APART[round % edges]);
+        while (via < 0 && ++round < rounds) {
+            search->taken.farthest = APART[round % edges] * search->best; /* what is farther is not asked for */
+            if (round == edges) part_at_edges(search);
+            via = best_via(search, APART[round % edges]);
+        }
         if (via < 0) break;
-        search->taken.farthest = APART[round] * search->best; /* what is farther is not asked for */
         struct sp_way way = {search->surface, search->graph, search->ends[0], search->ends[1], search->vertices, trace(search, via)};
         enum sp_status status = sp_way_write(&way, arena, answer);
         if (status != SP_CONVERGED) return status;

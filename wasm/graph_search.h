@@ -55,6 +55,7 @@ struct sp_front {
     /* Distances from where ways lead. Where they and those from the seeds add up to more than `most`, none is visited. NULL: all are. */
     const double *other;
     double most, farthest; /* nor are those that are as far as `farthest` */
+    double flat;           /* implicit: edges lead nowhere between whose normals the cosine is less */
 };
 
 /* Takes the arrays, nothing reached. Returns 0 if the arena is full. */

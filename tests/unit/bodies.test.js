@@ -154,6 +154,54 @@ test('a mug: paths from inside to outside lead over its rim, not through the wal
   mug.dispose();
 });
 
+/** How long paths over the flat rim of a shell are, from outside to outside: great circles to its outer edge, and between these a chord, or tangents to the inner edge and a piece of that. */
+function overRim(/** @type {number[][]} */ [from, to], /** @type {{ inner: number, outer: number, rim: number }} */ { inner, outer, rim }) {
+  const [wide, narrow] = [outer, inner].map((radius) => Math.sqrt(radius ** 2 - rim ** 2));
+  const touching = 2 * Math.acos(narrow / wide);
+  const down = (/** @type {number[]} */ at, /** @type {number} */ turn) =>
+    outer * Math.acos((wide * (at[0] * Math.cos(turn) + at[1] * Math.sin(turn)) + at[2] * rim) / outer ** 2);
+  const across = (/** @type {number} */ turn) =>
+    turn < touching ? 2 * wide * Math.sin(turn / 2) : 2 * wide * Math.sin(touching / 2) + narrow * (turn - touching);
+  const apart = (/** @type {number} */ a, /** @type {number} */ b) => Math.acos(Math.cos(a - b));
+  const over = (/** @type {number[]} */ [a, b]) => down(from, a) + across(apart(a, b)) + down(to, b);
+  let best = [from, to].map(([x, y]) => Math.atan2(y, x));
+  for (let step = 0.5; step > 1e-9; step *= 0.7) {
+    const steps = [-1, -0.5, 0, 0.5, 1].map((x) => x * step);
+    for (const turns of steps.flatMap((x) => steps.map((y) => [best[0] + x, best[1] + y]))) if (over(turns) < over(best)) best = turns;
+  }
+  return over(best);
+}
+
+test('outside of a bowl: over its flat rim, narrower than ways through a graph are apart, where that is shorter', () => {
+  const size = { inner: 0.95, outer: 1.05, rim: 0.3 };
+  const bowl = surfpath.implicit({ f: 'max(abs(sqrt(x^2 + y^2 + z^2) - 1) - 0.05, z - 0.3)', bounds: cube(1.2) });
+  const pairs = [
+    [
+      [-0.0452885361062773, 1.048044797227056, -0.0452885361062773],
+      [1.0063907646599466, -0.06027590200672014, 0.2933333333333332],
+    ],
+    [
+      [-0.8574486791167654, 0.6042531532549025, 0.04647461094427863],
+      [-0.4555291888306292, -0.9256507007405362, 0.19535592732718213],
+    ],
+    [
+      [0.8599116940292074, 0.5753764694735438, 0.17886809902265677],
+      [0.7061170085214187, -0.7541274974520946, 0.18759127875091508],
+    ],
+    /* Along the inner edge. */
+    [
+      [1.0268343634609327, -0.033413055905469724, -0.21678274311125273],
+      [-1.024511170451845, 0.07229139239277405, 0.21829066907521338],
+    ],
+  ];
+  for (const ends of pairs) {
+    const [path, exact] = [bowl.shortestPath(ends[0], ends[1]), overRim(ends, size)];
+    assert.equal(path.status, 'converged');
+    assert.ok(Math.abs(path.length - exact) < RIGHT * exact, `${path.length}, not ${exact}`);
+  }
+  bowl.dispose();
+});
+
 test('where two pipes meet, whose walls are thinner than cells of the first graph: from inside to outside over their rims', () => {
   const outer = 'min(x^2 + y^2 - 0.25, max(x^2 + z^2 - 0.16, -y))';
   const inner = 'min(x^2 + y^2 - 0.2, max(x^2 + z^2 - 0.11, -y))';

@@ -10,7 +10,7 @@ import { drawLine, findWays, isAfter, measureLine, poseNear, settleEnd } from '.
 import { gap } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
-import { isOnEdge, LEG, lengthOf, placesOf } from './legs.js';
+import { isOnEdge, LEG, lengthOf, lineOf, placesOf } from './legs.js';
 import { followPinned } from './pinned.js';
 import { writeShore } from './shores.js';
 import { isBeside, measureLength, roundingsOf, sketch } from './sketches.js';
@@ -82,6 +82,7 @@ export function findCreased(field, ends, options, start, finer = 0) {
 function findRoute(question, { ways, distance }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
+  const isBody = field.isPlain && !field.domain;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
     .map((line) => ({ line, measured: measureLine(field, ends, line) }))
@@ -94,6 +95,7 @@ function findRoute(question, { ways, distance }, start) {
   const understood = [];
   /** @type {Sketch[]} */
   let missed = [];
+  let strays = false;
   for (const rounding of roundingsOf(field)) {
     for (const drawn of sketch(field, sides, ends, ways, rounding)) {
       const { line, length } = drawn;
@@ -109,6 +111,7 @@ function findRoute(question, { ways, distance }, start) {
         followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about, distance).most),
       );
       if (found) best = shorter(best, found.route);
+      strays ||= isBody && !(found && isBeside(line, lineOf(found.route.legs, width), sides.scale, APART));
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
       if (found && lengthOf(found.route.legs) <= most) understood.push({ line, crossed: found.isClear ? crossed : null });
       else {
@@ -126,6 +129,7 @@ function findRoute(question, { ways, distance }, start) {
     if (
       best &&
       !isOpen &&
+      !strays &&
       lengthOf(best.legs) <= Math.min((least?.measured ?? Infinity) * EXACT, distance * NEARLY, ...missed.map(({ length }) => length))
     )
       break;

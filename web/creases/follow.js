@@ -59,15 +59,20 @@ function comeToRest(question, line, near, most) {
   }
   if (!route || isTornAnywhere(question, route)) return null;
   let isAtRest = false;
-  /** Routes at rest that were cut anew: what comes to one of them again goes round in circles. @type {string[]} */
-  const known = [];
+  /** Routes at rest that were cut anew: what comes to one of them again goes round in circles, over and back over a fold that it should follow. @type {string[]} */
+  let known = [];
+  let folds = false;
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
-    const again = recut(question, route, line, isAtRest);
+    let again = recut(question, route, line, isAtRest, folds);
     if (!again && isAtRest) return finish(question, route);
     if (again && isAtRest) {
       question.budget.lost = lineOf(route.legs, width);
       const key = keyOf(route);
-      if (known.includes(key)) return null;
+      if (known.includes(key)) {
+        if (folds) return null;
+        [known, folds] = [[], true];
+        again = recut(question, route, line, isAtRest, folds);
+      }
       known.push(key);
     }
     isAtRest = !again;

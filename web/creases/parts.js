@@ -87,9 +87,9 @@ function onto(question, on, place) {
 
 /**
  * A path cut anew where it is none yet; null: it is one.
- * @param {Question} question @param {Route} route @param {Float64Array} line the polyline that led to it @param {boolean} isAtRest else legs are cut only where they may follow a shore @returns {Piece[] | null}
+ * @param {Question} question @param {Route} route @param {Float64Array} line the polyline that led to it @param {boolean} isAtRest else legs are cut only where they may follow a shore @param {boolean} folds what leads beyond a fold and back follows it @returns {Piece[] | null}
  */
-export function recut(question, route, line, isAtRest) {
+export function recut(question, route, line, isAtRest, folds) {
   const seen = solveAll(question, route, { ...LEG, points: SEEN });
   if (!seen) return [];
   const { joints } = route;
@@ -97,7 +97,7 @@ export function recut(question, route, line, isAtRest) {
   const pieces = seen.flatMap((leg, i) => {
     const own = whole(leg, joints[i - 1]);
     if (leg.shore) return bulge(question, own, places[i], places[i + 1], reachOf(route, i, question.sides.scale));
-    const parts = leave(question, line, { legs: seen, joints }, i, own);
+    const parts = leave(question, line, { legs: seen, joints }, i, own, folds);
     return isAtRest || parts.some(({ shore }) => shore) ? parts : [own];
   });
   const isKept =
@@ -136,9 +136,9 @@ function without(pieces, width, isSpare) {
 
 /**
  * The parts of a leg that lie on one side of all creases each; what lies beyond one that it could follow instead follows it, the way round that a polyline went.
- * @param {Question} question @param {Float64Array} line @param {Route} route @param {number} i which of its legs @param {Piece} own that leg as it is @returns {Piece[]}
+ * @param {Question} question @param {Float64Array} line @param {Route} route @param {number} i which of its legs @param {Piece} own that leg as it is @param {boolean} folds as {@link recut} takes it @returns {Piece[]}
  */
-function leave(question, line, { legs, joints }, i, own) {
+function leave(question, line, { legs, joints }, i, own, folds) {
   const { sides, ends } = question;
   const width = ends[0].length;
   const leg = legs[i];
@@ -161,7 +161,8 @@ function leave(question, line, { legs, joints }, i, own) {
     const sense = survey.senseOf(begin.crease, begin.signs, Math.floor(from), Math.ceil(to));
     const near = { crease: begin.crease, sense, isFold: false };
     const shore = landOn(question, { ...part, signs: begin.signs }, near);
-    if (!shore?.shore || shore.shore.isFold || shore.signs[near.crease] !== leg.signs[near.crease]) return [free];
+    const isFollowed = shore?.shore && (shore.shore.isFold ? folds : shore.signs[near.crease] === leg.signs[near.crease]);
+    if (!shore?.shore || !isFollowed) return [free];
     const followed = bulge(question, { ...free, signs: shore.signs, shore: shore.shore }, begin.place, end.place, Infinity);
     return followed.length > 0 ? followed : [free];
   });

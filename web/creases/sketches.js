@@ -27,18 +27,26 @@ const ROUNDINGS = [
 ];
 /** A chord laid onto an implicit surface is straight there if its middle moves by this part of it; else it is halved, until it is this part of the length, at most so often. */
 const [FLAT, SHORT, MOST_HALVINGS] = [1e-3, 2e-4, 16];
+/** Where nothing is left of a thin wall creases are rounded so many times less, down to the second part. */
+const [FINER, LEAST] = [4, 1e-3];
 /** Places come to rest on it by so many steps of Newton, to this part of the length. */
 const [MOST_ROUNDS, LAID] = [12, 1e-6];
 
-/** How a surface is rounded: on folds of the surface alone polylines settle as they are, and few paths follow them. @param {Field} field @returns {Rounding[]} */
-export const roundingsOf = ({ isPlain }) => (isPlain ? [{ ...ROUNDINGS[0], dearer: 0.08, shores: [0, 0.04, 0.01] }] : ROUNDINGS);
+/** On folds of the surface alone, which few paths follow: there polylines settle as they are, too; on bodies those that come to nothing are looked at where edges are rounded. */
+const [FOLDS, BODIES] = [
+  { ...ROUNDINGS[0], within: 0, dearer: 0.08 },
+  { ...ROUNDINGS[1], points: 127, dearer: 0.03 },
+].map((one) => ({ ...one, shores: [0, 0.04, 0.01] }));
+
+/** How a surface is rounded; 0: it is not. @param {Field} field @returns {Rounding[]} */
+export const roundingsOf = ({ isPlain, domain }) => (isPlain ? [...(domain ? [] : [BODIES]), FOLDS] : ROUNDINGS);
 
 /**
  * Polylines relaxed from these ways, shortest first, each once; after them ways that lead from sheet to sheet of an implicit surface when relaxed, as they are.
  * @param {Field} field @param {Sides} sides @param {number[][]} ends @param {Float64Array[]} ways @param {Rounding} rounding @returns {Sketch[]}
  */
 export function sketch(field, sides, ends, ways, { within, points }) {
-  const smooth = field.isPlain ? field : { ...field, run: round(field, sides, ways, within) };
+  const smooth = within > 0 ? { ...field, run: round(field, sides, ways, within) } : field;
   const drawn = ways.map((way) => ({ way, path: relax(smooth, ends, way, points) }));
   const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
@@ -58,9 +66,11 @@ export function sketch(field, sides, ends, ways, { within, points }) {
 export function measureLength(field, line, length) {
   if (field.domain) return length;
   if (!field.isPlain) return Infinity;
+  const nodes = layOn(field, line, LAID * length);
+  if (!nodes) return Infinity;
   let chords = Array.from({ length: line.length / 3 - 1 }, (_, i) => [
-    line.subarray(3 * i, 3 * i + 3),
-    line.subarray(3 * i + 3, 3 * i + 6),
+    nodes.subarray(3 * i, 3 * i + 3),
+    nodes.subarray(3 * i + 3, 3 * i + 6),
   ]);
   let sum = 0;
   for (let halving = 0; chords.length > 0 && halving < MOST_HALVINGS; halving++) {
@@ -82,7 +92,7 @@ export function measureLength(field, line, length) {
   return chords.length > 0 ? Infinity : sum;
 }
 
-/** Places moved onto an implicit surface, to within a distance; null: one of them does not come to rest. @param {Field} field @param {Float64Array} from @param {number} near */
+/** Places moved onto an implicit surface, to within a distance; null: one of them does not come to rest. @param {Pick<Field, 'jets'>} field @param {Float64Array} from @param {number} near */
 function layOn({ jets }, from, near) {
   let places = from;
   for (let round = 0; round < MOST_ROUNDS; round++) {
@@ -122,7 +132,12 @@ function round({ domain, run }, sides, lines, within) {
     const steep = near.map(({ seen }) => steepnessBy(slopeOf(sides, seen, crease, width), sides.scale));
     return dearSide(sides, crease, near[0]) * reach * Math.max(...steep);
   });
-  return sides.rounded(widths.map((x) => (x && Math.abs(x) < Infinity ? x : reach)))?.run ?? run;
+  const isThere = (/** @type {import('../manifold/sides.js').Side} */ side) =>
+    layOn({ jets: (on) => Float64Array.from(side.jets(on).flat()) }, Float64Array.from(places.flatMap(({ place }) => place)), reach);
+  for (let part = 1; ; part /= FINER) {
+    const side = sides.rounded(widths.map((x) => part * (x && Math.abs(x) < Infinity ? x : reach)));
+    if (!side || domain || part < LEAST || isThere(side)) return side?.run ?? run;
+  }
 }
 
 /** On which side of a crease lengths are longer, 1 or −1: the sign of what vanishes there. @param {Sides} sides @param {number} crease @param {{ place: number[], seen: number[] }} from near it */
