@@ -46,6 +46,21 @@ static void begin_at(const struct sp_cells *cells, int32_t cell, double at[3]) {
         sp_cells_centre(cells, cells->list[cell].at, at);
 }
 
+/* Where f is constant around the centre, as within a body that is rounded by max(0, ...): the place nearest to it to which a corner leads.
+ */
+static void begin_at_corner(const struct sp_cells *cells, const double center[3], double position[3], double gradient[3]) {
+    double nearest = __builtin_inf(), corner[3], place[3], normal[3];
+    for (int32_t c = 0; c < 8; c++) {
+        for (int32_t j = 0; j < 3; j++)
+            corner[j] = center[j] + ((c >> j & 1) - 0.5) * cells->width[j];
+        if (!sp_implicit_halve(cells->builder->surface, corner, corner, cells->builder->graph->spacing, place, normal)) continue;
+        double away = distance_between(place, center);
+        if (!(away < nearest)) continue;
+        nearest = away;
+        memcpy(position, place, sizeof place), memcpy(gradient, normal, sizeof normal);
+    }
+}
+
 /* Writes one settled centre, or, if it went astray, a vertex without a normal. */
 static void write_vertex(const struct sp_cells *cells, const struct sp_block *block, int32_t k, int32_t vertex) {
     struct sp_graph *graph = cells->builder->graph;
@@ -55,7 +70,12 @@ static void write_vertex(const struct sp_cells *cells, const struct sp_block *bl
         position[c] = block->in[SP_IMPLICIT_INPUTS * (k / 2) + c][k & 1];
         gradient[c] = sp_block_get(block, k, 1 + c);
     }
-    double length = norm(gradient), value = sp_block_get(block, k, 0);
+    double value = sp_block_get(block, k, 0);
+    if (value != 0 && norm(gradient) == 0) {
+        begin_at_corner(cells, center, position, gradient);
+        value = 0;
+    }
+    double length = norm(gradient);
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
                   distance_between(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {

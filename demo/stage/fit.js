@@ -1,7 +1,7 @@
 /** How much of a view is taken. */
 
 import { Vector3 } from 'three';
-import { ENOUGH } from '../../web/view/spikes.js';
+import { strideOf } from '../../web/view/spikes.js';
 
 /** @typedef {import('../../web/view/spikes.js').Points} Points */
 
@@ -13,7 +13,7 @@ import { ENOUGH } from '../../web/view/spikes.js';
  * @returns {{ reach: number, extent: number }} reach: from the view's middle, 1 at its edge, Infinity behind the camera; extent: the larger of width and height, 1 that of the view
  */
 export function shareOfView(points, toCamera, slopes) {
-  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
+  const stride = strideOf(points);
   const point = new Vector3();
   const ranges = slopes.map(() => [Infinity, -Infinity]);
   for (let i = 0; i < points.count; i += stride) {

@@ -114,3 +114,11 @@ test('over the rim of a dish, sharper than cells are wide and than chords that a
   close(first.length, 2.024388422647867, 1e-9);
   close(second.length, 1.76924854008267, 1e-9);
 });
+
+test('a cube rounded by max(0, …), within which f is constant: over its edges, as unfolded', () => {
+  const bounds = anything(Array(3).fill([-2.3, 2.3]));
+  const rounded = surfpath.implicit({ f: 'hypot(max(|x| - 0.95, 0), max(|y| - 0.95, 0), max(|z| - 0.95, 0)) - 0.05', bounds });
+  const { status, length } = rounded.shortestPath([1, 0.2, 0.1], [-1, 0.2, 0.1]);
+  assert.equal(status, 'converged');
+  close(length, 4 * 0.95 - 2 * 0.2 + Math.PI * 0.05, 1e-9);
+});

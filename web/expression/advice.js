@@ -49,9 +49,7 @@ export function unexpected(symbol) {
   const code = /** @type {number} */ (symbol.codePointAt(0));
   if (/[\p{C}\p{Z}\p{M}]/u.test(symbol))
     return `here stands an invisible character, U+${code.toString(16).toUpperCase().padStart(4, '0')}; remove it`;
-  return (
-    ALTERNATIVES.get(symbol) ?? `${JSON.stringify(symbol)} is no part of an expression; write it with + - * / ^ ( ), numbers and names`
-  );
+  return ALTERNATIVES.get(symbol) ?? `"${symbol}" is no part of an expression; write it with + - * / ^ ( ), numbers and names`;
 }
 
 /** @param {string} name @param {number} count of arguments it was given */

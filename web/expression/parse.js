@@ -291,7 +291,7 @@ class Parser {
       if (open.name) this.#emitCall(open.name, 0, open.index);
     }
     if (['//', '/*'].includes(this.#source.slice(this.#index - 1, this.#index + 1)))
-      this.#fail('a comment is no part of an expression; leave it out. For the whole part of a/b write floor(a/b)', this.#index - 1);
+      this.#fail('leave out the comment; for the whole part of a/b write floor(a/b)', this.#index - 1);
     if (symbol === ')' || symbol === ',' || symbol === '^' || BINARY.has(symbol) || this.#match(SUPERSCRIPT)) {
       this.#fail(`a number, a name or a bracket is missing before ${symbol}; write it here`);
     }

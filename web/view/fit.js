@@ -3,7 +3,7 @@
 import { Box3, Sphere, Vector3 } from 'three';
 import { refuse, refuseNumber } from '../arguments.js';
 import { checkGeometry } from './check.js';
-import { ENOUGH, pointsWithin, rangesWithoutSpikes } from './spikes.js';
+import { pointsWithin, rangesWithoutSpikes, strideOf } from './spikes.js';
 
 /** @typedef {import('./spikes.js').Points} Points */
 
@@ -75,7 +75,7 @@ export function fitView(points, center, towards, up, slopes) {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const axes = [right, new Vector3().crossVectors(towards, right)];
   const target = center.clone();
-  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
+  const stride = strideOf(points);
   const point = new Vector3();
   let distance = 0;
   for (let round = 0; round < ROUNDS; round++) {

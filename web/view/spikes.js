@@ -21,6 +21,9 @@ const [LONG, FARTHEST] = [4, 6];
 
 const AXES = /** @type {const} */ (['getX', 'getY', 'getZ']);
 
+/** @param {Points} points */
+export const strideOf = ({ count }) => Math.max(1, Math.floor(count / ENOUGH));
+
 /** Where in a sorted list most numbers lie within a size, near its middle if that is anywhere, and how many. @param {Float64Array} list @param {number} size */
 function densest(list, size) {
   let [from, most] = [0, 0];
@@ -33,29 +36,30 @@ function densest(list, size) {
 
 /**
  * What a view of a surface must show along each axis: far out on spikes, as beside a pole, there is what would make all else tiny.
- * @param {Points} points @param {readonly ArrayLike<number>[]} [ends] places that should be seen, too, x y z each
+ * @param {Points} points @param {readonly ArrayLike<number>[]} [ends] places that should be seen, too, x y z each; on an implicit surface they may lie outside its bounds
  * @param {number} [farthest] how far apart, in parts of the width, they may be for that
  * @returns {number[][]} from and to, infinite where it is all
  */
 export function rangesWithoutSpikes(points, ends = [], farthest = FARTHEST) {
-  const stride = Math.max(1, Math.floor(points.count / ENOUGH));
+  const stride = strideOf(points);
   const lists = AXES.map((get) =>
-    Float64Array.from({ length: Math.floor((points.count - 1) / stride) + 1 }, (_, i) => points[get](i * stride)).sort(),
+    Float64Array.from({ length: Math.ceil(points.count / stride) }, (_, i) => points[get](i * stride)).sort(),
   );
   const bulks = lists.map((list) => BULK.map((share) => list[Math.floor(share * (list.length - 1))]));
   const sizes = bulks.map(([low, high]) => high - low);
   return lists.map((list, k) => {
     const [low, high] = bulks[k];
-    const length = list[list.length - 1] - list[0];
+    let [from, to] = [list[0], list[list.length - 1]];
+    const length = to - from;
     const width = Math.max(...sizes.filter((_, other) => other !== k));
-    if (!(length > TALL * width)) return [-Infinity, Infinity];
     const { from: dense, share } = densest(list, width);
-    const isEven = length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME);
-    if (isEven && length <= THREAD * width) return [-Infinity, Infinity];
-    const size = Math.max(sizes[k], width);
-    const isLong = size > LONG * width;
-    let from = isLong ? dense : Math.max(list[0], (low + high - size) / 2);
-    let to = from + (isLong ? width : size);
+    const isEven = length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME) && length <= THREAD * width;
+    if (!isEven && length > TALL * width) {
+      const isLong = sizes[k] > LONG * width;
+      const size = isLong ? width : Math.max(sizes[k], width);
+      from = isLong ? dense : Math.max(from, (low + high - size) / 2);
+      to = from + size;
+    } else if (!ends.some(({ [k]: end }) => end < from || end > to)) return [-Infinity, Infinity];
     for (const { [k]: end } of ends)
       if (Math.max(to, end) - Math.min(from, end) <= farthest * width) [from, to] = [Math.min(from, end), Math.max(to, end)];
     return [from, to];
@@ -64,12 +68,8 @@ export function rangesWithoutSpikes(points, ends = [], farthest = FARTHEST) {
 
 /** The points, and ends, that lie in such ranges; null: all. @param {Points} points @param {number[][]} ranges @param {readonly ArrayLike<number>[]} [ends] */
 export function pointsWithin(points, ranges, ends = []) {
-  if (ranges.flat().every((x) => !Number.isFinite(x))) return null;
-  /** @type {number[]} */ const kept = [];
-  for (let i = 0; i < points.count; i++) {
-    const place = AXES.map((get) => points[get](i));
-    if (isWithin(place, ranges)) kept.push(...place);
-  }
-  for (const end of ends) if (isWithin(end, ranges)) kept.push(...Array.from(end));
-  return new BufferAttribute(Float64Array.from(kept), 3);
+  if (!ranges.flat().some(Number.isFinite)) return null;
+  const places = ends.map((end) => Array.from(end));
+  for (let i = 0; i < points.count; i += strideOf(points)) places.push(AXES.map((get) => points[get](i)));
+  return new BufferAttribute(Float64Array.from(places.filter((place) => isWithin(place, ranges)).flat()), 3);
 }

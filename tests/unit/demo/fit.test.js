@@ -112,3 +112,22 @@ test('but where an end of the path is on one, it is seen', () => {
   );
   assert.ok(points && Math.max(...Array.from({ length: points.count }, (_, i) => points.getZ(i))) > 19);
 });
+
+test('an end outside the bounds of an implicit surface is seen, too; not one far out', () => {
+  const many = new BufferAttribute(
+    Float32Array.from({ length: 3 * 20_000 }, (_, i) => CUBE.array[i % 24]),
+    3,
+  );
+  for (const points of [CUBE, many]) {
+    const ends = [
+      [1, 0, 0.5],
+      [0, 2.5, 0],
+    ];
+    const towards = new Vector3(1, 0, 0);
+    const { target, distance } = fitView(withoutSpikes(points, ends) ?? points, new Vector3(), towards, new Vector3(0, 0, 1), SLOPES);
+    const seen = new BufferAttribute(Float32Array.from(ends.flat()), 3);
+    assert.ok(shareOfView(seen, matrixFrom(target, towards, distance), SLOPES).reach < 1.01);
+    assert.deepEqual(rangesWithoutSpikes(points, [[0, 99, 0]])[1], [-1, 1]);
+    assert.equal(withoutSpikes(points, [[1, 1, 1]]), null);
+  }
+});

@@ -123,6 +123,7 @@ const MISTAKES = [
   ['u+😀', 2, /"😀" is no part/],
   ['"u"', 0, /is no part/],
   ['u!', 1, /is no part/],
+  ['\\sin(u)', 0, /"\\" is no part/],
   ['u.v', 1, /digit beside|side by side/],
 ];
 
