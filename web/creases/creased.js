@@ -97,7 +97,10 @@ function findRoute(question, { ways, distance }, start) {
   let missed = [];
   let strays = false;
   for (const rounding of roundingsOf(field)) {
-    for (const drawn of sketch(field, sides, ends, ways, rounding)) {
+    const sketches = sketch(field, sides, ends, ways, rounding);
+    /* As they are ways are followed where edges are sharp. */
+    if (isBody && rounding.within > 0 && !sketches.some(({ isRelaxed }) => isRelaxed)) continue;
+    for (const drawn of sketches) {
       const { line, length } = drawn;
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
