@@ -1,6 +1,6 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; and what of the surface hangs together without them. */
 
-import { dot, gap, norm, unit } from '../vector.js';
+import { cross, dot, gap, minus, norm, unit } from '../vector.js';
 
 /**
  * @typedef {object} Node
@@ -26,6 +26,9 @@ const [CELLS, AROUND] = [48, 2.5];
 const BESIDE = 1.5;
 /** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
 const SMALL = 3.5;
+
+/** @param {number[][]} vectors */
+const longest = (vectors) => vectors.reduce((most, v) => (norm(v) > norm(most) ? v : most));
 
 /** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
 const times = (matrix, v) => matrix.map((row) => dot(row, v));
@@ -59,7 +62,7 @@ function stepFrom(jet, at, before) {
 function nodeAt(jet, { next, determinant }, size) {
   const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
   const largest = Math.max(...jet.subarray(4).map(Math.abs));
-  if (!(largest > 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
+  if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
   const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
   /* A form that is definite: nothing of the surface is near. */
   if (!isFlat && xx * yy > xy * xy && xx * determinant > 0) return null;
@@ -71,19 +74,59 @@ function nodeAt(jet, { next, determinant }, size) {
   return { at: next, second, determinant, isFlat };
 }
 
+/** Half as many places are looked at around a node in the plane in which f″ is zero; so even is |∇f| on them, and so large beside what f″ makes of it, where no curve of such points leads through the node. */
+const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
+
 /**
- * Whether the surface leads on from a node where f″ is singular, and does not end in it as in a tip: along the line on which f″ is zero f has on both sides the sign
- * that f″ has not.
+ * Whether sheets meet at a node where f″ is singular, and there alone. In the directions in which f″ is zero f is what terms of higher order leave of it where it is stationary in the others: if
+ * its gradient vanishes nowhere around the node, no curve of such points leads through this. On a line f must have on both sides the sign that f″ has not, if that is semidefinite: else the surface
+ * ends there as in a tip.
  * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen
  */
-function leadsOn(jets, { at, second }, cell) {
+function isPassage(jets, { at, second }, cell) {
   const [[xx, xy, xz], [, yy, yz], [, , zz]] = second;
   const [a, b, c, d, e, f] = cofactors([xx, xy, xz, yy, yz, zz]);
-  const [trace, definite] = [xx + yy + zz, a + d + f];
-  if (!(definite > SINGULAR * trace ** 2)) return true;
-  const line = unit(a > d && a > f ? [a, b, c] : d > f ? [b, d, e] : [c, e, f]);
-  const seen = jets([cell, -cell].flatMap((far) => at.map((x, j) => x + far * line[j])));
-  return seen[0] * trace < 0 && seen[10] * trace < 0;
+  const [trace, product] = [xx + yy + zz, a + d + f];
+  const largest = Math.max(...second.flat().map(Math.abs));
+  const isLine = Math.abs(product) > SINGULAR * largest ** 2;
+  const axis = unit(
+    isLine
+      ? longest([
+          [a, b, c],
+          [b, d, e],
+          [c, e, f],
+        ])
+      : longest(second),
+  );
+  /* How far it is to where f is stationary, by the inverse of f″ in the directions in which it has one. */
+  const back = (/** @type {number[]} */ slope) => {
+    const bent = times(second, slope);
+    if (!isLine) return bent.map((x) => x / trace ** 2);
+    const turned = bent.map((x, j) => (trace * slope[j] - x) / product);
+    const along = dot(turned, axis);
+    return turned.map((x, j) => x - along * axis[j]);
+  };
+  const aside = unit(longest([cross(axis, [1, 0, 0]), cross(axis, [0, 1, 0])]));
+  const other = cross(axis, aside);
+  const halves = Array.from({ length: HALF }, (_, i) => (2 * i + 1) / HALF - 1).flatMap((t) => [
+    [1 - t * t, 2 * t],
+    [t * t - 1, 2 * t],
+  ]);
+  const around = halves.map(([x, y]) => unit(aside.map((along, j) => x * along + y * other[j])));
+  const directions = isLine ? [axis, axis.map((x) => -x)] : around;
+  let places = directions.map((along) => at.map((x, j) => x + cell * along[j]));
+  let seen = jets(places.flat());
+  const slopeOf = (/** @type {number} */ i) => Array.from(seen.subarray(10 * i + 1, 10 * i + 4));
+  for (let k = 0; k < STEPS; k++) {
+    places = places.map((place, i) => minus(place, back(slopeOf(i))));
+    seen = jets(places.flat());
+  }
+  /* Third derivatives are all there is: f″ is rounding. */
+  if (seen.some((x, i) => i % 10 > 3 && Math.abs(x) * NO_FORM > largest)) return false;
+  const slopes = places.map((_, i) => norm(slopeOf(i)));
+  const steepest = Math.max(...slopes);
+  if (!(Math.min(...slopes) > EVEN * steepest && steepest > LARGE * largest * cell)) return false;
+  return !(isLine && product > 0) || places.every((_, i) => seen[10 * i] * trace < 0);
 }
 
 /** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
@@ -147,7 +190,7 @@ function findNodes(jets, box, grid) {
     }
   }
   const isAlone = (/** @type {Node} */ node) => flat.every((other) => other === node || gap(other.at, node.at) > ALONE * cell);
-  return [...nodes, ...flat.filter((node) => isAlone(node) && leadsOn(jets, node, cell))];
+  return [...nodes, ...flat.filter((node) => isAlone(node) && isPassage(jets, node, cell))];
 }
 
 /**

@@ -225,6 +225,13 @@ describe('cusps that meet in a point, where second derivatives do not tell how',
       });
 });
 
+test('where sheets cross along lines, the point where two of these meet is no passage: across one of them it is shorter', () => {
+  const surface = surfpath.implicit({ f: '6x^2 - 2x^4 - y^2*z^2', bounds: within(1.5) });
+  const from = [-0.5709723468826052, -1.4826763828390788, -0.8905609328418467];
+  const to = [-1.4043054102757635, 1.398480973615414, -1.4397961128459233];
+  assert.ok(surface.shortestPath(from, to).length < 3.77);
+});
+
 /** All points with these coordinates, in all orders and with all signs. @param {number[][]} points */
 const turns = (points) =>
   points.flatMap(([x, y, z]) =>
