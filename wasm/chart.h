@@ -57,7 +57,7 @@ int sp_implicit_between(const struct sp_surface *surface, const double *const en
                         double scale, double at[3]);
 
 /* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`, or no number: sheets meet there, in a
- * node, or one ends in an apex. That of an end is not a node's so far from it, in parts of the size of things. */
+ * node, or one ends in an apex. That of an end is looked at no nearer to it than this part of the size of things. */
 #define SP_NODE_FAR 5e-3
 int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near);
 
