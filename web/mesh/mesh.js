@@ -18,7 +18,7 @@ import { evaluateNormals } from './normals.js';
 const RESOLUTION = { parametric: 96, implicit: 64 };
 /** In place of 64 where that bridges sheets, one after the other; the first is enough for every surface of the gallery. */
 const FINER = [96, 128];
-/** Normals on two sides of what is thin differ by more than this cosine says. A part of the bounds that is no smaller than this has not much finer cells. */
+/** The cosine of how far normals on two sides of what is thin are apart, at least. A part of the bounds that is no smaller than this has not much finer cells. */
 const [OPPOSITE, SMALLER] = [-0.5, 0.5];
 /** Cells at most. */
 const FINEST = 256;
@@ -78,14 +78,13 @@ function meshFiner(manifold, caller, box) {
   const extent = bodies.extentIn(box);
   const part = extent ? boxOf(extent, box) : box;
   const isSmaller = volumeOf(part) < SMALLER * volumeOf(box);
-  const isOpen = () => mesh.indices.length === 0 || bridgesSheets(mesh, OPPOSITE);
   for (const resolution of isSmaller ? FINER : FINER.slice(1)) {
-    if (!isOpen()) break;
+    if (!isPoor(mesh)) break;
     mesh = meshImplicit(manifold, caller, part, resolution);
     if (touches(mesh.positions, part, box)) mesh = meshImplicit(manifold, caller, box, resolution);
   }
   /* What has holes all the same is no better for being larger, unless its cells are much smaller. */
-  return isOpen() && !isSmaller ? usual : mesh;
+  return isPoor(mesh) && !isSmaller ? usual : mesh;
 }
 
 /** @param {number[]} box */
@@ -117,11 +116,11 @@ function meshRectangle(manifold, { lower, upper }, resolution) {
 }
 
 /**
- * Whether some triangle faces away from the normals of its own corners. Then the lattice was too coarse: two sheets of the surface lie within a cell of
- * it, some triangles join one to the other, and the mesh has holes where the surface has none.
- * @param {Mesh} mesh @param {number} [cosine] only where normals of two of its corners differ by more than this says: at the tip of a cone finer lattices do not help
+ * Whether some triangle faces away from the normals of its own corners, which face apart. Then the lattice was too coarse: two sheets of the surface lie within a cell of
+ * it, some triangles join one to the other, and the mesh has holes where the surface has none. (Slivers that do so where the surface is smooth, and at the tip of a cone, are there in any lattice.)
+ * @param {Mesh} mesh
  */
-function bridgesSheets({ positions, normals, indices }, cosine = 1) {
+function bridgesSheets({ positions, normals, indices }) {
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
     let facing = 0;
@@ -132,8 +131,7 @@ function bridgesSheets({ positions, normals, indices }, cosine = 1) {
         (positions[b + last] - positions[a + last]) * (positions[c + next] - positions[a + next]);
       facing += area * (normals[a + axis] + normals[b + axis] + normals[c + axis]);
     }
-    const least = () => Math.min(between(normals, a, b), between(normals, b, c), between(normals, c, a));
-    if (facing < 0 && (cosine === 1 || least() < cosine)) return true;
+    if (facing < 0 && Math.min(between(normals, a, b), between(normals, b, c), between(normals, c, a)) < OPPOSITE) return true;
   }
   return false;
 }

@@ -54,7 +54,9 @@ export function* findStarts(problem, isAll, straight) {
   const isOutside = status === OFF_SURFACE || (status === DISCONNECTED && known > 0);
   const apart = isPlain && (!known || isAll) ? gap(from, to) : 0;
   const floods = apart > 0 ? FLOODS.map(([times, wide]) => [times * apart, wide]) : [[isPlain ? known : 0, 1]];
-  for (const [reach, wide] of isOutside && !isFound ? floods : []) {
+  let most = Infinity;
+  for (const [far, wide] of isOutside && !isFound ? floods : []) {
+    const reach = Math.min(far, most);
     for (const looked of look(problem, (level) => problem.flood(level, reach, wide), 0, isAll, FINE)) {
       status = looked.status;
       if (isOpen(status)) {
@@ -62,8 +64,9 @@ export function* findStarts(problem, isAll, straight) {
         if (status === OFF_SURFACE) break;
         continue;
       }
-      /* Ways that are as short may lead farther. */
-      if (apart > 0 && reach > 0 && LONGEST * looked.distance > reach) break;
+      /* Ways that are as short may lead farther, but no farther than this. */
+      most = LONGEST * looked.distance;
+      if (apart > 0 && reach > 0 && most > reach) break;
       isFound = true;
       yield along(looked);
     }

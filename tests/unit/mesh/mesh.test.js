@@ -96,6 +96,13 @@ test('a wall far thinner than any cell is meshed all the same, with its holes', 
   shell.dispose();
 });
 
+test('slivers that face away where normals hardly differ are no reason for more cells', () => {
+  const [f, side] = ['sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)', /** @type {[number, number]} */ ([-3.2, 3.2])];
+  const gyroid = surfpath.implicit({ f, bounds: [side, side, side] });
+  assert.equal(gyroid.mesh().indices.length, gyroid.mesh({ resolution: 64 }).indices.length);
+  gyroid.dispose();
+});
+
 // Once there were walls of triangles: lids where the formula ends, sheets along poles.
 for (const f of ['sqrt(z) + x^2 + y^2 - 1', 'acos(x) - y - 1', 'y - 1/x', 'tan(2x) + y', 'floor(x + 0.3) + y', 'log(x) + y*z'])
   test(`${f} = 0: nothing but surface where f jumps, is infinite or no number`, () => {

@@ -204,6 +204,16 @@ test('changed parameters give another graph', () => {
   surface.dispose();
 });
 
+test('without bounds no flood goes farther than the ways of one before it ask for', (context) => {
+  const flood = context.mock.method(Heap.prototype, 'buildGraph');
+  const gyroid = surfpath.implicit({ f: 'sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)' });
+  const path = gyroid.shortestPath([0, 0, 0], [Math.PI / 2, Math.PI / 2, Math.PI / 2]);
+  assert.equal(path.status, 'converged');
+  const graphs = flood.mock.calls.map(({ result }) => /** @type {import('../../../web/runtime/heap.js').Graph} */ (result));
+  assert.ok(graphs.length >= 2 && graphs.every(({ vertices }) => vertices < 15_000), `${graphs.map(({ vertices }) => vertices)}`);
+  gyroid.dispose();
+});
+
 test('from an apex only one path is solved finely, and it goes straight up', (context) => {
   const cone = surfpath.revolution({ r: 't', z: 't', t: [0, 1] });
   const solve = context.mock.method(Heap.prototype, 'solve');
