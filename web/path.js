@@ -124,7 +124,7 @@ export function readStart(caller, start, domain) {
   if (isGiven && !(numbers?.length > 0))
     throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
-    refuse(`${caller}: options.start`, `'global', 'straight', a polyline (a flat array of ${what}) or a path`, start);
+    refuseName(`${caller}: options.start`, `'global', 'straight', a polyline (a flat array of ${what}) or a path`, start);
   if (Array.isArray(numbers) && numbers.some(Array.isArray))
     throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)

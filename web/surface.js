@@ -189,8 +189,8 @@ export class Surface {
    */
   trace(from, direction, length, options) {
     const caller = Surface.#enter(this, 'trace');
-    const asked = readTrace(caller, direction, length, this.#manifold.variables);
     const start = this.#manifold.readPoint(caller, 'from', from);
+    const asked = readTrace(caller, direction, length, this.#manifold.variables);
     asked.length /= this.#manifold.factor;
     return this.#scaled(traceFrom(this.#manifold, caller, start, asked, readTraceOptions(caller, options)));
   }

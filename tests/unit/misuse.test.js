@@ -87,6 +87,17 @@ test('a function in place of a value is told as one, not with its source', () =>
   refuses(() => surfpath.surface(anything({ kind: class Kind {} })), TypeError, /, not a function$/);
 });
 
+test('what is wrong first is told first; null is no set of parameters, and a word no start', () => {
+  const surface = plane();
+  refuses(() => surface.trace(anything(undefined), anything(undefined), 1), TypeError, /^trace: from must be \[u, v\]/);
+  refuses(
+    () => surfpath.graph(anything({ z: 0, x: [0, 1], y: [0, 1], parameters: null })),
+    TypeError,
+    /^graph: parameters must be .* null$/,
+  );
+  refuses(() => surface.shortestPath([0, 0], [1, 1], { start: anything('near') }), RangeError, /options\.start must be 'global'/);
+});
+
 test('points are told by the names of their definition', () => {
   const range = /** @type {[number, number]} */ ([0, 1]);
   const graph = surfpath.graph({ z: 0, x: range, y: range });

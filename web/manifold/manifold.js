@@ -52,11 +52,12 @@ export class Manifold {
   constructor(solver, kind, definition, shape = readShape(kind, definition)) {
     this.#shape = shape;
     this.#defined = readMeasure(kind, definition);
+    const { parameters = {}, periodic } = definition;
     this.kind = kind === 'implicit' || kind === 'metric' ? kind : 'parametric';
     this.#solver = solver;
     this.#installation = new Installation(solver);
-    this.#periodic = checkPeriodic(kind, definition.periodic);
-    this.parameters = checkParameters(kind, definition.parameters ?? {});
+    this.#periodic = checkPeriodic(kind, periodic);
+    this.parameters = checkParameters(kind, parameters);
     if (this.#shape.curve) this.#finder = new ReferenceFinder(kind, this.#shape.curve, solver, this.parameters);
     if (kind === 'implicit') this.box = checkBounds(kind, definition.bounds);
     const range = this.#readRange(kind);
