@@ -15,6 +15,8 @@ static const double BRANCH_SAGITTA = 0.5, STILL = 1e-3;
 static const double NEAR_CREASE = 1e-6, SMOOTH_COSINE = 0.9;
 /* Where a crease is looked for: not farther than so many halves of the chord. */
 static const double MOST_OF_THE_WAY = 0.75, FARTHEST_CREASE = 20;
+/* Where a chord over a crossing is parted, and down to which part of it; how small grad f is there, beside what it is on the way. */
+static const double UNEVEN = 0.45, SHORTEST_PART = 1e-4, NO_SLOPE = 1e-2;
 /* A chord may span two of them, over a thin rim. */
 enum { BISECTIONS = 60, PARTS = 8, MOST_CREASES = 2 };
 
@@ -72,6 +74,27 @@ static int spans_creases(const struct sp_surface *surface, struct chord chord, d
     return distance_between(chord.at[0], chord.at[1]) <= near;
 }
 
+/* Whether a chord passes straight over a curve along which the surface crosses itself: there f changes its sign on both sides of the sheet,
+ * so that the normal turns over, but not the sheet. All shorter parts of the chord lie along it, and grad f vanishes there; from face to
+ * face of what is thin it does not. Parts are no halves: the middle of what is symmetric may be on the curve, where there is no normal. */
+static int passes_crossing(const struct sp_surface *surface, struct chord chord, double scale) {
+    double length = distance_between(chord.at[0], chord.at[1]), least = SHORTEST_PART * length + 1e-12 * scale, steepest = 0, slope = 0;
+    for (; length > least; length = distance_between(chord.at[0], chord.at[1])) {
+        struct chord parts[2] = {chord, chord};
+        double place[3], *at = parts[0].at[1], *normal = parts[0].normal[1];
+        for (int j = 0; j < 3; j++)
+            place[j] = chord.at[0][j] + UNEVEN * (chord.at[1][j] - chord.at[0][j]);
+        if (!sp_implicit_halve(surface, place, place, scale, at, normal)) return 0;
+        if (!(distance_between(at, place) <= LARGEST_SAGITTA * UNEVEN * length)) return 0;
+        for (int j = 0; j < 3; j++)
+            parts[1].at[0][j] = at[j], parts[1].normal[0][j] = normal[j];
+        int second = cosine_of(parts) >= SP_CHORD_COSINE;
+        if (!(cosine_of(parts + !second) >= SP_CHORD_COSINE) || !(cosine_of(parts + second) <= -SP_CHORD_COSINE)) return 0;
+        chord = parts[second], slope = norm(normal), steepest = larger(steepest, slope);
+    }
+    return slope <= NO_SLOPE * steepest;
+}
+
 int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3], const double normal[3], const double to[3],
                           const double other[3], double scale) {
     struct chord chord;
@@ -92,6 +115,7 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, larger(length, SP_NODE_FAR * scale), chord);
+    if (cosine_of(chord) <= -SP_CHORD_COSINE && passes_crossing(line->surface, *chord, scale)) return SP_CONVERGED;
     if (!(cosine_of(chord) >= SP_CHORD_COSINE))
         return spans_creases(line->surface, *chord, scale, MOST_CREASES) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;

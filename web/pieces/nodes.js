@@ -1,6 +1,10 @@
-/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; and what of the surface hangs together without them. */
+/** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; what of the surface hangs together without them, and where it crosses itself. */
 
 import { cross, dot, gap, minus, norm, unit } from '../vector.js';
+import { cofactors, crossingsFrom, formOf, longest, SINGULAR, STEPS, secondOf, times, ZERO } from './singular.js';
+
+/** @typedef {import('./singular.js').Crossing} Crossing */
+/** @typedef {import('./singular.js').Jets} Jets */
 
 /**
  * @typedef {object} Node
@@ -10,10 +14,10 @@ import { cross, dot, gap, minus, norm, unit } from '../vector.js';
  * @property {boolean} isFlat the determinant is zero: derivatives of higher order tell how sheets meet, as those of two cusps, or of two bowls that touch
  */
 
-/** Newton steps to a node; of more nodes none is taken, as ways over them would be too many. */
-const [STEPS, MOST] = [12, 256];
-/** A node is the same as another, f is zero there, and the second derivatives are not singular, up to these parts of what they could be. */
-const [SAME, ZERO, SINGULAR] = [1e-6, 1e-13, 1e-6];
+/** Of more nodes none is taken, as ways over them would be too many. */
+const MOST = 256;
+/** A node is the same as another up to this part of the box. */
+const SAME = 1e-6;
 /** Where the gradient vanishes like a power of these orders, steps shrink by the same part, 1 − 1/order, up to this, and in a row, up to that cosine. */
 const [ORDERS, ALIKE, STRAIGHT] = [[2, 3, 4], 0.02, 0.99];
 /** Nodes where f″ is singular lie on a curve of such points if they are nearer to each other than so many cells. */
@@ -27,23 +31,7 @@ const BESIDE = 1.5;
 /** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
 const SMALL = 3.5;
 
-/** @param {number[][]} vectors */
-const longest = (vectors) => vectors.reduce((most, v) => (norm(v) > norm(most) ? v : most));
-
-/** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
-const times = (matrix, v) => matrix.map((row) => dot(row, v));
-
 /** A step to where ∇f would vanish if it were linear, taken so many times. @typedef {{ by: number[], size: number, next: number[], order: number, determinant: number }} Step size: of it taken once; determinant: of f″ where it begins */
-
-/** The cofactors of f″, in the order of its numbers. @param {number[] | Float64Array} second xx xy xz yy yz zz */
-const cofactors = ([xx, xy, xz, yy, yz, zz]) => [
-  yy * zz - yz * yz,
-  yz * xz - xy * zz,
-  xy * yz - yy * xz,
-  zz * xx - xz * xz,
-  xz * xy - yz * xx,
-  xx * yy - xy * xy,
-];
 
 /** @param {Float64Array} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {Step} [before] that led there @returns {Step} */
 function stepFrom(jet, at, before) {
@@ -60,18 +48,13 @@ function stepFrom(jet, at, before) {
 
 /** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
 function nodeAt(jet, { next, determinant }, size) {
-  const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
+  const [xx, xy, , yy] = jet.subarray(4);
   const largest = Math.max(...jet.subarray(4).map(Math.abs));
   if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
   const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
   /* A form that is definite: nothing of the surface is near. */
   if (!isFlat && xx * yy > xy * xy && xx * determinant > 0) return null;
-  const second = [
-    [xx, xy, xz],
-    [xy, yy, yz],
-    [xz, yz, zz],
-  ];
-  return { at: next, second, determinant, isFlat };
+  return { at: next, second: secondOf(jet), determinant, isFlat };
 }
 
 /** Half as many places are looked at around a node in the plane in which f″ is zero; so even is |∇f| on them, and so large beside what f″ makes of it, where no curve of such points leads through the node. */
@@ -84,28 +67,7 @@ const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
  * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen
  */
 function isPassage(jets, { at, second }, cell) {
-  const [[xx, xy, xz], [, yy, yz], [, , zz]] = second;
-  const [a, b, c, d, e, f] = cofactors([xx, xy, xz, yy, yz, zz]);
-  const [trace, product] = [xx + yy + zz, a + d + f];
-  const largest = Math.max(...second.flat().map(Math.abs));
-  const isLine = Math.abs(product) > SINGULAR * largest ** 2;
-  const axis = unit(
-    isLine
-      ? longest([
-          [a, b, c],
-          [b, d, e],
-          [c, e, f],
-        ])
-      : longest(second),
-  );
-  /* How far it is to where f is stationary, by the inverse of f″ in the directions in which it has one. */
-  const back = (/** @type {number[]} */ slope) => {
-    const bent = times(second, slope);
-    if (!isLine) return bent.map((x) => x / trace ** 2);
-    const turned = bent.map((x, j) => (trace * slope[j] - x) / product);
-    const along = dot(turned, axis);
-    return turned.map((x, j) => x - along * axis[j]);
-  };
+  const { isLine, axis, back, trace, product, largest } = formOf(second);
   const aside = unit(longest([cross(axis, [1, 0, 0]), cross(axis, [0, 1, 0])]));
   const other = cross(axis, aside);
   const halves = Array.from({ length: HALF }, (_, i) => (2 * i + 1) / HALF - 1).flatMap((t) => [
@@ -137,8 +99,6 @@ function mayLead(jets, i, cell) {
   return Math.abs(jets[i]) <= 2 * most * cell && jets[i + 1] ** 2 + jets[i + 2] ** 2 + jets[i + 3] ** 2 <= most ** 2;
 }
 
-/** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
-
 /**
  * The nodes to which Newton's steps lead from some places. All take a step together: one by one, calls took most of the time.
  * @param {Jets} jets @param {Float64Array} places @param {number} cell farther than two no node is looked for @param {number} size of the box
@@ -164,12 +124,12 @@ function nodesFrom(jets, places, cell, size) {
       return !ends;
     });
   }
-  return walks.flatMap(({ node }) => node ?? []);
+  return { nodes: walks.flatMap(({ node }) => node ?? []), open: walks.flatMap(({ from, node }) => (node ? [] : [from])) };
 }
 
 /**
  * @param {Jets} jets @param {number[]} box @param {number} grid points a direction from which they are looked for
- * @returns {Node[]} those in the box that are found, none where the surface is degenerate, or they are too many
+ * @returns {{ nodes: Node[], crossings: Crossing[] }} those in the box that are found, none where the surface is degenerate, or they are too many; crossings: places, a cell apart, on curves along which the surface crosses itself
  */
 function findNodes(jets, box, grid) {
   const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
@@ -180,17 +140,22 @@ function findNodes(jets, box, grid) {
   const [xs, ys, zs] = [line(0), line(1), line(2)];
   const places = new Float64Array(3 * grid ** 2);
   const cell = size / grid;
+  /** @type {Crossing[]} */
+  const crossings = [];
   for (const x of xs) {
-    if (nodes.length > MOST) return [];
+    if (nodes.length > MOST) return { nodes: [], crossings };
     let k = 0;
     for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
-    for (const node of nodesFrom(jets, places, cell, size)) {
+    const found = nodesFrom(jets, places, cell, size);
+    for (const place of crossingsFrom(jets, found.open, 2 * cell, size))
+      if (place && crossings.every(({ at }) => gap(at, place.at) > cell)) crossings.push(place);
+    for (const node of found.nodes) {
       const known = node.isFlat ? flat : nodes;
       if (!known.some(({ at }) => gap(at, node.at) <= SAME * size)) known.push(node);
     }
   }
   const isAlone = (/** @type {Node} */ node) => flat.every((other) => other === node || gap(other.at, node.at) > ALONE * cell);
-  return [...nodes, ...flat.filter((node) => isAlone(node) && isPassage(jets, node, cell))];
+  return { nodes: [...nodes, ...flat.filter((node) => isAlone(node) && isPassage(jets, node, cell))], crossings };
 }
 
 /**
@@ -250,8 +215,8 @@ function findParts({ positions, indices }, cell, nodes) {
  * @param {import('../search/routes.js').Field} field an implicit surface @param {number[]} box @param {number} grid cells a direction
  */
 export function findNet({ jets, mesh }, box, grid) {
-  const nodes = findNodes(jets, box, grid);
+  const { nodes, crossings } = findNodes(jets, box, grid);
   const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
   const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => [];
-  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt, near: SMALL * cell };
+  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt, near: SMALL * cell, crossings };
 }

@@ -1,11 +1,13 @@
 /** Paths through the nodes of an implicit surface: of all chains of legs from node to node the shortest, of which as few as possible are solved. */
 
 import { isGeodesic } from '../path.js';
+import { ELEMENTS } from '../search/candidates.js';
 import { findChain } from '../search/chain.js';
 import { joinLegs, reverse } from '../search/join.js';
 import { ROUGHLY } from '../search/rough.js';
 import { findGlobal, isAfter, solveNear } from '../search/routes.js';
 import { gap, unit } from '../vector.js';
+import { overCrossings } from './crossings.js';
 import { crosses, findNet } from './nodes.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -35,7 +37,7 @@ function boxAround([from, to], length) {
 /** The nodes within the bounds, none where there are none. @param {Field} field of an implicit surface */
 export function netOf(field) {
   const { box, graphs } = field;
-  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0 };
+  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0, crossings: [] };
   return graphs.net;
 }
 
@@ -51,6 +53,14 @@ export function findThrough(field, ends, options) {
   const solve = () => (within ??= findGlobal(field, ends, options, 1)[0]);
   /** @param {ReturnType<typeof findNet>} net */
   const through = (net) => {
+    const path = passNodes(net);
+    const { crossings } = net;
+    return crossings.length > 0 && field.isPlain && options.algorithm === ELEMENTS && !options.record
+      ? overCrossings(field, crossings, ends, options, path)
+      : path;
+  };
+  /** @param {ReturnType<typeof findNet>} net */
+  const passNodes = (net) => {
     if (net.nodes.length === 0) return solve();
     return isAfter(ends[0], ends[1])
       ? reverse(joinThrough(field, net, [ends[1], ends[0]], options, () => reverse(solve())))

@@ -1,0 +1,94 @@
+/** Singular places of an implicit surface, where ∇f = 0: what second derivatives tell of them, and steps to curves of such places. */
+
+import { dot, gap, norm, unit } from '../vector.js';
+
+/** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
+
+/** @typedef {{ at: number[], along: number[] }} Crossing a place on a curve along which the surface crosses itself, and the curve's direction there */
+
+/** Steps to a singular place; f is zero there, and second derivatives are not singular, up to these parts of what they could be. */
+export const [STEPS, ZERO, SINGULAR] = [12, 1e-13, 1e-6];
+/** A step is at rest that is shorter than this part of the box. */
+export const AT_REST = 1e-12;
+
+/** @param {number[][]} vectors */
+export const longest = (vectors) => vectors.reduce((most, v) => (norm(v) > norm(most) ? v : most));
+
+/** @param {number[][]} matrix symmetric @param {ArrayLike<number>} v */
+export const times = (matrix, v) => matrix.map((row) => dot(row, v));
+
+/** The cofactors of f″, in the order of its numbers. @param {number[] | Float64Array} second xx xy xz yy yz zz */
+export const cofactors = ([xx, xy, xz, yy, yz, zz]) => [
+  yy * zz - yz * yz,
+  yz * xz - xy * zz,
+  xy * yz - yy * xz,
+  zz * xx - xz * xz,
+  xz * xy - yz * xx,
+  xx * yy - xy * xy,
+];
+
+/** The second derivatives, as a matrix. @param {Float64Array} jet */
+export function secondOf(jet) {
+  const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
+  return [
+    [xx, xy, xz],
+    [xy, yy, yz],
+    [xz, yz, zz],
+  ];
+}
+
+/**
+ * A form that is singular, as second derivatives are where sheets touch or cross: of rank 2 it is zero along a line, of rank 1 in a plane.
+ * @param {number[][]} second
+ * @returns {{ isLine: boolean, axis: number[], back: (slope: number[]) => number[], trace: number, product: number, largest: number }} axis: the line, or what is normal to the
+ *   plane; back: how far it is to where f is stationary, by its inverse in the directions in which it has one; product: of its two eigenvalues that are not zero
+ */
+export function formOf(second) {
+  const [[xx, xy, xz], [, yy, yz], [, , zz]] = second;
+  const [a, b, c, d, e, f] = cofactors([xx, xy, xz, yy, yz, zz]);
+  const [trace, product] = [xx + yy + zz, a + d + f];
+  const largest = Math.max(...second.flat().map(Math.abs));
+  const isLine = Math.abs(product) > SINGULAR * largest ** 2;
+  const axis = unit(
+    isLine
+      ? longest([
+          [a, b, c],
+          [b, d, e],
+          [c, e, f],
+        ])
+      : longest(second),
+  );
+  const back = (/** @type {number[]} */ slope) => {
+    const bent = times(second, slope);
+    if (!isLine) return bent.map((x) => x / trace ** 2);
+    const turned = bent.map((x, j) => (trace * slope[j] - x) / product);
+    const along = dot(turned, axis);
+    return turned.map((x, j) => x - along * axis[j]);
+  };
+  return { isLine, axis, back, trace, product, largest };
+}
+
+/**
+ * The crossings to which steps lead from some places, none where they lead to none. All take a step together.
+ * @param {(places: ArrayLike<number>) => Float64Array} jets @param {number[][]} places @param {number} far no step leads farther from where it began
+ * @param {number} size of the box
+ * @returns {(Crossing | null)[]} one a place
+ */
+export function crossingsFrom(jets, places, far, size) {
+  const walks = places.map((from) => ({ from, at: from, crossing: /** @type {Crossing | null} */ (null) }));
+  let walking = walks;
+  for (let k = 0; k < STEPS && walking.length > 0; k++) {
+    const seen = jets(walking.flatMap(({ at }) => at));
+    walking = walking.filter((walk, i) => {
+      const jet = seen.subarray(10 * i, 10 * i + 10);
+      const { isLine, axis, back, product, largest } = formOf(secondOf(jet));
+      if (!isLine) return false;
+      const by = back(Array.from(jet.subarray(1, 4)));
+      walk.at = walk.at.map((x, j) => x - by[j]);
+      const isAtRest = norm(by) <= AT_REST * size;
+      if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { at: walk.at, along: axis };
+      return !isAtRest && gap(walk.at, walk.from) <= far;
+    });
+  }
+  return walks.map(({ crossing }) => crossing);
+}
