@@ -69,9 +69,9 @@ export class ReferenceFinder {
 
   /** Derivatives of the curve and, if it is given, the reference. @param {Record<string, number>} parameters @param {number[]} places @returns {number[][][]} */
   #sample(parameters, places) {
-    const { module, data, dataBytes, value } = this.#compiled;
+    const { data, value } = this.#compiled;
     data.set(Object.values(parameters));
-    const slots = this.#solver.install(module, data, dataBytes);
+    const slots = this.#solver.install(this.#compiled);
     try {
       const sampled = this.#solver.evaluate(slots.call.value, places, 1, value.length);
       const vectors = (/** @type {number} */ offset) =>

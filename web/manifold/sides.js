@@ -55,25 +55,20 @@ export class Sides {
     this.#given = given;
     this.scale = given.scale;
     const creases = new Creases();
-    const install = (/** @type {() => number[]} */ nodes) => {
-      const { module, data, dataBytes } = this.#compileVanishing(creases, nodes);
-      return given.solver.install(module, data, dataBytes);
-    };
-    this.#vanishing = install(() => {
-      const nodes = [...new Set(creases.nodes)];
-      this.#which = creases.nodes.map((node) => nodes.indexOf(node));
-      this.count = nodes.length;
-      return nodes;
-    });
-    if (creases.floors.length === 0) return;
-    creases.floors = [];
-    try {
-      this.#floors = install(() => creases.floors);
-    } catch (error) {
-      given.solver.remove(this.#vanishing);
-      throw error;
-    }
+    const modules = [
+      this.#compileVanishing(creases, () => {
+        const nodes = [...new Set(creases.nodes)];
+        this.#which = creases.nodes.map((node) => nodes.indexOf(node));
+        this.count = nodes.length;
+        return nodes;
+      }),
+    ];
     this.#floorCount = creases.floors.length;
+    if (this.#floorCount > 0) {
+      creases.floors = [];
+      modules.push(this.#compileVanishing(creases, () => creases.floors));
+    }
+    [this.#vanishing, this.#floors = null] = given.solver.installAll(modules);
   }
 
   /** @param {Creases} creases that take down or choose @param {() => number[]} nodes what vanishes, once formulas are read */
@@ -198,20 +193,12 @@ export class Sides {
     return { side, installed };
   }
 
-  /** Modules that belong together, all or, with an error, none. @param {import('./installation.js').Module[]} modules @returns {Installed[]} */
+  /** @param {import('../runtime/solver.js').Module[]} modules that belong together @returns {Installed[]} */
   #install(modules) {
-    const { solver } = this.#given;
     const key = modules.map(({ module, data }) => `${module} ${data}`).join();
     const known = this.#installed.get(key);
     if (known) return known;
-    /** @type {Installed[]} */
-    const installed = [];
-    try {
-      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
-    } catch (error) {
-      for (const slots of installed) solver.remove(slots);
-      throw error;
-    }
+    const installed = this.#given.solver.installAll(modules);
     this.#installed.set(key, installed);
     return installed;
   }
