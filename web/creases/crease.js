@@ -1,7 +1,7 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
-import { cross, minus } from '../vector.js';
-import { ahead, inner, product, sizeBy, solveLinear } from './linear.js';
+import { cross, largest, minus } from '../vector.js';
+import { ahead, apart, inner, product, sizeBy, solveLinear } from './linear.js';
 import { isSame } from './same.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -73,7 +73,7 @@ function approach({ scale }, place, equations) {
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const by = along(equations(at), scale);
     at = at.map((x, j) => x - by[j]);
-    if (Math.max(...by.map(Math.abs)) <= ROUNDING * Math.max(...at.map(Math.abs))) break;
+    if (largest(by) <= ROUNDING * largest(at)) break;
   }
   return at;
 }
@@ -141,10 +141,10 @@ export function walk(sides, on, from, to, sense, most = Infinity) {
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];
   const { scale } = sides;
-  let stride = STRIDE * sizeBy(minus(to, from), scale);
+  let stride = STRIDE * apart(to, from, scale);
   let length = 0;
   const reach = (/** @type {number[]} */ at, /** @type {number[]} */ next) => {
-    length += sizeBy(minus(next, at), scale);
+    length += apart(next, at, scale);
     edges[edges.length - 1].places.push(next);
   };
   for (let count = 0; count < MOST_STRIDES && stride > 0 && length <= most; count++) {
@@ -193,7 +193,7 @@ function corner(sides, on, at, next) {
   const signs = beyond(on.signs, other);
   const there = sides.on(signs)?.measure(next)[0];
   const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
-  const size = Math.max(...one.map(Math.abs));
+  const size = largest(one);
   const isStraight = one.every((x, j) => Math.abs(x - two[j]) <= SAME * size);
   const place = meet(sides, on.signs, [on.crease, other], next);
   return { signs, place: isStraight && isSame(sides, on.signs, signs, place) ? null : place };

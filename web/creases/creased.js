@@ -3,10 +3,9 @@
  * what moves are the places at which legs meet. MATH.md, "Across creases".
  */
 
-import { placed } from '../pieces/pieces.js';
 import { ELEMENTS } from '../search/candidates.js';
-import { joinLegs, reverse } from '../search/join.js';
-import { drawLine, findWays, isAfter, measureLine, poseNear, settleEnd } from '../search/routes.js';
+import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
+import { drawLine, findWays, measureLine, poseNear, settleEnd } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';

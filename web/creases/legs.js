@@ -3,7 +3,7 @@
 import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { listOf } from '../vector.js';
+import { listOf, sumOf } from '../vector.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -70,7 +70,7 @@ export function middleOf(line, width) {
 }
 
 /** How long all legs are. @param {Leg[]} legs */
-export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);
+export const lengthOf = (legs) => sumOf(legs.map(({ length }) => length));
 
 /** How long a polyline is in its coordinates, which count by a scale, one for each. @param {ArrayLike<number>} line @param {readonly number[]} scale */
 export function span(line, scale) {
@@ -89,9 +89,6 @@ export function leastBeside({ legs, joints }, scale) {
   const spans = legs.map(({ line, shore }) => (shore ? Infinity : span(line, scale)));
   return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
 }
-
-/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
-export const apart = (a, b, scale) => span([...a, ...b], scale);
 
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
 export const isInside = ({ field: { domain } }, place) =>

@@ -1,6 +1,7 @@
 /** Where a geodesic on one side first comes to a crease. */
 
 import { CONVERGED } from '../runtime/status.js';
+import { largest } from '../vector.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
 import { nodesOf } from './legs.js';
 import { product } from './linear.js';
@@ -30,7 +31,7 @@ export const endOf = ({ parameters, points }) => Array.from(parameters ? paramet
 /** Whether what vanishes on a crease does so at a place, to this part of how large coordinates are. @param {Tracing} tracing @param {Node} node @param {number} crease @param {number} [part] */
 export function vanishes({ sides, size }, { place, measured }, crease, part = ROUNDING) {
   const slope = slopeOf(sides, measured, crease, place.length);
-  return Math.abs(measured[crease]) <= part * size * Math.max(...slope.map(Math.abs));
+  return Math.abs(measured[crease]) <= part * size * largest(slope);
 }
 
 /**

@@ -2,7 +2,7 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
-import { diagonalOf, minus } from '../vector.js';
+import { diagonalOf, minus, sumOf } from '../vector.js';
 import { bend, isTorn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
 import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
@@ -52,7 +52,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
   const [first] = legs;
   if (!first || status < CONVERGED) return status < CONVERGED ? emptyPath(status) : null;
   if (!hasCrossed) return traceOn(tracing, first.side, place, direction, length, points);
-  const total = legs.reduce((sum, { raw }) => sum + raw.length, 0);
+  const total = sumOf(legs.map(({ raw }) => raw.length));
   const drawn = sample(tracing, legs, total, points);
   if (!drawn) return emptyPath(NOT_FINITE);
   /* An end of which nothing is known is none. */
@@ -62,7 +62,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
     length: status === CONVERGED ? length : total,
     lengthError:
       (spread.position <= FARTHEST * total ? spread.position : FARTHEST * total) + (status === TOLERANCE_NOT_MET ? length - total : 0),
-    iterations: legs.reduce((sum, { raw }) => sum + raw.iterations, 0),
+    iterations: sumOf(legs.map(({ raw }) => raw.iterations)),
     touchesBoundary: legs.some(({ raw }) => raw.touchesBoundary),
     conjugate: (smooth > first.raw.length && traceOn(tracing, first.side, place, direction, smooth)?.conjugate) || first.raw.conjugate,
     ...drawn,

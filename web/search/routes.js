@@ -9,7 +9,7 @@ import { gap, listOf } from '../vector.js';
 import { findBranches } from './branches.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
 import { findPaths, findPathsFrom } from './global.js';
-import { reverse, turned } from './join.js';
+import { isAfter, reverse, turned } from './join.js';
 import { passBranches } from './over-branches.js';
 import { passedTip, passPoles } from './poles.js';
 import { ROUGHLY } from './rough.js';
@@ -264,12 +264,6 @@ export function branchesOf({ domain, graphs, isPlain, jets }) {
   if (!domain || !isPlain) return [];
   graphs.branches ??= findBranches(jets, domain);
   return graphs.branches;
-}
-
-/** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
-export function isAfter(a, b) {
-  const different = a.findIndex((x, j) => x !== b[j]);
-  return different >= 0 && a[different] > b[different];
 }
 
 /**

@@ -3,7 +3,8 @@
  * that any place will do to begin at. MATH.md, "Still ends".
  */
 
-import { begun, domainOf, inOrder, measure } from './infinite-ends.js';
+import { begun, domainOf, measure, turnedStart } from './infinite-ends.js';
+import { inOrder } from './join.js';
 
 /** @typedef {import('./infinite-ends.js').Infinite} Infinite */
 /** @typedef {import('./infinite-ends.js').Leg} Leg */
@@ -73,7 +74,9 @@ export function findFromStill(field, ends, options, start, solve) {
   const sizes = sizesAt(field, [...ends.flat(), ...ends[0].map((x, j) => (x + ends[1][j]) / 2)]).map(({ size }) => size);
   const still = ends.filter((end, i) => sizes[i] <= FAINT * Math.max(...sizes) && isStill(field, end, sizes[i]));
   if (still.length === 0) return null;
-  return inOrder((_, both, ...rest) => findForwards(field, both, still, ...rest), field, ends, options, start, solve);
+  return inOrder(field.domain, ends, (both, isTurned) =>
+    findForwards(field, both, still, options, isTurned ? turnedStart(start) : start, solve),
+  );
 }
 
 /**
