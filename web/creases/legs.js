@@ -1,5 +1,6 @@
 /** Legs of a path across creases: each on one side of them all, between two places. */
 
+import { holdsPoint } from '../manifold/domain.js';
 import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
@@ -91,8 +92,7 @@ export function leastBeside({ legs, joints }, scale) {
 }
 
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
-export const isInside = ({ field: { domain } }, place) =>
-  !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+export const isInside = ({ field: { domain } }, place) => !domain || holdsPoint(domain, place);
 
 /** Whether a place is on an edge of the rectangle. @param {Question} question @param {number[]} place */
 export const isOnEdge = ({ field: { domain } }, place) =>

@@ -95,11 +95,6 @@ export class Stretched {
       forms: () => [],
       mesh: (within, resolution) => run((heap, _, { value }) => heap.meshImplicit(value, within, resolution)),
       pieces: [],
-      own: null,
-      sides: null,
-      jumps: null,
-      bodies: null,
-      lowered: null,
     };
   }
 

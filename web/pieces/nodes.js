@@ -1,7 +1,7 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; and what of the surface hangs together without them. */
 
 import { gridOf } from '../manifold/extent.js';
-import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, minus, norm, unit } from '../vector.js';
+import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
 
 /**
  * @typedef {object} Node
@@ -117,7 +117,7 @@ function isPassage(jets, { at, second }, cell) {
   const directions = isLine ? [axis, axis.map((x) => -x)] : around;
   let places = directions.map((along) => at.map((x, j) => x + cell * along[j]));
   let seen = jets(places.flat());
-  const slopeOf = (/** @type {number} */ i) => Array.from(seen.subarray(10 * i + 1, 10 * i + 4));
+  const slopeOf = (/** @type {number} */ i) => listOf(seen, 10 * i + 1, 10 * i + 4);
   for (let k = 0; k < STEPS; k++) {
     places = places.map((place, i) => minus(place, back(slopeOf(i))));
     seen = jets(places.flat());

@@ -2,7 +2,7 @@
 
 import { moveNear } from '../manifold/lifts.js';
 import { isGeodesic } from '../path.js';
-import { sumOf } from '../vector.js';
+import { listOf, sumOf } from '../vector.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../manifold/seams.js').Glued} Glued */
@@ -120,7 +120,7 @@ export function thinned(path, count) {
   const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
     const last = numbers.length / width - 1;
     const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
-    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
+    return Float64Array.from(at.flatMap((i) => listOf(numbers, width * i, width * (i + 1))));
   };
   return {
     ...path,
