@@ -7,6 +7,7 @@ import { compile } from '../expression/compile.js';
 import { Creases } from '../expression/creases.js';
 import { dot, listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
+import { product } from './lifts.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 import { compileShape } from './shapes.js';
 
@@ -243,8 +244,8 @@ function productOf(kind, code, jet) {
   }
   const [u, v] = [jet.slice(3, 6), jet.slice(6, 9)];
   const space = [dot(u, u), dot(u, v), dot(v, v)].map((x) => (code === METRIC.density ? jet[21] * x : x));
-  const [e, f, g] = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
-  return (a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
+  const form = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
+  return (a, b) => product(form, a, b);
 }
 
 /**

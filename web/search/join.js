@@ -24,8 +24,11 @@ function shareOut(lengths, points) {
   return shares;
 }
 
+/** Inner points of a path. @param {Pick<Path, 'points' | 'parameters'>} path */
+export const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
+
 /** Segments of the polyline of a path. @param {Path} path */
-const segmentsOf = ({ points, parameters }) => (parameters ? parameters.length / 2 : points.length / 3) - 1;
+const segmentsOf = (path) => innerOf(path) + 1;
 
 /** A sum that does not depend on the order. @param {number[]} numbers */
 const sum = (numbers) => sumOf([...numbers].sort((a, b) => a - b));
