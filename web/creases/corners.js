@@ -25,8 +25,7 @@ const VANISHES = 1e4 * ROUNDING;
  */
 export function cornersNear(question, line, near) {
   const { field, sides, ends } = question;
-  const width = ends[0].length;
-  const survey = new Survey(sides, line, width, 1);
+  const survey = new Survey(sides, line, 1);
   const reach = near * span(line, sides.scale);
   /** @type {Corner[]} */
   const corners = [];
@@ -102,7 +101,7 @@ function creasesAt(sides, signs, place, size) {
   const [measured] = (sides.on(signs) ?? sides).measure(place);
   const [real] = sides.measure(place);
   const creases = [...signs.keys()].filter((k) => {
-    const slope = largest(slopeOf(sides, measured, k, place.length));
+    const slope = largest(slopeOf(sides, measured, k));
     return Math.abs(real[k]) <= VANISHES * size * slope;
   });
   return signs.every((sign, k) => creases.includes(k) || sign * real[k] > 0) ? creases : null;
@@ -146,7 +145,7 @@ function signsAlong(sides, { place, creases }, own, direction) {
     const before = signs;
     signs = before.map((sign, k) => {
       if (!creases.includes(k)) return sign;
-      const slope = slopeOf(sides, measured, k, place.length);
+      const slope = slopeOf(sides, measured, k);
       const along = product(slope, direction);
       return Math.abs(along) <= ALIKE * (steepnessBy(slope, sides.scale) * size) ? sign : Math.sign(along);
     });

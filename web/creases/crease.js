@@ -61,7 +61,7 @@ export function meet(sides, signs, creases, near) {
   return approach(sides, near, (at) => {
     const [measured] = side.measure(at);
     return [
-      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease, at.length)])),
+      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease)])),
       ...implicit(sides, { crease: creases[0], signs }, at),
     ];
   });
@@ -81,15 +81,14 @@ function approach({ scale }, place, equations) {
 /** What vanishes on a crease, and its gradient. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]]} */
 function vanishing(sides, { crease, signs }, at) {
   const [measured] = (sides.on(signs) ?? sides).measure(at);
-  return [measured[crease], slopeOf(sides, measured, crease, at.length)];
+  return [measured[crease], slopeOf(sides, measured, crease)];
 }
 
 /** @param {Sides} sides @param {On} on @param {number[]} at */
 export const slopeAt = (sides, on, at) => vanishing(sides, on, at)[1];
 
-/** The gradient of what vanishes on a crease. @param {Sides} sides @param {number[]} measured there @param {number} crease @param {number} width */
-export const slopeOf = (sides, measured, crease, width) =>
-  Array.from({ length: width }, (_, j) => measured[sides.count * (1 + j) + crease]);
+/** The gradient of what vanishes on a crease. @param {Sides} sides @param {number[]} measured there @param {number} crease */
+export const slopeOf = (sides, measured, crease) => sides.scale.map((_, j) => measured[sides.count * (1 + j) + crease]);
 
 /** f and ∇f of a side; of a parametric surface nothing. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]][]} */
 function implicit(sides, { signs }, at) {
@@ -192,7 +191,7 @@ function corner(sides, on, at, next) {
   if (other < 0) return null;
   const signs = beyond(on.signs, other);
   const there = sides.on(signs)?.measure(next)[0];
-  const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
+  const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease));
   const size = largest(one);
   const isStraight = one.every((x, j) => Math.abs(x - two[j]) <= SAME * size);
   const place = meet(sides, on.signs, [on.crease, other], next);

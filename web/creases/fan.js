@@ -99,7 +99,7 @@ function* sectors(sides, { place, creases }, signs, direction) {
     if (!plane) return;
     const [measured] = side.measure(place);
     const { e1, e2 } = plane;
-    const slopes = creases.map((k) => slopeOf(sides, measured, k, place.length).map((x) => signs[k] * x));
+    const slopes = creases.map((k) => slopeOf(sides, measured, k).map((x) => signs[k] * x));
     const steepest = largest(slopes.flat());
     const halves = slopes.map((slope) => {
       const [along, up] = [e1, e2].map((e) => product(slope, e));

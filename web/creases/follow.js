@@ -49,7 +49,7 @@ function comeToRest(question, line, near, most) {
   /** @type {string | null} */
   let tried = null;
   for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
-    const first = cut(question.sides, line, width, { near, lead: LEADS[k] });
+    const first = cut(question.sides, line, { near, lead: LEADS[k] });
     /* Without a shore it is what not following creases is. */
     if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
     const places = `${first?.joints.map(({ place }) => place)}`;

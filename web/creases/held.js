@@ -48,6 +48,6 @@ function measureOn({ field, sides }, signs, nodes) {
 /** How long a polyline is across creases. @param {Question} question @param {number[][]} nodes */
 function measureAcross(question, nodes) {
   const width = nodes[0].length;
-  const route = cut(question.sides, Float64Array.from(nodes.flat()), width, { parts: PARTS });
+  const route = cut(question.sides, Float64Array.from(nodes.flat()), { parts: PARTS });
   return route ? sumOf(route.legs.map(({ signs, line }) => measureOn(question, signs, nodesOf(line, width)))) : Number.NaN;
 }

@@ -141,11 +141,10 @@ function without(pieces, width, isSpare) {
  */
 function leave(question, line, { legs, joints }, i, own, folds) {
   const { sides, ends } = question;
-  const width = ends[0].length;
   const leg = legs[i];
-  const parts = leavingsOf(question, leg, width);
+  const parts = leavingsOf(question, leg);
   if (!parts) return [own];
-  const survey = new Survey(sides, line, width, 1);
+  const survey = new Survey(sides, line, 1);
   const spans = [...legs.slice(0, i), ...parts.legs, ...legs.slice(i + 1)].map((part) => span(part.line, sides.scale));
   const total = sumOf(spans);
   return parts.legs.flatMap((part, k) => {
@@ -169,15 +168,16 @@ function leave(question, line, { legs, joints }, i, own, folds) {
   });
 }
 
-/** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg @param {number} width */
-function leavingsOf(question, leg, width) {
-  const parts = leavings(question.sides, leg, width);
+/** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg */
+function leavingsOf(question, leg) {
+  const parts = leavings(question.sides, leg);
   const { scale } = question.sides;
+  const width = scale.length;
   const least = LITTLE * span(leg.line, scale);
   if (!parts?.legs.some(({ line }) => span(line, scale) < least)) return parts;
   const [from, to] = [leg.line.subarray(0, width), leg.line.subarray(-width)].map((place) => Array.from(place));
   const closer = solveLeg(question, leg, from, to, { ...LEG, points: CLOSELY });
-  return closer ? leavings(question.sides, closer, width) : parts;
+  return closer ? leavings(question.sides, closer) : parts;
 }
 
 /** A leg along a shore, on the side on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore */

@@ -127,7 +127,7 @@ export function isBulging(question, on, from, to) {
     if (!leg) continue;
     const width = from.length;
     const [measured] = question.sides.measure(middleOf(leg.line, width));
-    const slope = largest(slopeOf(question.sides, measured, crease, width));
+    const slope = largest(slopeOf(question.sides, measured, crease));
     const apart = largest(minus(back, next));
     return signs[crease] * measured[crease] <= LEAVES * slope * apart;
   }
