@@ -4,6 +4,7 @@ import { readList } from './definition.js';
 import { enterDomain } from './manifold/domain.js';
 import { readOptions } from './path.js';
 import { NOT_FINITE, OFF_SURFACE } from './runtime/status.js';
+import { listOf } from './vector.js';
 
 /**
  * Options of paths that many pairs share.
@@ -42,7 +43,7 @@ export function readPairs(caller, pairs, variables, domain) {
   const numbers = readPairNumbers(caller, pairs, variables);
   const width = variables.length;
   return Array.from({ length: numbers.length / (2 * width) }, (_, i) => {
-    const pair = Array.from(numbers.subarray(2 * width * i, 2 * width * (i + 1)));
+    const pair = listOf(numbers, 2 * width * i, 2 * width * (i + 1));
     if (!pair.every(Number.isFinite)) return NOT_FINITE;
     const [from, to] = [enter(pair.slice(0, width), domain), enter(pair.slice(width), domain)];
     return from && to ? [from, to] : OFF_SURFACE;

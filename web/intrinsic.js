@@ -13,7 +13,7 @@ import { findFromInfinite } from './search/infinite-ends.js';
 import { findSteep, hasNet, isNoLonger } from './search/steep.js';
 import { settleEnd } from './search/routes.js';
 import { findFromStill } from './search/still-ends.js';
-import { gap, norm } from './vector.js';
+import { gap, largest, norm } from './vector.js';
 
 /** @typedef {import('./path.js').Path} Path */
 /** @typedef {import('./search/routes.js').Field} Field */
@@ -76,7 +76,7 @@ function instead({ own, graphs, isPlain }, path, options) {
 
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */
 function isGood(field, path, { tolerance }) {
-  const size = Math.max(...path.points.subarray(0, 3).map(Math.abs));
+  const size = largest(path.points.subarray(0, 3));
   return isGeodesic(path) && ROUNDING * size <= tolerance * path.length && isWhole(field, path);
 }
 

@@ -7,8 +7,9 @@ import { endOf } from './creases/meeting.js';
 import { readNumbers } from './definition.js';
 import { KIND } from './manifold/kind.js';
 import { MOST_POINTS, makePath } from './path.js';
-import { placed, placeIn } from './pieces/pieces.js';
+import { placeIn } from './pieces/pieces.js';
 import { CONVERGED, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from './runtime/status.js';
+import { placed } from './search/join.js';
 import { settleEnd } from './search/routes.js';
 
 /** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */

@@ -1,9 +1,7 @@
 /** Paths through given points: the shortest path from each to the next. */
 
 import { findPath } from './intrinsic.js';
-import { placed } from './pieces/pieces.js';
-import { joinPieces, reverse } from './search/join.js';
-import { isAfter } from './search/routes.js';
+import { inOrder, joinPieces } from './search/join.js';
 
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
@@ -18,10 +16,9 @@ export function passThrough(field, caller, places, options, start) {
   const least = 2 * count - 1;
   if (options.points < least)
     throw new RangeError(`${caller}: options.points must be at least ${least} where options.via has ${count - 1}, not ${options.points}`);
-  const isTurned = isAfter(places.flat(), [...places].reverse().flat());
-  const legs = isTurned ? [...places].reverse() : places;
-  const solve = (/** @type {number} */ i, /** @type {SolveOptions} */ asked) =>
-    findPath(field, legs.slice(i, i + 2), asked, start === 'global' ? start : null);
-  const path = joinPieces(count, options, solve, field.domain);
-  return isTurned ? placed(field.domain, reverse(path), places[0]) : path;
+  return inOrder(field.domain, places, (stops) => {
+    const solve = (/** @type {number} */ i, /** @type {SolveOptions} */ asked) =>
+      findPath(field, stops.slice(i, i + 2), asked, start === 'global' ? start : null);
+    return joinPieces(count, options, solve, field.domain);
+  });
 }

@@ -1,8 +1,9 @@
 /** Joints of a path that follows shores: moved until each leg is met as it should be. MATH.md, "Shores". */
 
+import { largest, sumOf } from '../vector.js';
 import { bothWays, directions, meetEdge, settle } from './crease.js';
-import { apart, isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
-import { ahead, solveLinear } from './linear.js';
+import { isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
+import { ahead, apart, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { graze, survey } from './shores.js';
 import { speedOn } from './tangent.js';
@@ -68,14 +69,11 @@ function isHeld(question, { legs, joints }, j) {
   const step = BALANCE * Math.min(...pair.map(({ line }) => span(line, question.sides.scale)));
   const inside = bothWays(question.sides, joint, place, step).find((at) => isInside(question, at));
   const moved = inside && [solveLeg(question, pair[0], from, inside, LEG), solveLeg(question, pair[1], inside, to, LEG)];
-  return !!moved && moved.reduce((sum, leg) => sum + (leg?.length ?? Number.NaN), 0) >= pair[0].length + pair[1].length;
+  return !!moved && sumOf(moved.map((leg) => leg?.length ?? Number.NaN)) >= pair[0].length + pair[1].length;
 }
 
 /** @param {number} j @param {number} x @param {number} count */
 const only = (j, x, count) => Array.from({ length: count }, (_, k) => (k === j ? x : 0));
-
-/** @param {number[]} numbers */
-const largest = (numbers) => Math.max(...numbers.map(Math.abs));
 
 /** One step of Newton towards joints where nothing is off; null: none leads nearer. @param {Question} question @param {Balanced} now @returns {Balanced | null} */
 function rebalance(question, now) {

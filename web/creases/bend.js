@@ -2,7 +2,7 @@
 
 import { minus } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { ahead, inner, sizeBy, sizeOf } from './linear.js';
+import { ahead, apart, inner, scaled, sizeOf } from './linear.js';
 import { frameOn } from './tangent.js';
 
 /** @typedef {{ field: import('../search/routes.js').Field, sides: import('../manifold/sides.js').Sides, tolerance: number, size: number }} Tracing size: of the coordinates that rounding is a part of */
@@ -50,15 +50,12 @@ export function bend(tracing, crease, before, after, place, velocity, spread) {
   return { velocity: turned, isReflected, spread: bentBy(sines, ratio, curvatureOf(tracing, on, place, here.along, one.t), spread) };
 }
 
-/** @param {number[]} vector @param {number} by */
-const scaled = (vector, by) => vector.map((x) => by * x);
-
 /** How much a crease turns by length, about. @param {Tracing} tracing @param {import('./crease.js').On} on @param {number[]} place @param {number[]} along @param {number} squared length of that */
 function curvatureOf({ sides, field: { domain } }, on, place, along, squared) {
   const { scale } = sides;
   const reach = domain ? Math.max(...minus(domain.upper, domain.lower).map((x, j) => x * scale[j])) : sizeOf(place) || 1;
   const next = settle(sides, on, ahead(place, along, BESIDE * reach));
-  return sizeBy(minus(directions(sides, on, next).along, along), scale) / (Math.sqrt(squared) * sizeBy(minus(next, place), scale));
+  return apart(directions(sides, on, next).along, along, scale) / (Math.sqrt(squared) * apart(next, place, scale));
 }
 
 /** Errors beyond a crease: a place beside the right one lies farther along the crease, which has turned there. @param {number[]} sines of the angles before and after @param {number} ratio of cosines @param {number} curvature @param {Spread} spread @returns {Spread} */

@@ -1,10 +1,11 @@
 /** Corners, where creases meet: one past which all ways are longer holds a path, as a nail holds a string. MATH.md, "Corners". */
 
+import { largest } from '../vector.js';
 import { directions, meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isBeyond, turnBetween } from './fan.js';
-import { apart, isInside, span } from './legs.js';
-import { product, sizeBy, steepnessBy } from './linear.js';
+import { isInside, span } from './legs.js';
+import { apart, product, sizeBy, steepnessBy } from './linear.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */
@@ -24,8 +25,7 @@ const VANISHES = 1e4 * ROUNDING;
  */
 export function cornersNear(question, line, near) {
   const { field, sides, ends } = question;
-  const width = ends[0].length;
-  const survey = new Survey(sides, line, width, 1);
+  const survey = new Survey(sides, line, 1);
   const reach = near * span(line, sides.scale);
   /** @type {Corner[]} */
   const corners = [];
@@ -101,7 +101,7 @@ function creasesAt(sides, signs, place, size) {
   const [measured] = (sides.on(signs) ?? sides).measure(place);
   const [real] = sides.measure(place);
   const creases = [...signs.keys()].filter((k) => {
-    const slope = Math.max(...slopeOf(sides, measured, k, place.length).map(Math.abs));
+    const slope = largest(slopeOf(sides, measured, k));
     return Math.abs(real[k]) <= VANISHES * size * slope;
   });
   return signs.every((sign, k) => creases.includes(k) || sign * real[k] > 0) ? creases : null;
@@ -145,7 +145,7 @@ function signsAlong(sides, { place, creases }, own, direction) {
     const before = signs;
     signs = before.map((sign, k) => {
       if (!creases.includes(k)) return sign;
-      const slope = slopeOf(sides, measured, k, place.length);
+      const slope = slopeOf(sides, measured, k);
       const along = product(slope, direction);
       return Math.abs(along) <= ALIKE * (steepnessBy(slope, sides.scale) * size) ? sign : Math.sign(along);
     });

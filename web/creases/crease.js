@@ -1,7 +1,7 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
-import { cross, minus } from '../vector.js';
-import { ahead, inner, product, sizeBy, solveLinear } from './linear.js';
+import { cross, largest, minus } from '../vector.js';
+import { ahead, apart, inner, product, sizeBy, solveLinear } from './linear.js';
 import { isSame } from './same.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -61,7 +61,7 @@ export function meet(sides, signs, creases, near) {
   return approach(sides, near, (at) => {
     const [measured] = side.measure(at);
     return [
-      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease, at.length)])),
+      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease)])),
       ...implicit(sides, { crease: creases[0], signs }, at),
     ];
   });
@@ -73,7 +73,7 @@ function approach({ scale }, place, equations) {
   for (let round = 0; round < MOST_ROUNDS; round++) {
     const by = along(equations(at), scale);
     at = at.map((x, j) => x - by[j]);
-    if (Math.max(...by.map(Math.abs)) <= ROUNDING * Math.max(...at.map(Math.abs))) break;
+    if (largest(by) <= ROUNDING * largest(at)) break;
   }
   return at;
 }
@@ -81,15 +81,14 @@ function approach({ scale }, place, equations) {
 /** What vanishes on a crease, and its gradient. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]]} */
 function vanishing(sides, { crease, signs }, at) {
   const [measured] = (sides.on(signs) ?? sides).measure(at);
-  return [measured[crease], slopeOf(sides, measured, crease, at.length)];
+  return [measured[crease], slopeOf(sides, measured, crease)];
 }
 
 /** @param {Sides} sides @param {On} on @param {number[]} at */
 export const slopeAt = (sides, on, at) => vanishing(sides, on, at)[1];
 
-/** The gradient of what vanishes on a crease. @param {Sides} sides @param {number[]} measured there @param {number} crease @param {number} width */
-export const slopeOf = (sides, measured, crease, width) =>
-  Array.from({ length: width }, (_, j) => measured[sides.count * (1 + j) + crease]);
+/** The gradient of what vanishes on a crease. @param {Sides} sides @param {number[]} measured there @param {number} crease */
+export const slopeOf = (sides, measured, crease) => sides.scale.map((_, j) => measured[sides.count * (1 + j) + crease]);
 
 /** f and ∇f of a side; of a parametric surface nothing. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]][]} */
 function implicit(sides, { signs }, at) {
@@ -141,10 +140,10 @@ export function walk(sides, on, from, to, sense, most = Infinity) {
   /** @type {Edge[]} */
   const edges = [{ signs: on.signs, places: [from] }];
   const { scale } = sides;
-  let stride = STRIDE * sizeBy(minus(to, from), scale);
+  let stride = STRIDE * apart(to, from, scale);
   let length = 0;
   const reach = (/** @type {number[]} */ at, /** @type {number[]} */ next) => {
-    length += sizeBy(minus(next, at), scale);
+    length += apart(next, at, scale);
     edges[edges.length - 1].places.push(next);
   };
   for (let count = 0; count < MOST_STRIDES && stride > 0 && length <= most; count++) {
@@ -192,8 +191,8 @@ function corner(sides, on, at, next) {
   if (other < 0) return null;
   const signs = beyond(on.signs, other);
   const there = sides.on(signs)?.measure(next)[0];
-  const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease, at.length));
-  const size = Math.max(...one.map(Math.abs));
+  const [one, two] = [after, there ?? after].map((measured) => slopeOf(sides, measured, on.crease));
+  const size = largest(one);
   const isStraight = one.every((x, j) => Math.abs(x - two[j]) <= SAME * size);
   const place = meet(sides, on.signs, [on.crease, other], next);
   return { signs, place: isStraight && isSame(sides, on.signs, signs, place) ? null : place };

@@ -3,10 +3,9 @@
  * what moves are the places at which legs meet. MATH.md, "Across creases".
  */
 
-import { placed } from '../pieces/pieces.js';
 import { ELEMENTS } from '../search/candidates.js';
-import { joinLegs, reverse } from '../search/join.js';
-import { drawLine, findWays, isAfter, measureLine, poseNear, settleEnd } from '../search/routes.js';
+import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
+import { drawLine, findWays, measureLine, poseNear, settleEnd } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
@@ -104,7 +103,7 @@ function findRoute(question, { ways, distance }, start) {
       const { line, length } = drawn;
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
-      const crossed = crossedBy(sides, line, width);
+      const crossed = crossedBy(sides, line);
       if (
         understood.some((other) => isBeside(line, other.line, sides.scale, crossed !== null && other.crossed === crossed ? ALIKE : APART))
       )
@@ -146,9 +145,9 @@ function findRoute(question, { ways, distance }, start) {
   return { best, least, most };
 }
 
-/** Which creases a polyline crosses, and from which sides. @param {import('../manifold/sides.js').Sides} sides @param {Float64Array} line @param {number} width */
-const crossedBy = (sides, line, width) =>
-  cut(sides, line, width)
+/** Which creases a polyline crosses, and from which sides. @param {import('../manifold/sides.js').Sides} sides @param {Float64Array} line */
+const crossedBy = (sides, line) =>
+  cut(sides, line)
     ?.joints.map(({ crease, signs }) => `${crease} ${signs}`)
     .join() ?? null;
 

@@ -27,8 +27,9 @@ const NONE = [];
 export class Survey {
   /** Of each place, what vanishes on each crease, then its derivatives. @type {Float64Array} */ #measured;
 
-  /** @param {Sides} sides @param {Float64Array} line @param {number} width @param {number} parts of each chord */
-  constructor(sides, line, width, parts) {
+  /** @param {Sides} sides @param {Float64Array} line @param {number} parts of each chord */
+  constructor(sides, line, parts) {
+    const width = sides.scale.length;
     this.sides = sides;
     this.width = width;
     this.places = divide(line, width, parts);
@@ -108,11 +109,11 @@ function divide(line, width, parts) {
 
 /**
  * Cuts a polyline where it crosses creases at which the surface, or what measures length, bends.
- * @param {Sides} sides @param {Float64Array} line @param {number} width @param {{ parts?: number, near?: number, lead?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own; lead: what begins beside one comes to it over this part of that
+ * @param {Sides} sides @param {Float64Array} line @param {{ parts?: number, near?: number, lead?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own; lead: what begins beside one comes to it over this part of that
  * @returns {Route | null}
  */
-export function cut(sides, line, width, { parts = PARTS, near = 0, lead = 0 } = {}) {
-  const survey = new Survey(sides, line, width, parts);
+export function cut(sides, line, { parts = PARTS, near = 0, lead = 0 } = {}) {
+  const survey = new Survey(sides, line, parts);
   const { last, creases } = survey;
   const runs = near ? runsOf(survey, near, lead) : [];
   const signs = creases.map((k) => survey.signFrom(0, k) || 1);
@@ -250,10 +251,11 @@ function closeToEnds(line, width) {
 
 /**
  * A leg in the parts that lie on one side of all creases each; null: it lies on one side, its own.
- * @param {Sides} sides @param {Leg} leg @param {number} width @returns {Route | null}
+ * @param {Sides} sides @param {Leg} leg @returns {Route | null}
  */
-export function leavings(sides, leg, width) {
-  const route = cut(sides, closeToEnds(leg.line, width), width, { parts: 1 });
+export function leavings(sides, leg) {
+  const width = sides.scale.length;
+  const route = cut(sides, closeToEnds(leg.line, width), { parts: 1 });
   const isOwn = (/** @type {Leg} */ { signs, line }) => isBent(sides, leg.signs, signs, middleOf(line, width)) === false;
   if (route?.legs.length === 1 && isOwn(route.legs[0])) return null;
   return route && { ...route, legs: route.legs.map((part) => (isOwn(part) ? { ...part, signs: leg.signs } : part)) };

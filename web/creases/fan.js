@@ -1,6 +1,6 @@
 /** What lies around a corner: sectors of its sides, one after the other, how far they turn, and whether ways through them are longer than through the corner. Angles are kept as tangents and unit vectors: no function of an engine is called. */
 
-import { cross } from '../vector.js';
+import { cross, largest } from '../vector.js';
 import { slopeOf } from './crease.js';
 import { product } from './linear.js';
 
@@ -99,8 +99,8 @@ function* sectors(sides, { place, creases }, signs, direction) {
     if (!plane) return;
     const [measured] = side.measure(place);
     const { e1, e2 } = plane;
-    const slopes = creases.map((k) => slopeOf(sides, measured, k, place.length).map((x) => signs[k] * x));
-    const steepest = Math.max(...slopes.flat().map(Math.abs));
+    const slopes = creases.map((k) => slopeOf(sides, measured, k).map((x) => signs[k] * x));
+    const steepest = largest(slopes.flat());
     const halves = slopes.map((slope) => {
       const [along, up] = [e1, e2].map((e) => product(slope, e));
       const steep = Math.sqrt(along * along + up * up);

@@ -1,5 +1,6 @@
 /** From a polyline to the path that it leads to, across creases and along them. */
 
+import { largest } from '../vector.js';
 import { isShortest, rest, surveyAll } from './balance.js';
 import { beyond } from './crease.js';
 import { cut } from './cut.js';
@@ -48,7 +49,7 @@ function comeToRest(question, line, near, most) {
   /** @type {string | null} */
   let tried = null;
   for (let k = 0; !route && k < (near > 0 ? LEADS.length : 1); k++) {
-    const first = cut(question.sides, line, width, { near, lead: LEADS[k] });
+    const first = cut(question.sides, line, { near, lead: LEADS[k] });
     /* Without a shore it is what not following creases is. */
     if (near > 0 && !first?.legs.some(({ shore }) => shore)) return null;
     const places = `${first?.joints.map(({ place }) => place)}`;
@@ -134,10 +135,9 @@ function isTorn(question, { crease, signs, place }, [before, next]) {
   if (!field.domain) return [before, next].some((leg) => isOff(question, leg, place));
   const jetOn = (/** @type {number[]} */ of) => sides.on(of)?.jets(place)[0] ?? [];
   const [one, other] = [jetOn(signs), jetOn(next.shore ? beyond(signs, crease) : next.signs)];
-  const size = Math.max(...place.map(Math.abs), ...one.slice(0, 3).map(Math.abs));
+  const size = largest([...place, ...one.slice(0, 3)]);
   return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
 }
 
 /** Whether a place is beside an implicit surface. @param {number[]} jet f, then its gradient @param {number[]} place */
-const isBeside = ([f, ...derivatives], place) =>
-  !(Math.abs(f) <= TORN * Math.max(...place.map(Math.abs)) * Math.max(...derivatives.slice(0, 3).map(Math.abs)));
+const isBeside = ([f, ...derivatives], place) => !(Math.abs(f) <= TORN * largest(place) * largest(derivatives.slice(0, 3)));

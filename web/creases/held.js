@@ -1,8 +1,10 @@
 /** Corners under a density: whether they hold the paths that turn there. MATH.md, "Shores". */
 
 import { measureLine } from '../search/routes.js';
+import { sumOf } from '../vector.js';
 import { cut } from './cut.js';
-import { apart, isOnEdge, lineOf, nodesOf, span } from './legs.js';
+import { isOnEdge, lineOf, nodesOf, span } from './legs.js';
+import { apart } from './linear.js';
 import { beside } from './parts.js';
 
 /** @typedef {import('./legs.js').Question} Question */
@@ -46,6 +48,6 @@ function measureOn({ field, sides }, signs, nodes) {
 /** How long a polyline is across creases. @param {Question} question @param {number[][]} nodes */
 function measureAcross(question, nodes) {
   const width = nodes[0].length;
-  const route = cut(question.sides, Float64Array.from(nodes.flat()), width, { parts: PARTS });
-  return route ? route.legs.reduce((sum, { signs, line }) => sum + measureOn(question, signs, nodesOf(line, width)), 0) : Number.NaN;
+  const route = cut(question.sides, Float64Array.from(nodes.flat()), { parts: PARTS });
+  return route ? sumOf(route.legs.map(({ signs, line }) => measureOn(question, signs, nodesOf(line, width)))) : Number.NaN;
 }

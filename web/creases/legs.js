@@ -1,9 +1,10 @@
 /** Legs of a path across creases: each on one side of them all, between two places. */
 
+import { holdsPoint } from '../manifold/domain.js';
 import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { listOf } from '../vector.js';
+import { listOf, sumOf } from '../vector.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -70,7 +71,7 @@ export function middleOf(line, width) {
 }
 
 /** How long all legs are. @param {Leg[]} legs */
-export const lengthOf = (legs) => legs.reduce((sum, { length }) => sum + length, 0);
+export const lengthOf = (legs) => sumOf(legs.map(({ length }) => length));
 
 /** How long a polyline is in its coordinates, which count by a scale, one for each. @param {ArrayLike<number>} line @param {readonly number[]} scale */
 export function span(line, scale) {
@@ -90,12 +91,8 @@ export function leastBeside({ legs, joints }, scale) {
   return joints.map((_, j) => Math.min(spans[j], spans[j + 1]));
 }
 
-/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
-export const apart = (a, b, scale) => span([...a, ...b], scale);
-
 /** Whether a place is in the rectangle. @param {Question} question @param {number[]} place */
-export const isInside = ({ field: { domain } }, place) =>
-  !domain || place.every((x, j) => domain.periodic[j] || (x >= domain.lower[j] && x <= domain.upper[j]));
+export const isInside = ({ field: { domain } }, place) => !domain || holdsPoint(domain, place);
 
 /** Whether a place is on an edge of the rectangle. @param {Question} question @param {number[]} place */
 export const isOnEdge = ({ field: { domain } }, place) =>

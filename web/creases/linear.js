@@ -1,5 +1,7 @@
 /** Lists of numbers as vectors of any length, and small systems of linear equations. */
 
+import { minus } from '../vector.js';
+
 /** @param {number[]} a @param {number[]} b */
 export const product = (a, b) => a.reduce((sum, x, j) => sum + x * b[j], 0);
 
@@ -9,11 +11,17 @@ export const inner = (a, b, scale) => a.reduce((sum, x, j) => sum + x * b[j] * s
 /** How long a vector is whose coordinates count by a scale. @param {number[]} a @param {readonly number[]} scale */
 export const sizeBy = (a, scale) => Math.sqrt(inner(a, a, scale));
 
+/** How far apart two places are in their coordinates. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
+export const apart = (a, b, scale) => sizeBy(minus(a, b), scale);
+
 /** How steep a gradient is, by length of that. @param {number[]} gradient @param {readonly number[]} scale */
 export const steepnessBy = (gradient, scale) => sizeOf(gradient.map((x, j) => x / scale[j]));
 
 /** @param {number[]} a */
 export const sizeOf = (a) => Math.sqrt(product(a, a));
+
+/** @param {number[]} a @param {number} by */
+export const scaled = (a, by) => a.map((x) => by * x);
 
 /** A place, so far along a direction. @param {number[]} place @param {number[]} direction @param {number} by */
 export const ahead = (place, direction, by) => place.map((x, j) => x + by * direction[j]);

@@ -1,6 +1,7 @@
 /** Where a geodesic on one side first comes to a crease. */
 
 import { CONVERGED } from '../runtime/status.js';
+import { largest } from '../vector.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
 import { nodesOf } from './legs.js';
 import { product } from './linear.js';
@@ -27,10 +28,10 @@ const [CLEAR, CROSSED, UNCLEAR, FOLLOWED] = [0, 1, 2, 3];
 /** Where a trace ended. @param {RawPath} raw */
 export const endOf = ({ parameters, points }) => Array.from(parameters ? parameters.subarray(-2) : points.subarray(-3));
 
-/** Whether what vanishes on a crease does so at a place, to this part of how large coordinates are. @param {Tracing} tracing @param {Node} node @param {number} crease @param {number} [part] */
-export function vanishes({ sides, size }, { place, measured }, crease, part = ROUNDING) {
-  const slope = slopeOf(sides, measured, crease, place.length);
-  return Math.abs(measured[crease]) <= part * size * Math.max(...slope.map(Math.abs));
+/** Whether what vanishes on a crease does so at a place, to this part of how large coordinates are. @param {Tracing} tracing @param {number[]} measured there @param {number} crease @param {number} [part] */
+export function vanishes({ sides, size }, measured, crease, part = ROUNDING) {
+  const slope = slopeOf(sides, measured, crease);
+  return Math.abs(measured[crease]) <= part * size * largest(slope);
 }
 
 /**
@@ -84,10 +85,10 @@ function judge(tracing, signs, a, b, crease) {
   const sign = signs[crease];
   const [p, q] = [a, b].map(({ measured }) => sign * measured[crease]);
   const chord = b.place.map((x, j) => x - a.place[j]);
-  const [down, up] = [a, b].map(({ measured }) => sign * product(slopeOf(sides, measured, crease, chord.length), chord));
+  const [down, up] = [a, b].map(({ measured }) => sign * product(slopeOf(sides, measured, crease), chord));
   const reach = Math.abs(down) + Math.abs(up);
   if (Math.min(p, q) > 2 * reach) return CLEAR;
-  const isZero = [a, b].map((node) => vanishes(tracing, node, crease));
+  const isZero = [a, b].map(({ measured }) => vanishes(tracing, measured, crease));
   if (isZero[0] && isZero[1] && a.place.some((x, j) => x !== b.place[j]))
     return isSame(sides, signs, beyond(signs, crease), a.place) ? CLEAR : FOLLOWED;
   const isRight = Math.abs(q - p - (down + up) / 2) <= ROUGH * reach;
@@ -111,7 +112,7 @@ function locate(tracing, side, { place, velocity, signs }, crease, [low, high]) 
     if (!raw?.end || raw.status < CONVERGED) return Number.NaN;
     const [measured] = side.measure(endOf(raw));
     const value = signs[crease] * measured[crease];
-    const by = value / (signs[crease] * product(slopeOf(tracing.sides, measured, crease, place.length), raw.end.velocity));
+    const by = value / (signs[crease] * product(slopeOf(tracing.sides, measured, crease), raw.end.velocity));
     if (Math.abs(by) <= EXACT * at) break;
     if (value > 0) low = at;
     else high = at;

@@ -1,9 +1,10 @@
 /** What a path across creases is put together from: legs where they stay on their sides, shores where they bulge, corners between them. MATH.md, "Shores". */
 
-import { listOf } from '../vector.js';
+import { listOf, sumOf } from '../vector.js';
 import { bothWays, meetEdge, settle, walk } from './crease.js';
 import { leavings, Survey } from './cut.js';
-import { apart, isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
+import { apart } from './linear.js';
 import { isSame } from './same.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
@@ -140,13 +141,12 @@ function without(pieces, width, isSpare) {
  */
 function leave(question, line, { legs, joints }, i, own, folds) {
   const { sides, ends } = question;
-  const width = ends[0].length;
   const leg = legs[i];
-  const parts = leavingsOf(question, leg, width);
+  const parts = leavingsOf(question, leg);
   if (!parts) return [own];
-  const survey = new Survey(sides, line, width, 1);
+  const survey = new Survey(sides, line, 1);
   const spans = [...legs.slice(0, i), ...parts.legs, ...legs.slice(i + 1)].map((part) => span(part.line, sides.scale));
-  const total = spans.reduce((sum, x) => sum + x, 0);
+  const total = sumOf(spans);
   return parts.legs.flatMap((part, k) => {
     /* A path that begins or ends on a crease may lead beyond it at once. */
     const crease = part.signs.findIndex((sign, of) => sign !== leg.signs[of]);
@@ -156,7 +156,7 @@ function leave(question, line, { legs, joints }, i, own, folds) {
     const free = k > 0 ? whole(part, begin) : { ...own, signs: part.signs, line: Array.from(part.line) };
     const isBeyond = begin && begin.crease === end?.crease && part.signs !== leg.signs;
     if (!isBeyond || [k - 1, k + 1].some((beside) => parts.legs[beside] && parts.legs[beside].signs !== leg.signs)) return [free];
-    const before = spans.slice(0, i + k).reduce((sum, x) => sum + x, 0);
+    const before = sumOf(spans.slice(0, i + k));
     const [from, to] = [before, before + spans[i + k]].map((x) => (x / total) * survey.last);
     const sense = survey.senseOf(begin.crease, begin.signs, Math.floor(from), Math.ceil(to));
     const near = { crease: begin.crease, sense, isFold: false };
@@ -168,15 +168,16 @@ function leave(question, line, { legs, joints }, i, own, folds) {
   });
 }
 
-/** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg @param {number} width */
-function leavingsOf(question, leg, width) {
-  const parts = leavings(question.sides, leg, width);
+/** As {@link leavings}, but for what only seems to leave its side. @param {Question} question @param {Leg} leg */
+function leavingsOf(question, leg) {
+  const parts = leavings(question.sides, leg);
   const { scale } = question.sides;
+  const width = scale.length;
   const least = LITTLE * span(leg.line, scale);
   if (!parts?.legs.some(({ line }) => span(line, scale) < least)) return parts;
   const [from, to] = [leg.line.subarray(0, width), leg.line.subarray(-width)].map((place) => Array.from(place));
   const closer = solveLeg(question, leg, from, to, { ...LEG, points: CLOSELY });
-  return closer ? leavings(question.sides, closer, width) : parts;
+  return closer ? leavings(question.sides, closer) : parts;
 }
 
 /** A leg along a shore, on the side on which that is shorter. @param {Question} question @param {Leg} leg @param {Shore} shore */
@@ -242,7 +243,7 @@ export function withoutLeast(route, scale) {
   const spans = legs.map(({ line }) => span(line, scale));
   const isSpare = (/** @type {number} */ i) => i > 0 && !legs[i].shore && joints[i]?.crease === joints[i - 1].crease;
   const least = spans.reduce((best, length, i) => (isSpare(i) && !(length >= spans[best]) ? i : best), -1);
-  if (least < 0 || spans[least] > SPARE * spans.reduce((sum, x) => sum + x, 0)) return null;
+  if (least < 0 || spans[least] > SPARE * sumOf(spans)) return null;
   return without(wholes(route, scale), scale.length, (_, i) => i === least);
 }
 

@@ -3,8 +3,8 @@
 import { concatenate } from '../search/join.js';
 import { relax } from '../search/routes.js';
 import { cornersNear, passing } from './corners.js';
-import { apart, lengthOf, lineOf, nodesOf, span } from './legs.js';
-import { ahead, sizeBy } from './linear.js';
+import { lengthOf, lineOf, nodesOf, span } from './legs.js';
+import { ahead, apart, sizeBy } from './linear.js';
 import { SKETCH_POINTS } from './sketches.js';
 
 /** @typedef {import('./corners.js').Corner} Corner */

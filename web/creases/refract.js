@@ -1,9 +1,9 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
-import { dot, minus, norm } from '../vector.js';
+import { dot, largest, minus, norm, sumOf } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
-import { ahead, product } from './linear.js';
+import { ahead, product, scaled } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -70,7 +70,7 @@ function tension(question, { legs, joints }, ways) {
   const nodes = places.map((place, i) => lift(question, legs[Math.max(0, i - 1)], place, ways[i - 1] ?? still));
   const chords = legs.map((_, i) => minus(nodes[i + 1].at, nodes[i].at));
   const lengths = chords.map((chord) => norm(chord));
-  const slack = SLACK * lengths.reduce((sum, length) => sum + length, 0);
+  const slack = SLACK * sumOf(lengths);
   const stiffness = lengths.map((length) => 1 / Math.max(length, slack));
   const slope = joints.map((_, j) =>
     dot(minus(scaled(chords[j], stiffness[j]), scaled(chords[j + 1], stiffness[j + 1])), nodes[j + 1].along),
@@ -91,9 +91,6 @@ function lift({ sides }, { signs }, place, way) {
   const [jet] = sides.on(signs)?.jets(place) ?? [[]];
   return { at: jet.slice(0, 3), along: [0, 1, 2].map((k) => way[0] * jet[3 + k] + way[1] * jet[6 + k]) };
 }
-
-/** @param {number[]} a @param {number} by */
-const scaled = (a, by) => a.map((x) => by * x);
 
 /** How joints may move: along which directions, and where one is that has moved. @param {Question} question @param {Joint[]} joints */
 function motion({ sides }, joints) {
@@ -159,7 +156,7 @@ function differentiate(question, { legs, joints }, least, moved) {
 
 /** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */
 function descend(matrix, slope) {
-  const size = Math.max(...matrix.flat().map(Math.abs));
+  const size = largest(matrix.flat());
   if (!(size > 0 && size < Infinity)) return null;
   for (let shift = 0; shift <= 4 * size; shift = shift ? 4 * shift : 1e-3 * size) {
     const factor = matrix.map((row) => row.map(() => 0));

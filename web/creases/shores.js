@@ -2,7 +2,7 @@
 
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { minus } from '../vector.js';
+import { largest, minus, sumOf } from '../vector.js';
 import { between, beyond, directions, ground, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, middleOf, nodesOf, solveLeg } from './legs.js';
 import { ahead, inner } from './linear.js';
@@ -92,7 +92,7 @@ export function survey(question, leg, from, to) {
   if (!bends.every((signs) => places.slice(1).every((place, i) => isBulging(question, { crease, signs }, places[i], place)))) return null;
   let before = Number.NaN;
   for (let level = 0; level <= HALVINGS; level++) {
-    const length = places.slice(1).reduce((sum, place, i) => sum + lengthAlong(question, on, places[i], place, 2 ** level), 0);
+    const length = sumOf(places.slice(1).map((place, i) => lengthAlong(question, on, places[i], place, 2 ** level)));
     const error = Math.abs(length - before);
     if (error <= EXACT * length) return { ...leg, line: Float64Array.from(places.flat()), length, error };
     before = length;
@@ -127,8 +127,8 @@ export function isBulging(question, on, from, to) {
     if (!leg) continue;
     const width = from.length;
     const [measured] = question.sides.measure(middleOf(leg.line, width));
-    const slope = Math.max(...slopeOf(question.sides, measured, crease, width).map(Math.abs));
-    const apart = Math.max(...back.map((x, j) => Math.abs(x - next[j])));
+    const slope = largest(slopeOf(question.sides, measured, crease));
+    const apart = largest(minus(back, next));
     return signs[crease] * measured[crease] <= LEAVES * slope * apart;
   }
   return false;
@@ -158,7 +158,7 @@ function spread(question, leg, pieces) {
   const places = nodesOf(leg.line, question.ends[0].length);
   const on = { crease: leg.shore?.crease ?? 0, signs: leg.signs };
   const lengths = places.map((place, i) => (i ? lengthAlong(question, on, places[i - 1], place) : 0));
-  const total = lengths.reduce((sum, x) => sum + x, 0);
+  const total = sumOf(lengths);
   const nodes = [places[0]];
   let [piece, behind] = [1, 0];
   for (let k = 1; k < pieces; k++) {

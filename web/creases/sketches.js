@@ -129,7 +129,7 @@ function round({ domain, run }, sides, lines, within) {
   const reach = within * Math.min(...lines.map((line) => span(line, sides.scale)));
   const widths = Array.from({ length: sides.count }, (_, crease) => {
     const near = places.sort((a, b) => Math.abs(a.seen[crease]) - Math.abs(b.seen[crease])).slice(0, 8);
-    const steep = near.map(({ seen }) => steepnessBy(slopeOf(sides, seen, crease, width), sides.scale));
+    const steep = near.map(({ seen }) => steepnessBy(slopeOf(sides, seen, crease), sides.scale));
     return dearSide(sides, crease, near[0]) * reach * Math.max(...steep);
   });
   const isThere = (/** @type {import('../manifold/sides.js').Side} */ side) =>

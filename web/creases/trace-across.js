@@ -2,7 +2,7 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
-import { diagonalOf, minus } from '../vector.js';
+import { diagonalOf, minus, sumOf } from '../vector.js';
 import { bend, isTorn } from './bend.js';
 import { beyond, directions, settle, slopeOf } from './crease.js';
 import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
@@ -52,7 +52,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
   const [first] = legs;
   if (!first || status < CONVERGED) return status < CONVERGED ? emptyPath(status) : null;
   if (!hasCrossed) return traceOn(tracing, first.side, place, direction, length, points);
-  const total = legs.reduce((sum, { raw }) => sum + raw.length, 0);
+  const total = sumOf(legs.map(({ raw }) => raw.length));
   const drawn = sample(tracing, legs, total, points);
   if (!drawn) return emptyPath(NOT_FINITE);
   /* An end of which nothing is known is none. */
@@ -62,7 +62,7 @@ export function traceAcross(field, sides, { place, direction, length, reach }, {
     length: status === CONVERGED ? length : total,
     lengthError:
       (spread.position <= FARTHEST * total ? spread.position : FARTHEST * total) + (status === TOLERANCE_NOT_MET ? length - total : 0),
-    iterations: legs.reduce((sum, { raw }) => sum + raw.iterations, 0),
+    iterations: sumOf(legs.map(({ raw }) => raw.iterations)),
     touchesBoundary: legs.some(({ raw }) => raw.touchesBoundary),
     conjugate: (smooth > first.raw.length && traceOn(tracing, first.side, place, direction, smooth)?.conjugate) || first.raw.conjugate,
     ...drawn,
@@ -79,11 +79,11 @@ export function changesSides(sides, { parameters }) {
 /** On which side a trace begins: on a crease, on the one that it leads to. @param {Tracing} tracing @param {number[]} place @param {number[]} direction @returns {Here | null} null: on none, or on several */
 function enter(tracing, place, direction) {
   const { sides } = tracing;
-  const node = { place, measured: sides.measure(place)[0] };
+  const [measured] = sides.measure(place);
   const creases = Array.from({ length: sides.count }, (_, k) => k);
-  const on = creases.filter((k) => vanishes(tracing, node, k));
+  const on = creases.filter((k) => vanishes(tracing, measured, k));
   if (on.length > MOST_MEETING) return null;
-  const known = creases.map((k) => Math.sign(node.measured[k]) || 1);
+  const known = creases.map((k) => Math.sign(measured[k]) || 1);
   /** @type {{ signs: number[], tangent: number }[]} */
   const open = [];
   for (let choice = 0; choice < 2 ** on.length; choice++) {
@@ -103,7 +103,7 @@ function enter(tracing, place, direction) {
 function leads({ sides }, signs, place, velocity, crease) {
   const measured = sides.on(signs)?.measure(place)[0];
   if (!measured) return false;
-  const slope = slopeOf(sides, measured, crease, place.length);
+  const slope = slopeOf(sides, measured, crease);
   const into = signs[crease] * product(slope, velocity);
   if (Math.abs(into) > ALONG * steepnessBy(slope, sides.scale) * sizeBy(velocity, sides.scale)) return into > 0;
   return isSame(sides, signs, beyond(signs, crease), place);
@@ -174,7 +174,7 @@ function cross(tracing, { place: end, velocity, signs }, crease, spread) {
   /* What vanishes jumps there, as atan2 does: Newton's method led elsewhere. */
   if (!(sizeOf(minus(place, end)) <= AWAY * tracing.size)) return null;
   const measured = sides.on(signs)?.measure(place)[0] ?? [];
-  const on = signs.flatMap((_, k) => (k === crease || vanishes(tracing, { place, measured }, k, NEAR) ? [k] : []));
+  const on = signs.flatMap((_, k) => (k === crease || vanishes(tracing, measured, k, NEAR) ? [k] : []));
   const alike = likeness(tracing, on, crease, signs, place);
   const flipped = signs.map((sign, k) => (alike.get(k) ? -signs[crease] * (alike.get(k) ?? 1) : sign));
   const after = settled(tracing, flipped, on, place);
@@ -187,7 +187,7 @@ function cross(tracing, { place: end, velocity, signs }, crease, spread) {
   if (!bent) return null;
   const final = bent.isReflected ? signs : after;
   const there = sides.on(final)?.measure(place)[0];
-  const rises = (/** @type {number} */ k) => (there ? Math.sign(product(slopeOf(sides, there, k, place.length), bent.velocity)) : 0);
+  const rises = (/** @type {number} */ k) => (there ? Math.sign(product(slopeOf(sides, there, k), bent.velocity)) : 0);
   const next = final.map((sign, k) => (others.includes(k) ? rises(k) || sign : sign));
   if (!on.every((k) => !alike.get(k) || rises(k) === next[k])) return null;
   return { here: { place, velocity: bent.velocity, signs: next, on }, spread: bent.spread };

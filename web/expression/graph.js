@@ -59,7 +59,8 @@ export class Graph {
 
   /** @param {number} a @param {number} b @returns {number} */
   add(a, b) {
-    if (this.#isConstant(a) && this.#isConstant(b)) return this.constant(this.numberOf(a) + this.numberOf(b));
+    const folded = this.#fold((x, y) => x + y, a, b);
+    if (folded !== undefined) return folded;
     if (this.#isZero(a)) return b;
     if (this.#isZero(b)) return a;
     if (this.#is(b, Operation.negate)) return this.subtract(a, this.left[b]);
@@ -70,7 +71,8 @@ export class Graph {
 
   /** @param {number} a @param {number} b @returns {number} */
   subtract(a, b) {
-    if (this.#isConstant(a) && this.#isConstant(b)) return this.constant(this.numberOf(a) - this.numberOf(b));
+    const folded = this.#fold((x, y) => x - y, a, b);
+    if (folded !== undefined) return folded;
     if (this.#isZero(b)) return a;
     if (this.#isZero(a)) return this.negate(b);
     if (a === b) return this.zero;
@@ -135,37 +137,35 @@ export class Graph {
 
   /** @param {number} a */
   absolute(a) {
-    if (this.#isConstant(a)) return this.constant(Math.abs(this.numberOf(a)));
-    return this.#node(Operation.absolute, this.#is(a, Operation.negate) ? this.left[a] : a, 0);
+    return this.#fold(Math.abs, a) ?? this.#node(Operation.absolute, this.#is(a, Operation.negate) ? this.left[a] : a, 0);
   }
 
   /** @param {number} a */
   squareRoot(a) {
-    return this.#isConstant(a) ? this.constant(Math.sqrt(this.numberOf(a))) : this.#node(Operation.squareRoot, a, 0);
+    return this.#fold(Math.sqrt, a) ?? this.#node(Operation.squareRoot, a, 0);
   }
 
   /** @param {number} a */
   floor(a) {
-    return this.#isConstant(a) ? this.constant(Math.floor(this.numberOf(a))) : this.#node(Operation.floor, a, 0);
+    return this.#fold(Math.floor, a) ?? this.#node(Operation.floor, a, 0);
   }
 
   /** -1, 1, or the argument itself where it is 0 or NaN. @param {number} a */
   sign(a) {
-    if (this.#isConstant(a)) return this.constant(Math.sign(this.numberOf(a)));
+    const folded = this.#fold(Math.sign, a);
+    if (folded !== undefined) return folded;
     const unit = this.or(this.and(a, this.negativeZero), this.one);
     return this.select(this.zero, this.absolute(a), unit, a);
   }
 
   /** @param {number} a @param {number} b */
   minimum(a, b) {
-    if (this.#isConstant(a) && this.#isConstant(b)) return this.constant(Math.min(this.numberOf(a), this.numberOf(b)));
-    return a === b ? a : this.#commutative(Operation.minimum, a, b);
+    return this.#fold(Math.min, a, b) ?? (a === b ? a : this.#commutative(Operation.minimum, a, b));
   }
 
   /** @param {number} a @param {number} b */
   maximum(a, b) {
-    if (this.#isConstant(a) && this.#isConstant(b)) return this.constant(Math.max(this.numberOf(a), this.numberOf(b)));
-    return a === b ? a : this.#commutative(Operation.maximum, a, b);
+    return this.#fold(Math.max, a, b) ?? (a === b ? a : this.#commutative(Operation.maximum, a, b));
   }
 
   /** `a < b ? yes : no`. @param {number} a @param {number} b @param {number} yes @param {number} no */
@@ -199,8 +199,7 @@ export class Graph {
 
   /** An elementary function, by its number in functions.js. @param {number} functionNumber @param {number} a @param {number} [b] */
   call(functionNumber, a, b = 0) {
-    if (this.#isConstant(a) && this.#isConstant(b)) return this.constant(this.#apply(functionNumber, this.numberOf(a), this.numberOf(b)));
-    return this.#node(Operation.call + functionNumber, a, b);
+    return this.#fold((x, y) => this.#apply(functionNumber, x, y), a, b) ?? this.#node(Operation.call + functionNumber, a, b);
   }
 
   /** What a node is half of, if that is how it is written. @param {number} a @returns {number | undefined} */
@@ -263,6 +262,11 @@ export class Graph {
   /** @param {number} id */
   #isConstant(id) {
     return this.operations[id] === Operation.constant;
+  }
+
+  /** What an operation makes of constants; undefined where one of its operands is none. @param {(x: number, y: number) => number} operate @param {number} a @param {number} [b] */
+  #fold(operate, a, b = a) {
+    return this.#isConstant(a) && this.#isConstant(b) ? this.constant(operate(this.numberOf(a), this.numberOf(b))) : undefined;
   }
 
   /** @param {number} id */

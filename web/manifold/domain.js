@@ -124,6 +124,9 @@ export function enterDomain(domain, point, name, variables) {
   return confine(domain, [...point]);
 }
 
+/** Whether a point lies in the rectangle. @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point */
+export const holdsPoint = ({ lower, upper, periodic }, point) => point.every((x, j) => periodic[j] || (x >= lower[j] && x <= upper[j]));
+
 /** Whether a point lies on this edge of the rectangle. @param {Range} range @param {number[]} point @param {number} pole 1 + 2 · coordinate + side */
 export function isAtPole({ lower, upper }, point, pole) {
   const { across, side } = edgeOf(pole);

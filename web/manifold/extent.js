@@ -28,10 +28,10 @@ const SPACE = [
   [0, 0, 1],
 ];
 
-/** @param {number[]} box @returns {Float64Array} */
-function gridOf(box) {
-  const places = new Float64Array(3 * GRID ** 3);
-  const [xs, ys, zs] = [0, 2, 4].map((j) => Array.from({ length: GRID }, (_, i) => box[j] + ((i + 0.5) / GRID) * (box[j + 1] - box[j])));
+/** Middles of so many cells a direction of a box, by x, then by y, then by z. @param {number[]} box @param {number} cells */
+export function gridOf(box, cells) {
+  const places = new Float64Array(3 * cells ** 3);
+  const [xs, ys, zs] = [0, 2, 4].map((j) => Array.from({ length: cells }, (_, i) => box[j] + ((i + 0.5) / cells) * (box[j + 1] - box[j])));
   let k = 0;
   for (const x of xs) for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
   return places;
@@ -51,7 +51,7 @@ export function stepBy(f, x, y, z) {
  */
 function pointsOf(values, box) {
   const cell = diagonalOf(box) / GRID;
-  const grid = gridOf(box);
+  const grid = gridOf(box, GRID);
   const seen = values(grid);
   /** @type {Walk[]} */
   let walks = [];
@@ -157,7 +157,7 @@ export const isCut = (extent, box) => rangesOf(extent).some(([low, high], j) => 
  */
 export function isCrossed(values, box) {
   const isOuter = (/** @type {number} */ i) => [1, GRID, GRID ** 2].some((row) => [0, GRID - 1].includes(Math.floor(i / row) % GRID));
-  const seen = values(gridOf(box)).filter((_, k) => k % 4 === 0 && isOuter(k / 4));
+  const seen = values(gridOf(box, GRID)).filter((_, k) => k % 4 === 0 && isOuter(k / 4));
   return seen.some((f) => f < 0) && seen.some((f) => f > 0);
 }
 

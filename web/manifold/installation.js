@@ -10,7 +10,7 @@ import { METRIC } from './metric.js';
 /** @typedef {import('../runtime/solver.js').Solver} Solver */
 /** @typedef {ReturnType<Solver['install']>} Installed */
 /** @typedef {Installed & { code: number }} Measured as which of METRIC */
-/** @typedef {{ module: Uint8Array, data: Float64Array, dataBytes: number }} Module what the solver installs */
+/** @typedef {import('../runtime/solver.js').Module} Module */
 /** @typedef {{ compiled: Module, code: number }} Metric what measures length, and as which of METRIC */
 /** @typedef {{ kind: 'parametric' | 'implicit' | 'metric', extent: number }} Kind of a surface, and the diagonal of its bounds */
 
@@ -49,33 +49,18 @@ export class Installation {
 
   /** Installs the modules: both or, with an error, neither. @param {Module} shape @param {Metric | null} metric @param {Record<string, number>} parameters */
   install(shape, metric, parameters) {
-    const installed = this.#add(shape);
-    try {
-      this.metric = metric && this.#measure(metric);
-    } catch (error) {
-      this.#solver.remove(installed);
-      throw error;
-    }
+    const [installed, measured] = this.#solver.installAll(metric ? [shape, metric.compiled] : [shape]);
     this.shape = installed;
+    this.metric = metric && { ...measured, code: metric.code };
     this.own = null;
     this.#generation = this.#solver.generation;
     this.writeParameters(parameters);
   }
 
   /** Installs its own E, F and G, too. @param {Metric} own @param {Record<string, number>} parameters */
-  installOwn(own, parameters) {
-    this.own = this.#measure(own);
+  installOwn({ compiled, code }, parameters) {
+    this.own = { ...this.#solver.install(compiled), code };
     this.writeParameters(parameters);
-  }
-
-  /** @param {Module} module */
-  #add({ module, data, dataBytes }) {
-    return this.#solver.install(module, data, dataBytes);
-  }
-
-  /** @param {Metric} metric */
-  #measure({ compiled, code }) {
-    return { ...this.#add(compiled), code };
   }
 
   /** Gives back what the solver's present instance holds of it, if anything. */

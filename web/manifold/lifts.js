@@ -58,8 +58,8 @@ export function liftEnds(glued, from, to, start) {
   return swap ? [turnNear(glued, from, to), to] : [from, turnNear(glued, to, from)];
 }
 
-/** @param {number[]} form e, f, g @param {number[]} a @param {number[]} b */
-const product = ([e, f, g], a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
+/** The product of two directions of the rectangle. @param {ArrayLike<number>} form e, f, g @param {number[]} a @param {number[]} b */
+export const product = ({ 0: e, 1: f, 2: g }, a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
 
 /**
  * Whole periods, two where both directions have them, of which all others are made; as short as possible (Lagrange, Gauss), so that the shortest straight

@@ -238,11 +238,6 @@ export class Manifold {
       forms: (places) => formsOf(this.#sampled)(places),
       mesh: (box, resolution) => this.run((heap, _, { value }) => heap.meshImplicit(value, box, resolution)),
       pieces: (domain?.pinches?.pieces ?? []).map((piece, i) => this.#fieldOf(piece, i + 1, isOwn)),
-      own: null,
-      sides: null,
-      jumps: null,
-      bodies: null,
-      lowered: null,
     };
   }
 
@@ -302,10 +297,7 @@ export class Manifold {
     /* By a getter, say, of the options of a call that has begun. */
     if (this.isDisposed) throw new Error('surfpath: this surface was disposed');
     if (this.#installation.isPresent) return;
-    for (const graphs of this.#graphs.flat()) graphs.drop(null);
-    this.#sides = null;
-    this.#bodies?.drop(null);
-    this.#bodies = null;
+    this.#dropGraphs();
     try {
       this.#install();
       this.#writeRecord();

@@ -4,7 +4,7 @@
  * have no part in it, is the same in every engine. */
 
 import { compile } from '../expression/compile.js';
-import { cross, dot, unit } from '../vector.js';
+import { cross, dot, listOf, unit } from '../vector.js';
 
 /** @typedef {import('../definition.js').Expression} Expression */
 /** @typedef {import('../runtime/solver.js').Solver} Solver */
@@ -69,13 +69,13 @@ export class ReferenceFinder {
 
   /** Derivatives of the curve and, if it is given, the reference. @param {Record<string, number>} parameters @param {number[]} places @returns {number[][][]} */
   #sample(parameters, places) {
-    const { module, data, dataBytes, value } = this.#compiled;
+    const { data, value } = this.#compiled;
     data.set(Object.values(parameters));
-    const slots = this.#solver.install(module, data, dataBytes);
+    const slots = this.#solver.install(this.#compiled);
     try {
       const sampled = this.#solver.evaluate(slots.call.value, places, 1, value.length);
       const vectors = (/** @type {number} */ offset) =>
-        places.map((_, i) => Array.from(sampled.subarray(value.length * i + offset, value.length * i + offset + 3)));
+        places.map((_, i) => listOf(sampled, value.length * i + offset, value.length * i + offset + 3));
       return this.#curve.reference.length > 0 ? [vectors(6), vectors(3)] : [vectors(3)];
     } finally {
       this.#solver.remove(slots);

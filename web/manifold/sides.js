@@ -7,6 +7,7 @@ import { compile } from '../expression/compile.js';
 import { Creases } from '../expression/creases.js';
 import { dot, listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
+import { product } from './lifts.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 import { compileShape } from './shapes.js';
 
@@ -55,25 +56,20 @@ export class Sides {
     this.#given = given;
     this.scale = given.scale;
     const creases = new Creases();
-    const install = (/** @type {() => number[]} */ nodes) => {
-      const { module, data, dataBytes } = this.#compileVanishing(creases, nodes);
-      return given.solver.install(module, data, dataBytes);
-    };
-    this.#vanishing = install(() => {
-      const nodes = [...new Set(creases.nodes)];
-      this.#which = creases.nodes.map((node) => nodes.indexOf(node));
-      this.count = nodes.length;
-      return nodes;
-    });
-    if (creases.floors.length === 0) return;
-    creases.floors = [];
-    try {
-      this.#floors = install(() => creases.floors);
-    } catch (error) {
-      given.solver.remove(this.#vanishing);
-      throw error;
-    }
+    const modules = [
+      this.#compileVanishing(creases, () => {
+        const nodes = [...new Set(creases.nodes)];
+        this.#which = creases.nodes.map((node) => nodes.indexOf(node));
+        this.count = nodes.length;
+        return nodes;
+      }),
+    ];
     this.#floorCount = creases.floors.length;
+    if (this.#floorCount > 0) {
+      creases.floors = [];
+      modules.push(this.#compileVanishing(creases, () => creases.floors));
+    }
+    [this.#vanishing, this.#floors = null] = given.solver.installAll(modules);
   }
 
   /** @param {Creases} creases that take down or choose @param {() => number[]} nodes what vanishes, once formulas are read */
@@ -198,20 +194,12 @@ export class Sides {
     return { side, installed };
   }
 
-  /** Modules that belong together, all or, with an error, none. @param {import('./installation.js').Module[]} modules @returns {Installed[]} */
+  /** @param {import('../runtime/solver.js').Module[]} modules that belong together @returns {Installed[]} */
   #install(modules) {
-    const { solver } = this.#given;
     const key = modules.map(({ module, data }) => `${module} ${data}`).join();
     const known = this.#installed.get(key);
     if (known) return known;
-    /** @type {Installed[]} */
-    const installed = [];
-    try {
-      for (const { module, data, dataBytes } of modules) installed.push(solver.install(module, data, dataBytes));
-    } catch (error) {
-      for (const slots of installed) solver.remove(slots);
-      throw error;
-    }
+    const installed = this.#given.solver.installAll(modules);
     this.#installed.set(key, installed);
     return installed;
   }
@@ -256,8 +244,8 @@ function productOf(kind, code, jet) {
   }
   const [u, v] = [jet.slice(3, 6), jet.slice(6, 9)];
   const space = [dot(u, u), dot(u, v), dot(v, v)].map((x) => (code === METRIC.density ? jet[21] * x : x));
-  const [e, f, g] = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
-  return (a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
+  const form = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
+  return (a, b) => product(form, a, b);
 }
 
 /**

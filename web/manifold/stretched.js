@@ -76,13 +76,7 @@ export class Stretched {
   /** @param {number[]} box @returns {import('../search/routes.js').Field} */
   #install(box) {
     const { solver, write } = this.#given;
-    const modules = [this.#compile(false, SHAPE.implicit.valueOrder), this.#compile(true, 0)];
-    try {
-      for (const { module, data, dataBytes } of modules) this.#installed.push(solver.install(module, data, dataBytes));
-    } catch (error) {
-      for (const installed of this.#installed) solver.remove(installed);
-      throw error;
-    }
+    this.#installed = solver.installAll([this.#compile(false, SHAPE.implicit.valueOrder), this.#compile(true, 0)]);
     const [shape, metric] = this.#installed;
     const measured = write(shape, metric, diagonalOf(box));
     const { variables, jet } = SHAPE.implicit;
@@ -101,11 +95,6 @@ export class Stretched {
       forms: () => [],
       mesh: (within, resolution) => run((heap, _, { value }) => heap.meshImplicit(value, within, resolution)),
       pieces: [],
-      own: null,
-      sides: null,
-      jumps: null,
-      bodies: null,
-      lowered: null,
     };
   }
 

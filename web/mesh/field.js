@@ -9,7 +9,7 @@ import { netOf } from '../pieces/through.js';
 import { EXHAUSTED } from '../runtime/solver.js';
 import { CONVERGED, OUT_OF_MEMORY } from '../runtime/status.js';
 import { besideInfinite } from '../search/infinite-ends.js';
-import { gap } from '../vector.js';
+import { gap, listOf } from '../vector.js';
 import { spread } from './spread.js';
 
 /**
@@ -58,8 +58,7 @@ function search(field, caller, from, places) {
   let isUnique = false;
   let missing = Array.from(lengths.keys());
   for (let level = 0; missing.length > 0; level++) {
-    const wanted =
-      level === 0 ? places : Float64Array.from(missing.flatMap((i) => Array.from(places.subarray(width * i, width * (i + 1)))));
+    const wanted = level === 0 ? places : Float64Array.from(missing.flatMap((i) => listOf(places, width * i, width * (i + 1))));
     const found = run((heap, record) => {
       const graph = graphs.find(heap, record, field, level);
       if (graph?.status === OUT_OF_MEMORY) return { status: OUT_OF_MEMORY, lengths };
@@ -126,7 +125,7 @@ function solveFrom(field, { place, lengths, isUnique }, mesh, options) {
   const isCreased = !field.domain && Boolean(field.sides?.());
   const isAlone = isUnique || isCreased || field.pieces.length > 0 || lengths.length < LEAST_VERTICES;
   const find = (/** @type {number} */ i, /** @type {Float32Array[]} */ lines, shortest = Infinity) => {
-    const ends = [place, Array.from(places.subarray(width * i, width * (i + 1)))];
+    const ends = [place, listOf(places, width * i, width * (i + 1))];
     if (lines.length > 0) return findBeside(field, ends, options, lines, shortest);
     return [field.domain || isCreased ? findPath(field, ends, options, 'global') : findWithin(field, ends, options)];
   };

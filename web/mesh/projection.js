@@ -1,7 +1,7 @@
 /** The point of a surface closest to one of space: downhill from a place, which the vertices of a mesh may tell. */
 
 import { CONVERGED, OFF_SURFACE, STATUS } from '../runtime/status.js';
-import { gap } from '../vector.js';
+import { distancesFrom, gap, listOf } from '../vector.js';
 import { meshSurface } from './mesh.js';
 
 /** @typedef {import('../manifold/manifold.js').Manifold} Manifold */
@@ -43,10 +43,7 @@ export function projectOnto(manifold, caller, target, near) {
 function nearVertices(manifold, caller, target) {
   manifold.coarse ??= withEdges(meshSurface(manifold, caller, SEARCH));
   const { positions, parameters, edges, longest } = manifold.coarse;
-  const [x, y, z] = target;
-  const away = new Float64Array(longest.length);
-  for (let i = 0, k = 0; i < away.length; i++)
-    away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
+  const away = distancesFrom(positions, target);
   const isNear = longest.map((edge) => Number(edge >= 0));
   for (let k = 0; k < edges.length; k += 2) {
     const between = away[edges[k]] - away[edges[k + 1]];
@@ -59,7 +56,7 @@ function nearVertices(manifold, caller, target) {
   return found
     .sort((i, j) => away[i] - away[j])
     .slice(0, MOST)
-    .map((i) => ({ place: Array.from(numbers.subarray(width * i, width * i + width)), least: away[i] - longest[i] }));
+    .map((i) => ({ place: listOf(numbers, width * i, width * i + width), least: away[i] - longest[i] }));
 }
 
 /** A mesh with the edges of its triangles, two vertices each, and the longest edge of each vertex, −1 without any. @param {import('./mesh.js').Mesh} mesh */

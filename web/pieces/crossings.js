@@ -7,10 +7,10 @@ import { LEG, nodesOf, span } from '../creases/legs.js';
 import { solveLinear } from '../creases/linear.js';
 import { mostOf } from '../path.js';
 import { holds } from '../search/candidates.js';
-import { concatenate, joinLegs, reverse, turned } from '../search/join.js';
+import { concatenate, isAfter, joinLegs, reverse, turned } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
-import { drawLine, findWays, isAfter, poseNear } from '../search/routes.js';
-import { dot, gap } from '../vector.js';
+import { drawLine, findWays, poseNear } from '../search/routes.js';
+import { dot, gap, sumOf } from '../vector.js';
 import { AT_REST, crossingsFrom } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -69,7 +69,7 @@ export function overCrossings(field, crossings, ends, options, known) {
       if (path) found = Math.min(found, lengthOf(path));
       if (joints.length > 1) open.push(...joints.map((_, j) => without(route, j)));
     }
-    const most = first.legs.reduce((sum, { line }) => sum + span(line, SPACE), 0) * (1 + ROUGH);
+    const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + ROUGH);
     if (found > most) missed = Math.min(missed, most);
   }
   if (!best || mostOf(known) <= lengthOf(best)) return known;
@@ -105,7 +105,7 @@ function waysOver(field, crossings, ends) {
 }
 
 /** How long all legs are. @param {Route} route */
-const lengthOf = ({ legs }) => legs.reduce((sum, { length }) => sum + length, 0);
+const lengthOf = ({ legs }) => sumOf(legs.map(({ length }) => length));
 
 /** Where legs begin and end. @param {number[][]} ends @param {Crossing[]} joints */
 const placesOf = (ends, joints) => [ends[0], ...joints.map(({ at }) => at), ends[1]];

@@ -1,6 +1,7 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; what of the surface hangs together without them, and where it crosses itself. */
 
-import { cross, dot, gap, minus, norm, unit } from '../vector.js';
+import { gridOf } from '../manifold/extent.js';
+import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
 import { cofactors, crossingsFrom, formOf, longest, SINGULAR, STEPS, secondOf, times, ZERO } from './singular.js';
 
 /** @typedef {import('./singular.js').Crossing} Crossing */
@@ -49,7 +50,7 @@ function stepFrom(jet, at, before) {
 /** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
 function nodeAt(jet, { next, determinant }, size) {
   const [xx, xy, , yy] = jet.subarray(4);
-  const largest = Math.max(...jet.subarray(4).map(Math.abs));
+  const largest = largestOf(jet.subarray(4));
   if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
   const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
   /* A form that is definite: nothing of the surface is near. */
@@ -78,7 +79,7 @@ function isPassage(jets, { at, second }, cell) {
   const directions = isLine ? [axis, axis.map((x) => -x)] : around;
   let places = directions.map((along) => at.map((x, j) => x + cell * along[j]));
   let seen = jets(places.flat());
-  const slopeOf = (/** @type {number} */ i) => Array.from(seen.subarray(10 * i + 1, 10 * i + 4));
+  const slopeOf = (/** @type {number} */ i) => listOf(seen, 10 * i + 1, 10 * i + 4);
   for (let k = 0; k < STEPS; k++) {
     places = places.map((place, i) => minus(place, back(slopeOf(i))));
     seen = jets(places.flat());
@@ -132,21 +133,17 @@ function nodesFrom(jets, places, cell, size) {
  * @returns {{ nodes: Node[], crossings: Crossing[] }} those in the box that are found, none where the surface is degenerate, or they are too many; crossings: places, a cell apart, on curves along which the surface crosses itself
  */
 function findNodes(jets, box, grid) {
-  const [low, high] = [0, 1].map((side) => [0, 1, 2].map((j) => box[2 * j + side]));
-  const size = gap(low, high);
+  const size = diagonalOf(box);
   /** @type {[Node[], Node[]]} */
   const [nodes, flat] = [[], []];
-  const line = (/** @type {number} */ j) => Float64Array.from({ length: grid }, (_, i) => low[j] + ((i + 0.5) / grid) * (high[j] - low[j]));
-  const [xs, ys, zs] = [line(0), line(1), line(2)];
-  const places = new Float64Array(3 * grid ** 2);
+  const places = gridOf(box, grid);
+  const slice = 3 * grid ** 2;
   const cell = size / grid;
   /** @type {Crossing[]} */
   const crossings = [];
-  for (const x of xs) {
+  for (let from = 0; from < places.length; from += slice) {
     if (nodes.length > MOST) return { nodes: [], crossings };
-    let k = 0;
-    for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
-    const found = nodesFrom(jets, places, cell, size);
+    const found = nodesFrom(jets, places.subarray(from, from + slice), cell, size);
     for (const place of crossingsFrom(jets, found.open, 2 * cell, size))
       if (place && crossings.every(({ at }) => gap(at, place.at) > cell)) crossings.push(place);
     for (const node of found.nodes) {
@@ -166,8 +163,7 @@ function findNodes(jets, box, grid) {
 export function crosses({ second, determinant, isFlat }, a, b) {
   if (isFlat) return dot(a, b) < 0;
   const product = Math.sign(determinant) * dot(a, times(second, b));
-  const largest = Math.max(...second.flat().map(Math.abs));
-  return product < -FLAT * largest * dot(a, b);
+  return product < -FLAT * largestOf(second.flat()) * dot(a, b);
 }
 
 /**
@@ -175,17 +171,9 @@ export function crosses({ second, determinant, isFlat }, a, b) {
  * @param {import('../mesh/mesh.js').Mesh} mesh @param {number} cell @param {Node[]} nodes @returns {(place: number[]) => number[]} those around it
  */
 function findParts({ positions, indices }, cell, nodes) {
-  const count = positions.length / 3;
-  /** Distances of the vertices. @param {number[]} at */
-  const awayFrom = ([x, y, z]) => {
-    const away = new Float64Array(count);
-    for (let i = 0, k = 0; i < count; i++)
-      away[i] = Math.sqrt((positions[k++] - x) ** 2 + (positions[k++] - y) ** 2 + (positions[k++] - z) ** 2);
-    return away;
-  };
-  const part = Int32Array.from({ length: count }, (_, i) => i);
+  const part = Int32Array.from({ length: positions.length / 3 }, (_, i) => i);
   for (const { at } of nodes)
-    awayFrom(at).forEach((x, i) => {
+    distancesFrom(positions, at).forEach((x, i) => {
       if (x <= AROUND * cell) part[i] = -1;
     });
   const find = (/** @type {number} */ i) => {
@@ -199,7 +187,7 @@ function findParts({ positions, indices }, cell, nodes) {
     part[find(b)] = find(c);
   }
   return (at) => {
-    const away = awayFrom(at);
+    const away = distancesFrom(positions, at);
     const near = away.reduce((least, x, i) => (part[i] >= 0 && x < least ? x : least), Infinity) + BESIDE * cell;
     /** @type {Set<number>} */
     const found = new Set();

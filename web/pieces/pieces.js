@@ -4,14 +4,14 @@
  */
 
 import { isAtPole } from '../manifold/domain.js';
-import { liftEnds, moveNear } from '../manifold/lifts.js';
+import { liftEnds } from '../manifold/lifts.js';
 import { isGeodesic, makePath, mostOf } from '../path.js';
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED } from '../runtime/status.js';
 import { POLYLINE } from '../search/candidates.js';
-import { joinPieces, reverse } from '../search/join.js';
-import { findGlobal, findNear, isAfter, poseNear, solveNear } from '../search/routes.js';
-import { gap } from '../vector.js';
+import { inOrder, joinPieces, placed } from '../search/join.js';
+import { findGlobal, findNear, poseNear, solveNear } from '../search/routes.js';
+import { gap, largest, sumOf } from '../vector.js';
 import { findThrough } from './through.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -47,7 +47,7 @@ const [ROOM, CHORDS] = [1e5, 4];
 function findRest(field, ends, options) {
   const { domain } = field;
   const [from, to] = domain ? liftEnds(domain, ends[0], ends[1], null) : ends;
-  const size = from.map((x, j) => (domain ? Math.max(Math.abs(x), domain.upper[j] - domain.lower[j]) : Math.max(...from.map(Math.abs))));
+  const size = from.map((x, j) => (domain ? Math.max(Math.abs(x), domain.upper[j] - domain.lower[j]) : largest(from)));
   if (from.some((x, j) => !(Math.abs(x - to[j]) <= NEAR * size[j]))) return null;
   const near = poseNear(field, ends, null);
   const raw = near.solve({ ...options, algorithm: POLYLINE, points: 1 });
@@ -84,7 +84,7 @@ function findIn(field, ends, options, start) {
   if (!start) return rest ?? solveNear(field, ends, options, start);
   const path = solveNear(field, ends, options, start);
   /* A given start may lead around something; one that does not has shrunk to what rounding leaves. */
-  const isShrunk = rest && !isGeodesic(path) && path.length <= NEAR * Math.max(...rest.points.subarray(0, 3).map(Math.abs));
+  const isShrunk = rest && !isGeodesic(path) && path.length <= NEAR * largest(rest.points.subarray(0, 3));
   return isShrunk ? rest : path;
 }
 
@@ -100,12 +100,6 @@ function follow({ domain }, legs, options, from) {
   return placed(domain, joinPieces(legs.length, options, solve, domain), from);
 }
 
-/** A path whose parameters begin where the caller's do. @param {Domain | null} domain @param {Path} path @param {number[]} from */
-export function placed(domain, path, from) {
-  if (domain && path.parameters) moveNear(domain, path.parameters, from);
-  return path;
-}
-
 /** What no path with these legs is shorter than: their chords, and what it takes to cross the surface between their ends. @param {Field} field @param {Leg[]} legs */
 function boundOf({ domain, isPlain, positions }, legs) {
   if (!positions || !isPlain) return 0;
@@ -116,7 +110,7 @@ function boundOf({ domain, isPlain, positions }, legs) {
     const [low, high] = ends
       .map((end) => ((end[across] - lower[across]) / (upper[across] - lower[across])) * slabs.length)
       .sort((a, b) => a - b);
-    const crossed = slabs.slice(Math.ceil(low), Math.floor(high)).reduce((total, least) => total + least, 0);
+    const crossed = sumOf(slabs.slice(Math.ceil(low), Math.floor(high)));
     return sum + Math.max(gap(points, points.subarray(3)), crossed);
   }, 0);
 }
@@ -188,9 +182,8 @@ export function placeIn({ domain, pieces }, place) {
 export function findByPieces(field, ends, options, start) {
   const { domain, pieces } = field;
   if (pieces.length === 0) return findIn(field, ends, options, start);
-  const isTurned = (!start || start === 'global') && isAfter(ends[0], ends[1]);
-  const path = findAcross(field, isTurned ? [ends[1], ends[0]] : ends, options, start);
-  return isTurned ? placed(domain, reverse(path), ends[0]) : path;
+  const find = (/** @type {number[][]} */ asked) => findAcross(field, asked, options, start);
+  return start && start !== 'global' ? find(ends) : inOrder(domain, ends, find);
 }
 
 /**

@@ -1,6 +1,6 @@
 /** Singular places of an implicit surface, where ∇f = 0: what second derivatives tell of them, and steps to curves of such places. */
 
-import { dot, gap, norm, unit } from '../vector.js';
+import { dot, gap, largest as largestOf, norm, unit } from '../vector.js';
 
 /** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
 
@@ -47,7 +47,7 @@ export function formOf(second) {
   const [[xx, xy, xz], [, yy, yz], [, , zz]] = second;
   const [a, b, c, d, e, f] = cofactors([xx, xy, xz, yy, yz, zz]);
   const [trace, product] = [xx + yy + zz, a + d + f];
-  const largest = Math.max(...second.flat().map(Math.abs));
+  const largest = largestOf(second.flat());
   const isLine = Math.abs(product) > SINGULAR * largest ** 2;
   const axis = unit(
     isLine

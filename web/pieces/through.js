@@ -3,9 +3,9 @@
 import { isGeodesic } from '../path.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { findChain } from '../search/chain.js';
-import { joinLegs, reverse } from '../search/join.js';
+import { inOrder, joinLegs, reverse } from '../search/join.js';
 import { ROUGHLY } from '../search/rough.js';
-import { findGlobal, isAfter, solveNear } from '../search/routes.js';
+import { findGlobal, solveNear } from '../search/routes.js';
 import { gap, unit } from '../vector.js';
 import { overCrossings } from './crossings.js';
 import { crosses, findNet } from './nodes.js';
@@ -62,9 +62,7 @@ export function findThrough(field, ends, options) {
   /** @param {ReturnType<typeof findNet>} net */
   const passNodes = (net) => {
     if (net.nodes.length === 0) return solve();
-    return isAfter(ends[0], ends[1])
-      ? reverse(joinThrough(field, net, [ends[1], ends[0]], options, () => reverse(solve())))
-      : joinThrough(field, net, ends, options, solve);
+    return inOrder(null, ends, (both, isTurned) => joinThrough(field, net, both, options, () => (isTurned ? reverse(solve()) : solve())));
   };
   if (domain) return solve();
   return box ? through(netOf(field)) : findFarther(field, ends, through);

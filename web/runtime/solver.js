@@ -68,6 +68,7 @@ export async function compileSolver(caller, find) {
   return compile(await found.arrayBuffer(), name);
 }
 
+/** What a surface is compiled to: its parameters and constants, and the room it wants for them and its scratch. @typedef {{ module: Uint8Array, data: Float64Array, dataBytes: number }} Module */
 /** What a compiled surface needs from the solver: table slots, the addresses of its data and of a struct sp_surface, and where: see `generation`. @typedef {{ jet: number, value: number, data: number, record: number, generation: number }} Slots */
 
 export class Solver {
@@ -118,23 +119,36 @@ export class Solver {
 
   /**
    * Installs a compiled surface; all of it or, with an error, nothing.
-   * @param {Uint8Array} bytes its module @param {Float64Array} data its parameters and constants @param {number} dataBytes room it wants for them and its scratch
+   * @param {Module} compiled
    * @returns {Slots & { call: { jet: (pairs: number, input: number, output: number) => void, value: (pairs: number, input: number, output: number) => void } }}
    */
-  install(bytes, data, dataBytes) {
+  install({ module, data, dataBytes }) {
     const { heap, exports } = this.#present;
     const blocks = { data: heap.allocate(dataBytes), record: heap.allocate(sp_surface_bytes) };
     try {
       if (!blocks.data || !blocks.record) throw new RangeError(`surfpath: ${EXHAUSTED}`);
       heap.writeDoubles(blocks.data, data);
       const env = { ...exports, data: new WebAssembly.Global({ value: 'i32' }, blocks.data) };
-      const instance = new WebAssembly.Instance(new WebAssembly.Module(/** @type {BufferSource} */ (bytes)), { env });
+      const instance = new WebAssembly.Instance(new WebAssembly.Module(/** @type {BufferSource} */ (module)), { env });
       const call = /** @type {any} */ (instance.exports);
       return { jet: this.#occupy(call.jet), value: this.#occupy(call.value), ...blocks, generation: this.generation, call };
     } catch (error) {
       for (const block of [blocks.data, blocks.record]) heap.release(block);
       throw error;
     }
+  }
+
+  /** Installs what belongs together: all or, with an error, nothing. @param {Module[]} modules */
+  installAll(modules) {
+    /** @type {ReturnType<Solver['install']>[]} */
+    const installed = [];
+    try {
+      for (const compiled of modules) installed.push(this.install(compiled));
+    } catch (error) {
+      for (const slots of installed) this.remove(slots);
+      throw error;
+    }
+    return installed;
   }
 
   /** @param {Slots} slots of {@link install}; those of an earlier instance are gone already */

@@ -6,7 +6,7 @@
 import { copies } from '../manifold/lifts.js';
 import { vector } from '../manifold/rectangle.js';
 import { angleAlong } from '../manifold/tips.js';
-import { cross, dot } from '../vector.js';
+import { cross, dot, minus } from '../vector.js';
 
 /** @typedef {import('../manifold/domain.js').Domain} Domain */
 /** @typedef {(places: ArrayLike<number>) => Float64Array} Evaluate */
@@ -41,7 +41,7 @@ function turnOf(x, y) {
  * Whether a place is one: singular alone, and regular all around. @param {Domain} domain @param {Evaluate} jets @param {number[]} at
  */
 function isBranch({ lower, upper }, jets, at) {
-  const span = upper.map((x, j) => x - lower[j]);
+  const span = minus(upper, lower);
   const ring = Array.from({ length: 16 }, (_, i) => cornerAt(i / 4).map((x, j) => at[j] + AROUND * x * span[j]));
   const sampled = jets([...ring, at].flat());
   const seen = Array.from({ length: 17 }, (_, i) => {
@@ -80,7 +80,7 @@ function stepFrom(jets, i, [du, dv]) {
  */
 export function findBranches(jets, domain) {
   const { lower, upper, periodic } = domain;
-  const span = upper.map((x, j) => x - lower[j]);
+  const span = minus(upper, lower);
   const cell = 1.5 / GRID;
   const far = (/** @type {number[]} */ [x, y]) => Math.max(Math.abs(x), Math.abs(y));
   /** @type {number[][]} */
@@ -125,7 +125,7 @@ function extrapolate(places, numbers) {
  * @param {Float64Array[]} legs u v of both parts of the path, from the branch point on, in steps of equal lengths, so short that the squares of the first are short, too
  */
 export function angleThrough({ lower, upper }, positions, { point }, legs) {
-  const span = upper.map((x, j) => x - lower[j]);
+  const span = minus(upper, lower);
   const [a, b] = legs.map((numbers) =>
     Array.from({ length: RADII }, (_, i) => [0, 1].map((j) => (numbers[2 * (i + 1) ** 2 + j] - numbers[j]) / span[j])),
   );

@@ -7,7 +7,8 @@ import { confine } from '../manifold/domain.js';
 import { cross, dot, gap, minus, norm, unit } from '../vector.js';
 import { holds, leaps, solveFrom } from './candidates.js';
 import { distinct, estimate } from './distinct.js';
-import { finer, innerOf, MOST_ROUGH, ROUGHLY } from './rough.js';
+import { innerOf } from './join.js';
+import { finer, MOST_ROUGH, ROUGHLY } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */

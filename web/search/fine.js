@@ -4,7 +4,8 @@ import { SHEET_JUMP } from '../runtime/status.js';
 import { COMPARED_POINTS, compared, ELEMENTS, endAlike, holds, isOnSurface, lengthOfShortest, MARGIN } from './candidates.js';
 import { distinct, estimate, isAmong, isBesideWay } from './distinct.js';
 import { refine } from './poles.js';
-import { finer, innerOf, isJudged, isOneOfMany, isTooCoarse, MOST_ROUGH, sharpen } from './rough.js';
+import { innerOf } from './join.js';
+import { finer, isJudged, isOneOfMany, isTooCoarse, MOST_ROUGH, sharpen } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */

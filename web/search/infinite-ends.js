@@ -5,11 +5,9 @@
 
 import { GAUSS } from '../gauss.js';
 import { makePath } from '../path.js';
-import { placed } from '../pieces/pieces.js';
 import { emptyPath } from '../runtime/result.js';
 import { NOT_FINITE } from '../runtime/status.js';
-import { reverse, turned } from './join.js';
-import { isAfter } from './routes.js';
+import { inOrder, turned } from './join.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../pieces/pieces.js').Start} Start */
@@ -39,19 +37,11 @@ const PARTS = 32;
 export function findFromInfinite(field, ends, options, start, solve) {
   const { domain, isPlain } = field;
   if (!domain || isPlain || isMeasured(field, ends.flat()) || String(ends[0]) === String(ends[1])) return null;
-  return inOrder(findForwards, field, ends, options, start, solve);
+  return inOrder(domain, ends, (both, isTurned) => findForwards(field, both, options, isTurned ? turnedStart(start) : start, solve));
 }
 
-/**
- * What finds a path, asked so that exchanged ends reverse it.
- * @param {typeof findFromInfinite} find @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Start} start @param {Parameters<typeof findFromInfinite>[4]} solve
- */
-export function inOrder(find, field, ends, options, start, solve) {
-  if (!isAfter(ends[0], ends[1])) return find(field, ends, options, start, solve);
-  const line = start && start !== 'global' ? turned(Float64Array.from(start), 2) : start;
-  const path = find(field, [ends[1], ends[0]], options, line, solve);
-  return path && placed(domainOf(field), reverse(path), ends[0]);
-}
+/** A start from the second end to the first. @param {Start} start @returns {Start} */
+export const turnedStart = (start) => (start && start !== 'global' ? turned(start, 2) : start);
 
 /** @type {typeof findFromInfinite} */
 function findForwards(field, ends, options, start, solve) {

@@ -2,6 +2,7 @@
 
 import { moveNear } from '../manifold/lifts.js';
 import { isGeodesic } from '../path.js';
+import { listOf, sumOf } from '../vector.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../manifold/seams.js').Glued} Glued */
@@ -13,21 +14,24 @@ import { isGeodesic } from '../path.js';
  * @returns {number[]}
  */
 function shareOut(lengths, points) {
-  const total = lengths.reduce((sum, length) => sum + length, 0);
+  const total = sumOf(lengths);
   const free = points - (lengths.length - 1) - lengths.length;
   const wanted = lengths.map((length) => (total > 0 ? (free * length) / total : 0));
   const shares = wanted.map((want) => 1 + Math.floor(want));
-  const left = free - shares.reduce((sum, share) => sum + share - 1, 0);
+  const left = free - sumOf(shares.map((share) => share - 1));
   const order = wanted.map((_, i) => i).sort((i, j) => (wanted[j] % 1) - (wanted[i] % 1) || lengths[j] - lengths[i]);
   for (let k = 0; k < left; k++) shares[order[k % order.length]]++;
   return shares;
 }
 
+/** Inner points of a path. @param {Pick<Path, 'points' | 'parameters'>} path */
+export const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
+
 /** Segments of the polyline of a path. @param {Path} path */
-const segmentsOf = ({ points, parameters }) => (parameters ? parameters.length / 2 : points.length / 3) - 1;
+const segmentsOf = (path) => innerOf(path) + 1;
 
 /** A sum that does not depend on the order. @param {number[]} numbers */
-const sum = (numbers) => [...numbers].sort((a, b) => a - b).reduce((total, x) => total + x, 0);
+const sum = (numbers) => sumOf([...numbers].sort((a, b) => a - b));
 
 /** One array after the other, the first `width` numbers of each but the first, which repeat the end of the one before, left out. @param {Float64Array[]} arrays @param {number} width */
 export function concatenate(arrays, width) {
@@ -119,7 +123,7 @@ export function thinned(path, count) {
   const pick = (/** @type {Float64Array} */ numbers, /** @type {number} */ width) => {
     const last = numbers.length / width - 1;
     const at = Array.from({ length: count }, (_, i) => Math.round((i * last) / (count - 1)));
-    return Float64Array.from(at.flatMap((i) => Array.from(numbers.subarray(width * i, width * (i + 1)))));
+    return Float64Array.from(at.flatMap((i) => listOf(numbers, width * i, width * (i + 1))));
   };
   return {
     ...path,
@@ -143,4 +147,27 @@ export function reverse(path) {
     parameters: path.parameters && turned(path.parameters, 2),
     history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
   };
+}
+
+/** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
+export function isAfter(a, b) {
+  const different = a.findIndex((x, j) => x !== b[j]);
+  return different >= 0 && a[different] > b[different];
+}
+
+/** A path whose parameters begin where the caller's do. @param {Glued | null} glued @param {Path} path @param {number[]} from */
+export function placed(glued, path, from) {
+  if (glued && path.parameters) moveNear(glued, path.parameters, from);
+  return path;
+}
+
+/**
+ * What finds a path over some places, asked so that these the other way round reverse it.
+ * @template {Path | null} T @param {Glued | null} glued @param {number[][]} places @param {(places: number[][], isTurned: boolean) => T} find @returns {T}
+ */
+export function inOrder(glued, places, find) {
+  const back = [...places].reverse();
+  if (!isAfter(places.flat(), back.flat())) return find(places, false);
+  const path = find(back, true);
+  return path && /** @type {T} */ (placed(glued, reverse(path), places[0]));
 }

@@ -207,63 +207,61 @@ function makeNet(positions, jets, { lower, upper }, asked) {
   return { us, vs, width, corners, from, to, places, points, lowest, highest, first, base, edgeOf };
 }
 
+/** What lines are found from. @typedef {Pick<Net, 'corners' | 'width' | 'first' | 'base' | 'points'>} Crossed */
+
 /**
- * Of each crossing those on the lines below and above it, in a triangle with it, that are nearest, or -1, and how far these are.
- * @param {Pick<Net, 'corners' | 'width' | 'first' | 'base' | 'points'>} net
+ * Visits all pairs of crossings on edges of one triangle.
+ * @param {Crossed} net @param {0 | 1} above 1: the second one's line is the next above the first one's; 0: they are on one line, and each edge is taken with the next
+ * @param {(one: number, other: number) => void} visit
  */
-function findAcross({ corners, width, first, base, points }) {
+function visitPairs({ corners, width, first, base }, above, visit) {
+  for (let cell = 0; cell < corners - width; cell++) {
+    if (cell % width === width - 1) continue;
+    for (const { edges } of TRIANGLES) {
+      for (let k = 0; k < (above ? 9 : 3); k++) {
+        const one = edgeAt(cell, width, edges[k % 3]);
+        const other = edgeAt(cell, width, edges[above ? Math.floor(k / 3) : (k + 1) % 3]);
+        /* Crossing n of the one, and what is that of the other. */
+        const shift = base[one] + above - base[other];
+        const last = Math.min(first[one + 1] - first[one], first[other + 1] - first[other] - shift);
+        for (let n = Math.max(0, -shift); n < last; n++) visit(first[one] + n, first[other] + n + shift);
+      }
+    }
+  }
+}
+
+/** Of each crossing those on the lines below and above it, in a triangle with it, that are nearest, or -1, and how far these are. @param {Crossed} net */
+function findAcross(net) {
+  const { corners, points } = net;
   const across = new Int32Array(2 * (points.length / 3 - corners)).fill(-1);
   const widths = new Float64Array(across.length).fill(Infinity);
   const offer = (/** @type {number} */ at, /** @type {number} */ other) => {
     const far = distance(points, corners + (at >> 1), other);
     if (far < widths[at]) [widths[at], across[at]] = [far, other];
   };
-  for (let cell = 0; cell < corners - width; cell++) {
-    if (cell % width === width - 1) continue;
-    for (const { edges } of TRIANGLES) {
-      for (let k = 0; k < 9; k++) {
-        const one = edgeAt(cell, width, edges[k % 3]);
-        const other = edgeAt(cell, width, edges[Math.floor(k / 3)]);
-        /* Crossing n of the one, and the one of the other that is a line above it. */
-        const shift = base[one] + 1 - base[other];
-        const last = Math.min(first[one + 1] - first[one], first[other + 1] - first[other] - shift);
-        for (let n = Math.max(0, -shift); n < last; n++) {
-          offer(2 * (first[one] + n - corners) + 1, first[other] + n + shift);
-          offer(2 * (first[other] + n + shift - corners), first[one] + n);
-        }
-      }
-    }
-  }
+  visitPairs(net, 1, (lower, upper) => {
+    offer(2 * (lower - corners) + 1, upper);
+    offer(2 * (upper - corners), lower);
+  });
   return { across, widths };
 }
 
 /**
  * Lines of equal height: nodes in the order in which they follow each other, the line of each, how far along it that is, where in this order a crossing is, and what is across from it, how far.
- * @param {Pick<Net, 'corners' | 'width' | 'first' | 'base' | 'points'>} net
+ * @param {Crossed} net
  */
-function findLines({ corners, width, first, base, points }) {
+function findLines(net) {
+  const { corners, points } = net;
   const count = points.length / 3 - corners;
   /* Both neighbours of each. A line leaves a triangle by the one of its other edges which it crosses. */
   const links = new Int32Array(2 * count).fill(-1);
   const link = (/** @type {number} */ a, /** @type {number} */ b) => {
     links[2 * (a - corners) + Number(links[2 * (a - corners)] >= 0)] = b;
   };
-  for (let cell = 0; cell < corners - width; cell++) {
-    if (cell % width === width - 1) continue;
-    for (const { edges } of TRIANGLES) {
-      for (let k = 0; k < 3; k++) {
-        const one = edgeAt(cell, width, edges[k]);
-        const other = edgeAt(cell, width, edges[(k + 1) % 3]);
-        const shift = base[one] - base[other];
-        const last = Math.min(first[one + 1] - first[one], first[other + 1] - first[other] - shift);
-        for (let n = Math.max(0, -shift); n < last; n++) {
-          link(first[one] + n, first[other] + n + shift);
-          link(first[other] + n + shift, first[one] + n);
-        }
-      }
-    }
-  }
-  const sides = findAcross({ corners, width, first, base, points });
+  visitPairs(net, 0, (one, other) => {
+    link(one, other);
+    link(other, one);
+  });
   const [order, line, along] = [new Int32Array(count), new Int32Array(count), new Float64Array(count)];
   const rank = new Int32Array(count).fill(-1);
   let at = 0;
@@ -279,7 +277,7 @@ function findLines({ corners, width, first, base, points }) {
   };
   /* From ends first; what is left is closed. */
   for (const most of [0, Infinity]) for (let i = 0; i < count; i++) if (rank[i] < 0 && links[2 * i + 1] < most) follow(corners + i);
-  return { order, line, along, rank, ...sides };
+  return { order, line, along, rank, ...findAcross(net) };
 }
 
 /**

@@ -3,6 +3,7 @@
 import { ILL_CONDITIONED, ITERATION_LIMIT, SHEET_JUMP, STALLED } from '../runtime/status.js';
 import { holds, leaps, POLYLINE, solveFrom } from './candidates.js';
 import { isSame } from './distinct.js';
+import { innerOf } from './join.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -95,9 +96,6 @@ function isBehindWall({ isPlain, solve }, { to, start, path }) {
 /** Where no way leads through branch points: those of the starts that stalled, solved with more points. @param {Problem} problem @param {Tried[]} tried */
 export const solveBeside = (problem, tried) =>
   tried.map((one) => (one.start && stallsAtBranch(problem, one) ? solveFiner(problem, one) : one));
-
-/** Inner points. @param {RawPath} path */
-export const innerOf = ({ parameters, points }) => (parameters ? parameters.length / 2 : points.length / 3) - 2;
 
 /** Whether a rough path tells what lies under it, or no more points are tried. @param {Problem} problem @param {RawPath} path */
 export function isJudged({ isPlain }, path) {

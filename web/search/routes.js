@@ -9,7 +9,7 @@ import { gap, listOf } from '../vector.js';
 import { findBranches } from './branches.js';
 import { ELEMENTS, holds, LONGEST } from './candidates.js';
 import { findPaths, findPathsFrom } from './global.js';
-import { reverse, turned } from './join.js';
+import { isAfter, reverse, turned } from './join.js';
 import { passBranches } from './over-branches.js';
 import { passedTip, passPoles } from './poles.js';
 import { ROUGHLY } from './rough.js';
@@ -29,11 +29,11 @@ import { findStarts } from './starts.js';
  * @typedef {object} Field a surface, as far as finding paths on it needs to know
  * @property {number} kind 0: parametric, 1: implicit
  * @property {import('../manifold/domain.js').Domain | null} domain
- * @property {(() => Field | null) | null} own a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
- * @property {(() => import('../manifold/sides.js').Sides | null) | null} sides of its creases; null: it has none, or is a part of another, or there is no room for them
- * @property {(() => import('../manifold/sides.js').Sides | null) | null} jumps the same, also where formulas have only floors, which no side tells apart
- * @property {(() => import('../manifold/bodies.js').Bodies) | null} bodies what boxes hold of an implicit surface; null: it has a metric, or is no such surface
- * @property {(() => import('./raised.js').Lowered | null) | null} lowered a surface over x and y with lower heights; null: it is no such surface, or not smooth
+ * @property {(() => Field | null) | null} [own] a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
+ * @property {(() => import('../manifold/sides.js').Sides | null) | null} [sides] of its creases; null: it has none, or is a part of another, or there is no room for them
+ * @property {(() => import('../manifold/sides.js').Sides | null) | null} [jumps] the same, also where formulas have only floors, which no side tells apart
+ * @property {(() => import('../manifold/bodies.js').Bodies) | null} [bodies] what boxes hold of an implicit surface; null: it has a metric, or is no such surface
+ * @property {(() => import('./raised.js').Lowered | null) | null} [lowered] a surface over x and y with lower heights; null: it is no such surface, or not smooth
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
  * @property {boolean} [isLeg] paths are legs of ways through branch points
@@ -192,6 +192,8 @@ function pose(field, [from, to], find) {
   };
   const found = run((heap, record) => {
     const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoBeside(heap, record, kind, end));
+    /** @param {Omit<Parameters<Heap['solve']>[1], 'kind'>} request @param {SolveOptions} asked */
+    const solve = (request, asked) => watch(heap.solve(record, { kind, ...request }, asked));
     return find({
       from: first,
       to: last,
@@ -201,16 +203,9 @@ function pose(field, [from, to], find) {
       positions,
       forms,
       domain,
-      solve: (end, start, asked, passage = null) =>
-        watch(heap.solve(record, { kind, from: first, to: end, start: start ?? null, passage }, asked)),
+      solve: (end, start, asked, passage) => solve({ from: first, to: end, start, passage }, asked),
       between: (line, asked) =>
-        watch(
-          heap.solve(
-            record,
-            { kind, from: listOf(line, 0, first.length), to: listOf(line, line.length - first.length), start: line },
-            asked,
-          ),
-        ),
+        solve({ from: listOf(line, 0, first.length), to: listOf(line, line.length - first.length), start: line }, asked),
       branches,
       isLeg: !!field.isLeg,
       isBrief: !!field.isBrief,
@@ -264,12 +259,6 @@ export function branchesOf({ domain, graphs, isPlain, jets }) {
   if (!domain || !isPlain) return [];
   graphs.branches ??= findBranches(jets, domain);
   return graphs.branches;
-}
-
-/** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
-export function isAfter(a, b) {
-  const different = a.findIndex((x, j) => x !== b[j]);
-  return different >= 0 && a[different] > b[different];
 }
 
 /**

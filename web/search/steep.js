@@ -3,16 +3,15 @@
  */
 
 import { isGeodesic, mostOf } from '../path.js';
-import { placed } from '../pieces/pieces.js';
 import { compared, ELEMENTS, isCompared, within } from './candidates.js';
 import { lengthOf } from './challenge.js';
 import { domainOf } from './infinite-ends.js';
-import { reverse } from './join.js';
+import { isAfter, placed, reverse } from './join.js';
 import { LevelNet } from './level-ways.js';
 import { makeLevels } from './levels.js';
 import { findRaised } from './raised.js';
 import { ROUGHLY } from './rough.js';
-import { drawLine, isAfter, solveNear } from './routes.js';
+import { drawLine, solveNear } from './routes.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./routes.js').Field} Field */

@@ -3,7 +3,10 @@
  * that any place will do to begin at. MATH.md, "Still ends".
  */
 
-import { begun, domainOf, inOrder, measure } from './infinite-ends.js';
+import { holdsPoint } from '../manifold/domain.js';
+import { minus } from '../vector.js';
+import { begun, domainOf, measure, turnedStart } from './infinite-ends.js';
+import { inOrder } from './join.js';
 
 /** @typedef {import('./infinite-ends.js').Infinite} Infinite */
 /** @typedef {import('./infinite-ends.js').Leg} Leg */
@@ -24,7 +27,7 @@ const NEAREST = 1e-12;
 /** E + G and what is left of E G − F² beside its square, of places, in parts of the range. @param {Field} field @param {number[]} places */
 function sizesAt(field, places) {
   const { lower, upper } = domainOf(field);
-  const [du, dv] = upper.map((x, j) => x - lower[j]);
+  const [du, dv] = minus(upper, lower);
   return field.forms(places).map((form) => {
     const [e, f, g] = [form[0] * du * du, form[1] * du * dv, form[2] * dv * dv];
     return { size: e + g, isRegular: e * g - f * f > REGULAR * (e + g) ** 2 };
@@ -33,17 +36,18 @@ function sizesAt(field, places) {
 
 /** Whether a metric is zero at a place, and nowhere around it. @param {Field} field @param {number[]} end @param {number} size of it there */
 function isStill(field, end, size) {
-  const { lower, upper, periodic } = domainOf(field);
+  const domain = domainOf(field);
+  const span = minus(domain.upper, domain.lower);
   const square = [-1, 0, 1].flatMap((i) => [-1, 0, 1].map((k) => (i || k ? [i, k] : [])));
-  const places = square.map((by) => by.map((x, j) => end[j] + x * AROUND * (upper[j] - lower[j])));
-  const isWithin = (/** @type {number[]} */ place) => place.every((x, j) => periodic[j] || (x >= lower[j] && x <= upper[j]));
-  return sizesAt(field, places.filter(isWithin).flat()).every((around) => around.isRegular && size <= STILL * around.size);
+  const places = square.map((by) => by.map((x, j) => end[j] + x * AROUND * span[j]));
+  const within = places.filter((place) => holdsPoint(domain, place));
+  return sizesAt(field, within.flat()).every((around) => around.isRegular && size <= STILL * around.size);
 }
 
 /** Straight from an end to the other one. @param {Field} field @param {number[]} end @param {number[]} other @returns {{ way: Infinite, slope: number }} */
 function straight(field, end, other) {
   const { lower, upper, periodic } = domainOf(field);
-  const span = upper.map((x, j) => x - lower[j]);
+  const span = minus(upper, lower);
   const parts = end.map((x, j) => (other[j] - x) / span[j]).map((part, j) => (periodic[j] ? part - Math.round(part) : part));
   const across = Number(Math.abs(parts[1]) > Math.abs(parts[0]));
   const [depth, aside] = [across, 1 - across].map((j) => parts[j] * span[j]);
@@ -73,7 +77,9 @@ export function findFromStill(field, ends, options, start, solve) {
   const sizes = sizesAt(field, [...ends.flat(), ...ends[0].map((x, j) => (x + ends[1][j]) / 2)]).map(({ size }) => size);
   const still = ends.filter((end, i) => sizes[i] <= FAINT * Math.max(...sizes) && isStill(field, end, sizes[i]));
   if (still.length === 0) return null;
-  return inOrder((_, both, ...rest) => findForwards(field, both, still, ...rest), field, ends, options, start, solve);
+  return inOrder(field.domain, ends, (both, isTurned) =>
+    findForwards(field, both, still, options, isTurned ? turnedStart(start) : start, solve),
+  );
 }
 
 /**
