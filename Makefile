@@ -145,6 +145,9 @@ $(SMALLEST:%=build/wasm/%.o): LEVEL := -Oz
 INLINED := arcs bridge contact contact_fit crossing flow graph_way hole memory mesh newton project refine refine_spread start system trace
 $(INLINED:%=build/wasm/%.o): LEVEL += -finline-functions -mllvm -inline-threshold=-30
 
+# A constant is loaded into both lanes by one instruction; combined with others it is loaded as two, and shuffled.
+$(filter build/wasm/functions%,$(WASM:%.c=build/%.o)): LEVEL += -mllvm -disable-vector-combine
+
 build/wasm/%.o: wasm/%.c Makefile | tools
 	@mkdir -p $(@D)
 	@$(EMCC) $(LEVEL) -c $< -o $@
