@@ -76,7 +76,7 @@ __attribute__((noinline, cold)) static double reduce_fully(double x, enum part p
 }
 
 static inline __attribute__((always_inline)) struct reduced_angle reduce(sp_pair x) {
-    const sp_pair *parts = sp_constants.half_pi_parts;
+    const double *parts = sp_constants.half_pi_parts;
     sp_pair shifted = x * sp_constants.two_over_pi + SP_ROUNDER;
     sp_pair multiple = shifted - SP_ROUNDER;
     sp_pair first = x - multiple * parts[0];

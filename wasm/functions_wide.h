@@ -14,24 +14,23 @@ struct sp_wide {
     sp_pair high, low;
 };
 
-/* Each number twice, ready to be loaded. Coefficients stand in the order of rising powers; their origin is named in functions_constants.c.
- */
+/* Coefficients stand in the order of rising powers; their origin is named in functions_constants.c. */
 struct sp_function_constants {
-    sp_pair two_over_pi;
-    sp_pair half_pi_parts[3];
+    double two_over_pi;
+    double half_pi_parts[3];
     struct sp_wide half_pi, pi, arctangent_half;
-    sp_pair sine[6], cosine[6];
-    sp_pair arcsine_numerator[6], arcsine_denominator[5];
-    sp_pair arctangent[10];
+    double sine[6], cosine[6];
+    double arcsine_numerator[6], arcsine_denominator[5];
+    double arctangent[10];
     struct sp_wide inverse_ln2, inverse_ln10;
-    sp_pair ln2_high, ln2_low;
-    sp_pair exponential[11];
-    sp_pair hyperbolic_sine[8];
-    sp_pair hyperbolic_tangent_numerator[3], hyperbolic_tangent_denominator[4];
-    sp_pair logarithm[7];
-    sp_pair wide_logarithm[8];
+    double ln2_high, ln2_low;
+    double exponential[11];
+    double hyperbolic_sine[8];
+    double hyperbolic_tangent_numerator[3], hyperbolic_tangent_denominator[4];
+    double logarithm[7];
+    double wide_logarithm[8];
     struct sp_wide two_thirds;
-    sp_pair cube_root[5];
+    double cube_root[5];
     uint64_t two_over_pi_words[21];
 };
 
@@ -66,8 +65,8 @@ static inline sp_pair sp_with_sign_of(sp_pair magnitude, sp_pair sign) {
 
 /* coefficients[0] + coefficients[1] x + ... up to x^(count - 1), count > 1: even and odd powers by Horner side by side, which halves the
  * wait for one result after the other. */
-static inline sp_pair sp_polynomial(sp_pair x, const sp_pair *coefficients, int count) {
-    sp_pair square = x * x, even = coefficients[(count - 1) & ~1], odd = coefficients[(count - 2) | 1];
+static inline sp_pair sp_polynomial(sp_pair x, const double *coefficients, int count) {
+    sp_pair square = x * x, even = sp_splat(coefficients[(count - 1) & ~1]), odd = sp_splat(coefficients[(count - 2) | 1]);
     SP_UNROLL for (int i = ((count - 1) & ~1) - 2; i >= 0; i -= 2) { even = even * square + coefficients[i]; }
     SP_UNROLL for (int i = ((count - 2) | 1) - 2; i >= 1; i -= 2) { odd = odd * square + coefficients[i]; }
     return even + x * odd;

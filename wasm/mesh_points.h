@@ -12,17 +12,15 @@ struct sp_mesh_points {
     sp_pair in[SP_MESH_POINTS / 2 * SP_IMPLICIT_INPUTS], out[SP_MESH_POINTS / 2 * SP_IMPLICIT_VALUES];
 };
 
-/* f, or a component of its gradient, 1 … 3, at point i, as evaluated last. */
-static inline double sp_mesh_value(const struct sp_mesh_points *points, int32_t i, int number) {
-    return points->out[i / 2 * SP_IMPLICIT_VALUES + number][i & 1];
+/* f at point i, as evaluated last. */
+static inline double sp_mesh_value(const struct sp_mesh_points *points, int32_t i) {
+    return points->out[i / 2 * SP_IMPLICIT_VALUES][i & 1];
 }
 
+/* The gradient of f at point i, as evaluated last. */
+void sp_mesh_gradient(const struct sp_mesh_points *points, int32_t i, double gradient[3]);
+
 /* Evaluates f and its gradient; the lane without a point repeats the last. */
-static inline void sp_mesh_evaluate(sp_evaluate value, struct sp_mesh_points *points) {
-    for (int32_t i = 0; i < points->count + (points->count & 1); i++)
-        for (int axis = 0; axis < 3; axis++)
-            points->in[i / 2 * SP_IMPLICIT_INPUTS + axis][i & 1] = points->at[i < points->count ? i : i - 1][axis];
-    value((points->count + 1) / 2, points->in, points->out);
-}
+void sp_mesh_evaluate(sp_evaluate value, struct sp_mesh_points *points);
 
 #endif

@@ -41,12 +41,12 @@ static void put_between(struct block *block, int32_t i, double part) {
 
 /* The Newton step at vertex i, as evaluated last. A vertex stays on the face of the box on which its whole way lies. */
 static void newton_step(const struct block *block, int32_t i, const double box[6], double step[3]) {
+    sp_mesh_gradient(&block->points, i, step);
     for (int axis = 0; axis < 3; axis++) {
         double x = block->start[i][axis];
-        bool bound = block->edge[i][axis] == 0 && (x == box[2 * axis] || x == box[2 * axis + 1]);
-        step[axis] = bound ? 0 : sp_mesh_value(&block->points, i, axis + 1);
+        if (block->edge[i][axis] == 0 && (x == box[2 * axis] || x == box[2 * axis + 1])) step[axis] = 0;
     }
-    double factor = -sp_mesh_value(&block->points, i, 0) / dot(step, step);
+    double factor = -sp_mesh_value(&block->points, i) / dot(step, step);
     for (int axis = 0; axis < 3; axis++)
         step[axis] *= factor;
 }
@@ -79,8 +79,8 @@ static void approach(sp_evaluate value, const double box[6], struct block *block
 /* Whether vertex i has come to rest on f = 0, inside the box, not far from where it set out, on the side of the surface that it began on.
  */
 static bool rests(const struct block *block, int32_t i, const double box[6]) {
-    double step[3], away[3],
-        gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2), sp_mesh_value(&block->points, i, 3)};
+    double step[3], away[3], gradient[3];
+    sp_mesh_gradient(&block->points, i, gradient);
     double part = 0.5 * (block->low[i] + block->high[i]), size = dot(block->edge[i], block->edge[i]);
     bool inside = true;
     for (int axis = 0; axis < 3; axis++) {
@@ -90,7 +90,7 @@ static bool rests(const struct block *block, int32_t i, const double box[6]) {
     }
     newton_step(block, i, box, step);
     return inside && dot(step, step) <= at_rest * size && dot(away, away) <= 0.25 * size && dot(gradient, block->normal[i]) > 0 &&
-           absolute(sp_mesh_value(&block->points, i, 0)) <= least_fall * block->largest[i] && dot(gradient, gradient) < 1e300;
+           absolute(sp_mesh_value(&block->points, i)) <= least_fall * block->largest[i] && dot(gradient, gradient) < 1e300;
 }
 
 /* Moves the vertices of a block to the rim: what was last found of the surface on their way, or NaN. */
@@ -99,7 +99,7 @@ static void draw_block(sp_evaluate value, const double box[6], struct block *blo
         put_between(block, i, 1);
     sp_mesh_evaluate(value, &block->points);
     for (int32_t i = 0; i < block->points.count; i++) {
-        block->low[i] = 0, block->high[i] = 1, block->largest[i] = absolute(sp_mesh_value(&block->points, i, 0));
+        block->low[i] = 0, block->high[i] = 1, block->largest[i] = absolute(sp_mesh_value(&block->points, i));
         near[block->vertex[i]] = WALL;
     }
     for (int count = 0; count < BISECTIONS; count++) {
@@ -108,11 +108,11 @@ static void draw_block(sp_evaluate value, const double box[6], struct block *blo
         approach(value, box, block);
         for (int32_t i = 0; i < block->points.count; i++) {
             bool found = rests(block, i, box);
-            double gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2),
-                                  sp_mesh_value(&block->points, i, 3)};
             *(found ? &block->low[i] : &block->high[i]) = 0.5 * (block->low[i] + block->high[i]);
             if (!found) continue;
             int32_t vertex = block->vertex[i];
+            double gradient[3];
+            sp_mesh_gradient(&block->points, i, gradient);
             near[vertex] = vertex;
             for (int axis = 0; axis < 3; axis++) {
                 position_of(mesh, vertex)[axis] = block->points.at[i][axis];

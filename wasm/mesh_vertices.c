@@ -34,6 +34,18 @@ struct block {
     double largest[BLOCK];                  /* |f| of all parts seen where it is finite */
 };
 
+void sp_mesh_evaluate(sp_evaluate value, struct sp_mesh_points *points) {
+    for (int32_t i = 0; i < points->count + (points->count & 1); i++)
+        for (int axis = 0; axis < 3; axis++)
+            points->in[i / 2 * SP_IMPLICIT_INPUTS + axis][i & 1] = points->at[i < points->count ? i : i - 1][axis];
+    value((points->count + 1) / 2, points->in, points->out);
+}
+
+void sp_mesh_gradient(const struct sp_mesh_points *points, int32_t i, double gradient[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        gradient[axis] = points->out[i / 2 * SP_IMPLICIT_VALUES + 1 + axis][i & 1];
+}
+
 static void put_on_edge(struct block *block, int32_t i, double part) {
     for (int axis = 0; axis < 3; axis++)
         block->points.at[i][axis] = block->start[i][axis] + part * block->edge[i][axis];
@@ -46,7 +58,7 @@ static void bisect(sp_evaluate value, struct block *block, int times) {
             put_on_edge(block, i, 0.5 * (block->low[i] + block->high[i]));
         sp_mesh_evaluate(value, &block->points);
         for (int32_t i = 0; i < block->points.count; i++) {
-            double middle = 0.5 * (block->low[i] + block->high[i]), f = sp_mesh_value(&block->points, i, 0), size = absolute(f);
+            double middle = 0.5 * (block->low[i] + block->high[i]), f = sp_mesh_value(&block->points, i), size = absolute(f);
             *(f < 0 ? &block->low[i] : &block->high[i]) = middle;
             if (size > block->largest[i] && size < 1e300) block->largest[i] = size;
         }
@@ -56,9 +68,10 @@ static void bisect(sp_evaluate value, struct block *block, int times) {
 /* Gradient of f at vertex i, as evaluated last, along its free axes. Returns f/|grad f|^2: the Newton step is minus that times the
  * gradient. */
 static double newton_factor(const struct block *block, int32_t i, double gradient[3]) {
+    sp_mesh_gradient(&block->points, i, gradient);
     for (int axis = 0; axis < 3; axis++)
-        gradient[axis] = block->freedom[i][axis] * sp_mesh_value(&block->points, i, axis + 1);
-    return sp_mesh_value(&block->points, i, 0) / dot(gradient, gradient);
+        gradient[axis] *= block->freedom[i][axis];
+    return sp_mesh_value(&block->points, i) / dot(gradient, gradient);
 }
 
 /* Newton steps along the gradient, none longer than half the edge. Returns the number of vertices that the last one moved visibly. */
@@ -101,7 +114,8 @@ static void settle_block(sp_evaluate value, struct block *block) {
 /* The normal is the gradient's direction; of one that is infinite, as at the end of a root, that of its infinite parts; where there is
  * none, the edge's. */
 static void store_vertex(const struct block *block, int32_t i, double position[3], double normal[3]) {
-    double gradient[3] = {sp_mesh_value(&block->points, i, 1), sp_mesh_value(&block->points, i, 2), sp_mesh_value(&block->points, i, 3)};
+    double gradient[3];
+    sp_mesh_gradient(&block->points, i, gradient);
     if (norm(gradient) >= 1e300)
         for (int axis = 0; axis < 3; axis++)
             gradient[axis] = smaller(larger(gradient[axis] * 1e-300, -1), 1);
@@ -130,7 +144,7 @@ static void place_block(sp_evaluate value, struct block *block, double *position
     for (int32_t i = 0; i < block->points.count; i++) {
         if (!lost[i]) continue;
         store_vertex(block, i, positions + 3 * i, normals + 3 * i);
-        if (-sp_mesh_value(&block->points, i, 0) <= least_fall * block->largest[i]) continue;
+        if (-sp_mesh_value(&block->points, i) <= least_fall * block->largest[i]) continue;
         for (int axis = 0; axis < 3; axis++)
             normals[3 * i + axis] = not_a_number();
     }

@@ -41,6 +41,12 @@ function shorten(sign, size, place) {
   return at ? `(f64.load ${at} (i32.const 0))` : `(f64.const ${text})`;
 }
 
+/** The bits of a double that is only stored. @param {string} bits @param {(number: string) => string} place */
+function shortenBits(bits, place) {
+  const at = place(new Uint32Array(new BigUint64Array([BigInt(bits)]).buffer).join(' '));
+  return at ? `(i64.load ${at} (i32.const 0))` : `(i64.const ${bits})`;
+}
+
 /** @param {string} lanes four words, the lowest first @param {(...numbers: string[]) => string} place */
 function shortenVector(lanes, place) {
   const [a, b, c, d] = lanes.split(' ').map((word) => String(Number(word)));
@@ -92,6 +98,7 @@ const text = readFileSync(file, 'utf8');
 const rewrite = (vectors, doubles) =>
   text
     .replace(/\(v128\.const i32x4 ([0-9a-fx ]+)\)/g, (_, lanes) => shortenVector(lanes, vectors))
+    .replace(/\(i64\.const (\d{17,})\)/g, (_, bits) => shortenBits(bits, doubles))
     .replace(/\(f64\.const (-?)([\d.e+-]+|inf|(?<!-)nan:0x8000000000000)\)/g, (_, sign, size) => shorten(sign, size, doubles));
 
 rewrite(want, () => '');
