@@ -45,9 +45,9 @@ test('the inlined bytes are surfpath.wasm, unpacked by zlib or by a stream', asy
   }
 });
 
-test('the whole default entry is at most 138.6 KB gzipped', () => {
+test('the whole default entry is at most 138.8 KB gzipped', () => {
   const bytes = gzipSync(readFileSync(`${root}/dist/index.js`), { level: 9 }).length;
-  assert.ok(bytes <= 138.6 * 1024, `${bytes} bytes`);
+  assert.ok(bytes <= 138.8 * 1024, `${bytes} bytes`);
 });
 
 test('the core calls no library function but memcpy, memmove and memset, so no libm', () => {
