@@ -284,14 +284,15 @@ static int is_end(const struct sp_cells *cells, int32_t vertex) {
     return sp_cells_at(cells, cell) < 0;
 }
 
-/* Whether a smooth surface is missing where it is thinner than cells are wide, or full of gaps: what is cut there may hang together by a
- * longer way. */
+/* Whether a surface is missing where it is thinner than cells are wide or, if it is smooth, full of gaps: what is cut there may hang
+ * together by a longer way. */
 static int is_torn(const struct sp_cells *cells) {
-    int is_seen = cells->size[0] && !cells->builder->options->loose;
-    if (is_seen && cells->gaps > MOST_GAPS * cells->count) return 1;
-    for (int32_t i = 0; is_seen && i < cells->count; i++)
-        if (is_end(cells, i)) return 1;
-    return 0;
+    int32_t loose = cells->builder->options->loose;
+    if (!cells->size[0] || loose == ANYHOW) return 0;
+    int is_found = !loose && cells->gaps > MOST_GAPS * cells->count;
+    for (int32_t i = 0; !is_found && i < cells->count; i++)
+        is_found = is_end(cells, i);
+    return is_found;
 }
 
 int32_t sp_graph_build_implicit(struct sp_builder *builder) {

@@ -122,3 +122,26 @@ test('a cube rounded by max(0, …), within which f is constant: over its edges,
   assert.equal(status, 'converged');
   close(length, 4 * 0.95 - 2 * 0.2 + Math.PI * 0.05, 1e-9);
 });
+
+test('over the rim of a shell cut by max(0, …)², thinner than cells are wide: no longer than by way of another point', () => {
+  const g = 'x^2 + y^2 + z^2 - 1 - 0.0952*sin(0.33*x + 2.1*y - 0.133*z + 2.93) - 0.0644*cos(-2.11*x - 0.217*y + 2.52*z + 0.478)';
+  const shell = surfpath.implicit({
+    f: `(${g})^2 + 0.118*max(0, z - 0.578 + 0.2*sin(3*x))^2 - 0.028`,
+    bounds: anything(Array(3).fill([-1.8, 1.8])),
+  });
+  const [from, by, to] = [
+    [-0.12, 0.24, 0.986],
+    [-0.046, 0.145, 1.006],
+    [0.42, -0.865, 0.24],
+  ].map((place) => shell.project(place));
+  const [whole, ...legs] = [
+    [from, to],
+    [from, by],
+    [by, to],
+  ].map(([a, b]) => shell.shortestPath(a, b));
+  assert.equal(whole.status, 'converged');
+  assert.ok(
+    whole.length <= legs[0].length + legs[1].length + 1e-9,
+    `${whole.length}, by way of a point ${legs[0].length + legs[1].length}`,
+  );
+});

@@ -8,12 +8,11 @@ import { gap } from '../vector.js';
 
 /**
  * Cells a direction, by level of refinement; a surface that the first does not resolve begins with the second (a parametric one if it is far from that). The last
- * is loose on implicit surfaces: it joins what its cells join, creases or not. Smooth ones have one as fine before it that is not.
+ * is loose on implicit surfaces: it joins what its cells join, creases or not. Before it they have one as fine that is not.
  */
 const RESOLUTION = [
   [64, 128, 256],
   [40, 56, 96, 96],
-  [40, 56, 96],
 ];
 /** Where the last of them that is not loose is still coarse, and has fewer vertices, as that of steep heights in a tall box, so many cells in its place. */
 const [FEW, FINEST] = [16_000, 160];
@@ -21,7 +20,7 @@ const [FEW, FINEST] = [16_000, 160];
 const FLOOD_RESOLUTION = [14, 22, 34, 100, 300, 1000];
 /** A flood reaches as far as a path leads that is longer than the one that is known by this factor, as that one's chords are too short, and so many cells more. */
 const [LONGER, BESIDE] = [1.02, 6];
-const [IMPLICIT, CREASED] = [1, 2];
+const IMPLICIT = 1;
 /** Which cells that share a face are joined though their sheets part: none, all, or those with a crease between them. As in wasm/graph.h. */
 const [STRICT, ANYHOW, OVER_CREASES] = [0, 1, 2];
 
@@ -42,7 +41,7 @@ export class Graphs {
   /** @param {number} kind 0: parametric, 1: implicit @param {boolean} isCreased its formulas have creases */
   constructor(kind, isCreased) {
     this.#kind = kind;
-    this.#resolutions = RESOLUTION[kind === IMPLICIT && isCreased ? CREASED : kind];
+    this.#resolutions = RESOLUTION[kind];
     this.#creases = isCreased ? OVER_CREASES : STRICT;
   }
 
