@@ -34,7 +34,7 @@ describe('options', () => {
     [{ algorithm: 'fast', tolerance: 1e-6 }, RangeError, /options.algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
     [{ algorithm: 'elements', gradientTolerance: 1e-6 }, RangeError, /'elements' takes tolerance/],
     [{ algorithm: 'fast' }, RangeError, /algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
-    [{ start: 'curved' }, TypeError, /start must be 'global', 'straight', a polyline .* not 'curved'/],
+    [{ start: 'curved' }, RangeError, /start must be 'global', 'straight', a polyline .* not 'curved'/],
     [{ algorithm: 'polyline', tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'; 'polyline' takes points/],
     [{ gradientTolerance: 1e-6, tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'/],
     [{ tolerance: 0 }, RangeError, /between 1e-15 and 0.1, not 0/],
