@@ -17,11 +17,11 @@ test('surfpath.wasm is at most 149.6 KB', () => {
   assert.ok(wasm.length <= 149.6 * 1024, `${wasm.length} bytes`);
 });
 
-test('the JavaScript without the wasm is at most 77.6 KB gzipped', () => {
+test('the JavaScript without the wasm is at most 77.7 KB gzipped', () => {
   const text = readFileSync(`${root}/dist/index.js`, 'utf8');
   assert.ok(text.includes(inlined));
   const bytes = gzipSync(text.replace(inlined, ''), { level: 9 }).length;
-  assert.ok(bytes <= 77.6 * 1024, `${bytes} bytes`);
+  assert.ok(bytes <= 77.7 * 1024, `${bytes} bytes`);
 });
 
 test('surfpath.wasm imports nothing', () => {
@@ -45,9 +45,9 @@ test('the inlined bytes are surfpath.wasm, unpacked by zlib or by a stream', asy
   }
 });
 
-test('the whole default entry is at most 140.0 KB gzipped', () => {
+test('the whole default entry is at most 140.1 KB gzipped', () => {
   const bytes = gzipSync(readFileSync(`${root}/dist/index.js`), { level: 9 }).length;
-  assert.ok(bytes <= 140.0 * 1024, `${bytes} bytes`);
+  assert.ok(bytes <= 140.1 * 1024, `${bytes} bytes`);
 });
 
 test('the core calls no library function but memcpy, memmove and memset, so no libm', () => {

@@ -41,11 +41,14 @@ const DIFFERENCE = 1e-4;
 
 /**
  * The shortest of the paths that lead over crossings, and of one that is known.
- * @param {Field} field @param {Crossing[]} crossings some @param {number[][]} ends @param {SolveOptions} options @param {Path} known
+ * @param {Field} field @param {{ crossings: Crossing[], apart: number }} net places on all curves, and how far apart they are @param {number[][]} ends @param {SolveOptions} options
+ * @param {Path} known
  * @returns {Path}
  */
-export function overCrossings(field, crossings, ends, options, known) {
-  if (isAfter(ends[0], ends[1])) return reverse(overCrossings(field, crossings, [ends[1], ends[0]], options, reverse(known)));
+export function overCrossings(field, net, ends, options, known) {
+  const crossings = net.crossings.filter(({ at }) => gap(ends[0], at) + gap(at, ends[1]) <= mostOf(known) + 2 * net.apart);
+  if (crossings.length === 0) return known;
+  if (isAfter(ends[0], ends[1])) return reverse(overCrossings(field, net, [ends[1], ends[0]], options, reverse(known)));
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
   const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
   const drawn = [...ways, ...waysOver(field, crossings, ends)].sort((a, b) => a.length - b.length);

@@ -206,5 +206,11 @@ export function findNet({ jets, mesh }, box, grid) {
   const { nodes, crossings } = findNodes(jets, box, grid);
   const cell = Math.max(...[0, 2, 4].map((j) => box[j + 1] - box[j])) / CELLS;
   const partsAt = nodes.length > 0 ? findParts(mesh(box, CELLS), cell, nodes) : () => [];
-  return { nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })), partsAt, near: SMALL * cell, crossings };
+  return {
+    nodes: nodes.map((node) => ({ ...node, parts: partsAt(node.at) })),
+    partsAt,
+    near: SMALL * cell,
+    crossings,
+    apart: diagonalOf(box) / grid,
+  };
 }

@@ -37,7 +37,7 @@ function boxAround([from, to], length) {
 /** The nodes within the bounds, none where there are none. @param {Field} field of an implicit surface */
 export function netOf(field) {
   const { box, graphs } = field;
-  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0, crossings: [] };
+  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0, crossings: [], apart: 0 };
   return graphs.net;
 }
 
@@ -54,10 +54,7 @@ export function findThrough(field, ends, options) {
   /** @param {ReturnType<typeof findNet>} net */
   const through = (net) => {
     const path = passNodes(net);
-    const { crossings } = net;
-    return crossings.length > 0 && field.isPlain && options.algorithm === ELEMENTS && !options.record
-      ? overCrossings(field, crossings, ends, options, path)
-      : path;
+    return field.isPlain && options.algorithm === ELEMENTS && !options.record ? overCrossings(field, net, ends, options, path) : path;
   };
   /** @param {ReturnType<typeof findNet>} net */
   const passNodes = (net) => {
