@@ -2,7 +2,7 @@
 
 import { gridOf } from '../manifold/extent.js';
 import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
-import { cofactors, crossingsFrom, formOf, longest, SINGULAR, STEPS, secondOf, times, ZERO } from './singular.js';
+import { cofactors, crossingsFrom, formOf, isSaddle, longest, SINGULAR, STEPS, secondOf, times, ZERO } from './singular.js';
 
 /** @typedef {import('./singular.js').Crossing} Crossing */
 /** @typedef {import('./singular.js').Jets} Jets */
@@ -106,12 +106,13 @@ function mayLead(jets, i, cell) {
  */
 function nodesFrom(jets, places, cell, size) {
   const sampled = jets(places);
-  /** @type {{ from: number[], step: Step, node: Node | null }[]} */
+  /** @type {{ from: number[], step: Step, mayCross: boolean, node: Node | null }[]} */
   const walks = [];
   for (let i = 0; 3 * i < places.length; i++) {
     if (!mayLead(sampled, 10 * i, cell)) continue;
     const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
-    walks.push({ from, step: stepFrom(sampled.subarray(10 * i, 10 * i + 10), from), node: null });
+    const jet = sampled.subarray(10 * i, 10 * i + 10);
+    walks.push({ from, step: stepFrom(jet, from), mayCross: isSaddle(jet), node: null });
   }
   let walking = walks;
   for (let k = 0; k < STEPS && walking.length > 0; k++) {
@@ -125,7 +126,10 @@ function nodesFrom(jets, places, cell, size) {
       return !ends;
     });
   }
-  return { nodes: walks.flatMap(({ node }) => node ?? []), open: walks.flatMap(({ from, node }) => (node ? [] : [from])) };
+  return {
+    nodes: walks.flatMap(({ node }) => node ?? []),
+    open: walks.flatMap(({ from, mayCross, node }) => (mayCross && !node ? [from] : [])),
+  };
 }
 
 /**

@@ -27,6 +27,12 @@ export const cofactors = ([xx, xy, xz, yy, yz, zz]) => [
   xx * yy - xy * xy,
 ];
 
+/** Whether f″, where it is singular, has eigenvalues above and below zero: their product is the sum of its minors. @param {Float64Array} jet */
+export function isSaddle(jet) {
+  const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
+  return xx * yy + yy * zz + zz * xx < xy * xy + yz * yz + xz * xz;
+}
+
 /** The second derivatives, as a matrix. @param {Float64Array} jet */
 export function secondOf(jet) {
   const [xx, xy, xz, yy, yz, zz] = jet.subarray(4);
@@ -75,7 +81,7 @@ export function formOf(second) {
  * @returns {(Crossing | null)[]} one a place
  */
 export function crossingsFrom(jets, places, far, size) {
-  const walks = places.map((from) => ({ from, at: from, crossing: /** @type {Crossing | null} */ (null) }));
+  const walks = places.map((from) => ({ from, at: from, last: Infinity, crossing: /** @type {Crossing | null} */ (null) }));
   let walking = walks;
   for (let k = 0; k < STEPS && walking.length > 0; k++) {
     const seen = jets(walking.flatMap(({ at }) => at));
@@ -85,9 +91,13 @@ export function crossingsFrom(jets, places, far, size) {
       if (!isLine) return false;
       const by = back(Array.from(jet.subarray(1, 4)));
       walk.at = walk.at.map((x, j) => x - by[j]);
-      const isAtRest = norm(by) <= AT_REST * size;
+      const step = norm(by);
+      const isAtRest = step <= AT_REST * size;
       if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { at: walk.at, along: axis };
-      return !isAtRest && gap(walk.at, walk.from) <= far;
+      /* To a crossing steps are squared, as it were: by far most walks lead to none, and end here. */
+      const isOn = !isAtRest && 2 * step <= walk.last && gap(walk.at, walk.from) <= far;
+      walk.last = step;
+      return isOn;
     });
   }
   return walks.map(({ crossing }) => crossing);
