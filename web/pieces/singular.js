@@ -8,8 +8,9 @@ import { dot, gap, largest as largestOf, norm, unit } from '../vector.js';
 
 /** Steps to a singular place; f is zero there, and second derivatives are not singular, up to these parts of what they could be. */
 export const [STEPS, ZERO, SINGULAR] = [12, 1e-13, 1e-6];
-/** A step is at rest that is shorter than this part of the box. */
+/** A step is at rest that is shorter than this part of the box; and of the one before it each is this part at most. */
 export const AT_REST = 1e-12;
+const SHRINKING = 0.8;
 
 /** @param {number[][]} vectors */
 export const longest = (vectors) => vectors.reduce((most, v) => (norm(v) > norm(most) ? v : most));
@@ -94,8 +95,8 @@ export function crossingsFrom(jets, places, far, size) {
       const step = norm(by);
       const isAtRest = step <= AT_REST * size;
       if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { at: walk.at, along: axis };
-      /* To a crossing steps are squared, as it were: by far most walks lead to none, and end here. */
-      const isOn = !isAtRest && 2 * step <= walk.last && gap(walk.at, walk.from) <= far;
+      /* To a crossing steps shrink; by far most walks lead to none, and end here. */
+      const isOn = !isAtRest && step <= SHRINKING * walk.last && gap(walk.at, walk.from) <= far;
       walk.last = step;
       return isOn;
     });
