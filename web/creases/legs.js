@@ -41,7 +41,7 @@ export function solveAll(question, { legs, joints }, options = LEG) {
   return solved;
 }
 
-/** Where legs begin and end. @param {Question} question @param {Joint[]} joints */
+/** Where legs begin and end. @param {{ ends: number[][] }} question @param {{ place: number[] }[]} joints */
 export const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }) => place), ends[1]];
 
 /** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
@@ -70,7 +70,7 @@ export function middleOf(line, width) {
   return listOf(line, first, first + width);
 }
 
-/** How long all legs are. @param {Leg[]} legs */
+/** How long all legs are. @param {{ length: number }[]} legs */
 export const lengthOf = (legs) => sumOf(legs.map(({ length }) => length));
 
 /** How long a polyline is in its coordinates, which count by a scale, one for each. @param {ArrayLike<number>} line @param {readonly number[]} scale */

@@ -3,11 +3,11 @@
  * consists of legs between places on such curves, which are moved until its length does not change with them. MATH.md, "Crossings".
  */
 
-import { LEG, nodesOf, span } from '../creases/legs.js';
+import { LEG, lengthOf, nodesOf, placesOf, span } from '../creases/legs.js';
 import { solveLinear } from '../creases/linear.js';
 import { mostOf } from '../path.js';
 import { holds } from '../search/candidates.js';
-import { concatenate, isAfter, joinLegs, reverse, turned } from '../search/join.js';
+import { concatenate, inOrder, joinLegs, reverse, turned } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
 import { drawLine, findWays, poseNear } from '../search/routes.js';
 import { dot, gap, sumOf } from '../vector.js';
@@ -46,9 +46,13 @@ const DIFFERENCE = 1e-4;
  * @returns {Path}
  */
 export function overCrossings(field, net, ends, options, known) {
-  const crossings = net.crossings.filter(({ at }) => gap(ends[0], at) + gap(at, ends[1]) <= mostOf(known) + 2 * net.apart);
+  const crossings = net.crossings.filter(({ place }) => gap(ends[0], place) + gap(place, ends[1]) <= mostOf(known) + 2 * net.apart);
   if (crossings.length === 0) return known;
-  if (isAfter(ends[0], ends[1])) return reverse(overCrossings(field, net, [ends[1], ends[0]], options, reverse(known)));
+  return inOrder(null, ends, (both, isTurned) => leadOver(field, crossings, both, options, isTurned ? reverse(known) : known));
+}
+
+/** As {@link overCrossings}, over some of these, from the lexicographically smaller end. @param {Field} field @param {Crossing[]} crossings @param {number[][]} ends @param {SolveOptions} options @param {Path} known @returns {Path} */
+function leadOver(field, crossings, ends, options, known) {
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
   const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
   const drawn = [...ways, ...waysOver(field, crossings, ends)].sort((a, b) => a.length - b.length);
@@ -58,7 +62,7 @@ export function overCrossings(field, net, ends, options, known) {
   /** @type {{ joints: Crossing[], path: Route | null }[]} */
   const tried = [];
   for (const { points, length } of drawn) {
-    if (length > LONGER * Math.min(mostOf(known), best ? lengthOf(best) : Infinity)) break;
+    if (length > LONGER * Math.min(mostOf(known), best ? lengthOf(best.legs) : Infinity)) break;
     const first = split(field, ends, points);
     let found = first.joints.length > 0 ? Infinity : 0;
     /* Near a place where such curves meet, a polyline may cross some that a path passes by. */
@@ -68,16 +72,16 @@ export function overCrossings(field, net, ends, options, known) {
       const other = tried.find((one) => areBeside(joints, one.joints, BESIDE * length));
       const path = other ? other.path : balance(field, ends, route);
       if (!other) tried.push({ joints, path });
-      if (path && !(best && lengthOf(best) <= lengthOf(path))) best = path;
-      if (path) found = Math.min(found, lengthOf(path));
+      if (path && !(best && lengthOf(best.legs) <= lengthOf(path.legs))) best = path;
+      if (path) found = Math.min(found, lengthOf(path.legs));
       if (joints.length > 1) open.push(...joints.map((_, j) => without(route, j)));
     }
     const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + ROUGH);
     if (found > most) missed = Math.min(missed, most);
   }
-  if (!best || mostOf(known) <= lengthOf(best)) return known;
+  if (!best || mostOf(known) <= lengthOf(best.legs)) return known;
   const { legs, joints } = best;
-  const places = placesOf(ends, joints);
+  const places = placesOf({ ends }, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
     const near = poseNear(field, [places[k], places[k + 1]], legs[k].line);
     return near.finish(near.solve(asked));
@@ -88,7 +92,7 @@ export function overCrossings(field, net, ends, options, known) {
 
 /** The graph's ways over one crossing each, the shortest of those near each other. @param {Field} field @param {Crossing[]} crossings @param {number[][]} ends @returns {Drawn[]} */
 function waysOver(field, crossings, ends) {
-  const places = crossings.flatMap(({ at }) => at);
+  const places = crossings.flatMap(({ place }) => place);
   return field.run((heap, record) => {
     const graph = field.graphs.find(heap, record, field, 0);
     if (graph?.status !== CONVERGED) return [];
@@ -100,25 +104,19 @@ function waysOver(field, crossings, ends) {
     for (const one of over) if (!kept.some(({ joint }) => areBeside([joint], [one.joint], APART * one.length))) kept.push(one);
     return kept.flatMap(({ joint, length }) => {
       const [there, back] = ends.flatMap((end) =>
-        heap.searchGraph(record, graph, end, joint.at, (DRAWN - 1) / 2, false).candidates.slice(0, 1),
+        heap.searchGraph(record, graph, end, joint.place, (DRAWN - 1) / 2, false).candidates.slice(0, 1),
       );
       return back ? [{ points: concatenate([there, turned(back, 3)], 3), length }] : [];
     });
   });
 }
 
-/** How long all legs are. @param {Route} route */
-const lengthOf = ({ legs }) => sumOf(legs.map(({ length }) => length));
-
-/** Where legs begin and end. @param {number[][]} ends @param {Crossing[]} joints */
-const placesOf = (ends, joints) => [ends[0], ...joints.map(({ at }) => at), ends[1]];
-
 /** Whether joints lie on the same curve, as far as directions tell. @param {Crossing} one @param {Crossing} other */
 const areAlike = (one, other) => Math.abs(dot(one.along, other.along)) > ALIKE;
 
 /** Whether as many joints are no farther apart than that, on the same curves. @param {Crossing[]} some @param {Crossing[]} others @param {number} far */
 const areBeside = (some, others, far) =>
-  some.length === others.length && some.every((joint, i) => gap(joint.at, others[i].at) <= far && areAlike(joint, others[i]));
+  some.length === others.length && some.every((joint, i) => gap(joint.place, others[i].place) <= far && areAlike(joint, others[i]));
 
 /** A polyline cut where it passes crossings; its nodes beside these may lie on any sheet. @param {Field} field @param {number[][]} ends @param {Float64Array} line @returns {Route} */
 function split({ jets }, ends, line) {
@@ -134,7 +132,7 @@ function split({ jets }, ends, line) {
       between[passed.length].push(inner[i]);
       continue;
     }
-    const away = gap(joint.at, inner[i]);
+    const away = gap(joint.place, inner[i]);
     const before = passed.at(-1);
     const isSame = before?.last === i - 1 && areAlike(joint, before.joint);
     if (!isSame) between.push([]);
@@ -142,7 +140,7 @@ function split({ jets }, ends, line) {
     passed.push({ ...(isSame && before.away < away ? before : { joint, away }), last: i });
   }
   const joints = passed.map(({ joint }) => joint);
-  const places = placesOf(ends, joints);
+  const places = placesOf({ ends }, joints);
   return {
     joints,
     legs: between.map((own, k) => ({ line: Float64Array.from([places[k], ...own, places[k + 1]].flat()), length: Number.NaN })),
@@ -163,14 +161,14 @@ function solveLeg(field, { line }, from, to) {
 
 /** All legs over these joints; null: one does not hold. @param {Field} field @param {number[][]} ends @param {Route} route @returns {Route | null} */
 function solveAll(field, ends, { joints, legs }) {
-  const places = placesOf(ends, joints);
+  const places = placesOf({ ends }, joints);
   const solved = legs.map((leg, k) => solveLeg(field, leg, places[k], places[k + 1]));
   return solved.every((leg) => leg !== null) ? { joints, legs: solved } : null;
 }
 
 /** A crossing moved along its curve. @param {Field} field @param {Crossing} crossing @param {number} by @param {number} size of what is between the ends @returns {Crossing | null} */
-const moved = ({ jets }, { at, along }, by, size) =>
-  crossingsFrom(jets, [at.map((x, k) => x + by * along[k])], Math.abs(by) + AT_REST * size, size)[0];
+const moved = ({ jets }, { place, along }, by, size) =>
+  crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + AT_REST * size, size)[0];
 
 /**
  * How the length changes with the joints, by differences: a leg's depends on the two beside it.
@@ -181,7 +179,7 @@ function changes(field, ends, { joints, legs }) {
   const steps = leastBeside(legs).map((least) => DIFFERENCE * least);
   const sides = joints.map((joint, j) => [moved(field, joint, -steps[j], size), joint, moved(field, joint, steps[j], size)]);
   const spot = (/** @type {number} */ k, /** @type {number} */ side) =>
-    k > 0 && k <= joints.length ? sides[k - 1][side + 1]?.at : ends[Math.min(k, 1)];
+    k > 0 && k <= joints.length ? sides[k - 1][side + 1]?.place : ends[Math.min(k, 1)];
   const length = (/** @type {number} */ k, /** @type {number} */ before, /** @type {number} */ after) => {
     const [from, to] = [spot(k, before), spot(k + 1, after)];
     return (from && to && solveLeg(field, legs[k], from, to)?.length) ?? Number.NaN;
@@ -237,7 +235,7 @@ function descend(field, ends, route, step) {
   for (let factor = 1 / most; factor > SHORTEST; factor /= 2) {
     const joints = route.joints.map((joint, j) => moved(field, joint, -factor * step[j], size));
     const tried = joints.every((joint) => joint !== null) ? solveAll(field, ends, { joints, legs: route.legs }) : null;
-    if (tried && lengthOf(tried) <= lengthOf(route) * (1 + LEG.tolerance)) return tried;
+    if (tried && lengthOf(tried.legs) <= lengthOf(route.legs) * (1 + LEG.tolerance)) return tried;
   }
   return null;
 }

@@ -148,8 +148,8 @@ function findNodes(jets, box, grid) {
   for (let from = 0; from < places.length; from += slice) {
     if (nodes.length > MOST) return { nodes: [], crossings };
     const found = nodesFrom(jets, places.subarray(from, from + slice), cell, size);
-    for (const place of crossingsFrom(jets, found.open, 2 * cell, size))
-      if (place && crossings.every(({ at }) => gap(at, place.at) > cell)) crossings.push(place);
+    for (const crossing of crossingsFrom(jets, found.open, 2 * cell, size))
+      if (crossing && crossings.every(({ place }) => gap(place, crossing.place) > cell)) crossings.push(crossing);
     for (const node of found.nodes) {
       const known = node.isFlat ? flat : nodes;
       if (!known.some(({ at }) => gap(at, node.at) <= SAME * size)) known.push(node);

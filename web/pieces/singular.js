@@ -4,7 +4,7 @@ import { dot, gap, largest as largestOf, norm, unit } from '../vector.js';
 
 /** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
 
-/** @typedef {{ at: number[], along: number[] }} Crossing a place on a curve along which the surface crosses itself, and the curve's direction there */
+/** @typedef {{ place: number[], along: number[] }} Crossing a place on a curve along which the surface crosses itself, and the curve's direction there */
 
 /** Steps to a singular place; f is zero there, and second derivatives are not singular, up to these parts of what they could be. */
 export const [STEPS, ZERO, SINGULAR] = [12, 1e-13, 1e-6];
@@ -94,7 +94,7 @@ export function crossingsFrom(jets, places, far, size) {
       walk.at = walk.at.map((x, j) => x - by[j]);
       const step = norm(by);
       const isAtRest = step <= AT_REST * size;
-      if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { at: walk.at, along: axis };
+      if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { place: walk.at, along: axis };
       /* To a crossing steps shrink; by far most walks lead to none, and end here. */
       const isOn = !isAtRest && step <= SHRINKING * walk.last && gap(walk.at, walk.from) <= far;
       walk.last = step;

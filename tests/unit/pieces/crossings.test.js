@@ -61,7 +61,7 @@ test('three planes: over one of the lines in which they cross, though ways of th
   surface.dispose();
 });
 
-test('two spheres: along the circle where they cross is no shorter than over it', () => {
+test('two spheres: over the circle in which they cross, as long as trigonometry says', () => {
   const surface = surfpath.implicit({ f: '((x - 0.5)^2 + y^2 + z^2 - 1)*((x + 0.5)^2 + y^2 + z^2 - 1)', bounds: within(1.8) });
   const [a, b] = [0.9, 2.3];
   const [from, to] = [
