@@ -117,6 +117,23 @@ static void fill(const struct sp_refined *refined, const struct sp_newton *newto
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
+/* How the length changes with the ends of the path, where it is one piece: inner nodes are at rest, so what these would do is nothing. In
+ * space ends may be where there is no normal, and pull anywhere; a metric's pull is known along the surface. */
+static void pull(const struct sp_newton *newton, int32_t is_whole, struct sp_result *result) {
+    const struct sp_system *system = &newton->system;
+    const sp_pair *chart = system->line.nodes.charts;
+    sp_pair by[3] = {sp_splat(not_a_number()), sp_splat(not_a_number())};
+    if (is_whole) sp_system_end_pull(system, by);
+    if (is_whole && system->line.surface->kind == SP_IMPLICIT)
+        sp_store(system->line.kind->components
+                     ? sp_add(sp_scale(sp_load(chart + SP_CHART_1), by[0]), sp_scale(sp_load(chart + SP_CHART_2), by[1]))
+                     : sp_elements_end_pull(&system->elements, chart),
+                 by);
+    for (int32_t end = 0; end < 2; end++)
+        for (int j = 0; j < 3; j++)
+            result->pull[end][j] = by[j][end != newton->reversed] * (system->elements.count / root(result->energy));
+}
+
 /* The length of a polyline, and its error: at least the variance of its speed, which a crease leaves. MATH.md, "The ladder". */
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
@@ -296,6 +313,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
     fill(&refined, &newton, options, result);
+    pull(&newton, newton.system.elements.reference.degree > 1 && arcs.count == 0, result);
     enum sp_status written = write_points(&newton, &arcs, options->point_count, arena, result);
     /* The ends as they are given: at a pole the path may have turned them. */
     for (int j = 0; j < 2 && result->parameters; j++) {

@@ -67,13 +67,15 @@ struct sp_iterate {
 };
 
 struct sp_result {
-    double length;              /* SP_ELEMENTS: of the curve; else the sum of the chords; NaN without a path */
-    double length_error;        /* estimate of |length - length of the geodesic|, never below 4e-15 length */
-    double energy;              /* Eq. 19 */
-    double gradient_norm;       /* |grad E| over all free unknowns */
-    double rounding;            /* what rounding of the coordinates alone may do to the length */
-    double *points;             /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path or positions */
-    double *parameters;         /* 2 (K + 2): u v; NULL for an implicit surface */
+    double length;        /* SP_ELEMENTS: of the curve; else the sum of the chords; NaN without a path */
+    double length_error;  /* estimate of |length - length of the geodesic|, never below 4e-15 length */
+    double energy;        /* Eq. 19 */
+    double gradient_norm; /* |grad E| over all free unknowns */
+    double rounding;      /* what rounding of the coordinates alone may do to the length */
+    double pull[2][3];  /* SP_ELEMENTS in one piece: derivative of the length by u v or x y z of each end, in directions along the surface;
+                           else NaN */
+    double *points;     /* 3 (K + 2): x y z, ends included; in the arena, as all pointers here; NULL without a path or positions */
+    double *parameters; /* 2 (K + 2): u v; NULL for an implicit surface */
     struct sp_iterate *history; /* history_count entries */
     double *record;             /* history_count polylines of 3 (K + 2), or NULL */
     int32_t status;             /* enum sp_status */
@@ -188,22 +190,23 @@ SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);
 SP_AT(sp_iterate, decrement, 16);
 SP_AT(sp_iterate, step, 24);
-SP_SIZE(sp_result, 80);
+SP_SIZE(sp_result, 128);
 SP_AT(sp_result, length, 0);
 SP_AT(sp_result, length_error, 8);
 SP_AT(sp_result, energy, 16);
 SP_AT(sp_result, gradient_norm, 24);
 SP_AT(sp_result, rounding, 32);
-SP_AT(sp_result, points, 40);
-SP_AT(sp_result, parameters, 44);
-SP_AT(sp_result, history, 48);
-SP_AT(sp_result, record, 52);
-SP_AT(sp_result, status, 56);
-SP_AT(sp_result, iterations, 60);
-SP_AT(sp_result, index, 64);
-SP_AT(sp_result, touches_boundary, 68);
-SP_AT(sp_result, history_count, 72);
-SP_AT(sp_result, crosses_singularity, 76);
+SP_AT(sp_result, pull, 40);
+SP_AT(sp_result, points, 88);
+SP_AT(sp_result, parameters, 92);
+SP_AT(sp_result, history, 96);
+SP_AT(sp_result, record, 100);
+SP_AT(sp_result, status, 104);
+SP_AT(sp_result, iterations, 108);
+SP_AT(sp_result, index, 112);
+SP_AT(sp_result, touches_boundary, 116);
+SP_AT(sp_result, history_count, 120);
+SP_AT(sp_result, crosses_singularity, 124);
 SP_SIZE(sp_trace_request, 56);
 SP_AT(sp_trace_request, from, 0);
 SP_AT(sp_trace_request, direction, 24);

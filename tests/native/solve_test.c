@@ -53,6 +53,33 @@ static void check_escape(void) {
     CHECK(result.status == SP_SADDLE && result.index == 1, "paper: status %d, index %d", result.status, result.index);
 }
 
+/* What pulls at the ends, along the surface, is the derivative of the length, which two more paths tell, too; a polyline does not know it.
+ */
+static void check_pull(const struct sp_surface *surface, struct sp_request request, const double ways[2][3]) {
+    static const double STEP = 1e-5;
+    int dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
+    struct sp_options options;
+    sp_default_options(&options);
+    options.tolerance = 1e-12;
+    for (int end = 0; end < 2; end++) {
+        const double *way = ways[end];
+        double lengths[2], expected, pulled = 0;
+        for (int side = 0; side < 2; side++) {
+            struct sp_request beside = request;
+            for (int j = 0; j < dimension; j++)
+                (end ? beside.to : beside.from)[j] += (side ? STEP : -STEP) * way[j];
+            lengths[side] = solve(surface, beside, options).length;
+        }
+        struct sp_result result = solve(surface, request, options);
+        expected = (lengths[1] - lengths[0]) / (2 * STEP);
+        for (int j = 0; j < dimension; j++)
+            pulled += result.pull[end][j] * way[j];
+        CHECK(result.status == SP_CONVERGED && fabs(pulled - expected) <= 1e-8 * (1 + fabs(expected)),
+              "end %d: status %d, %.12g, not %.12g", end, result.status, pulled, expected);
+    }
+    CHECK(isnan(solve(surface, request, options_of(20, 0)).pull[1][0]), "a polyline");
+}
+
 /* Exchanging the ends reverses every bit. */
 static void check_reversal(const struct sp_surface *surface, uint64_t *seed) {
     int dimension = surface->kind == SP_IMPLICIT ? 3 : 2;
@@ -267,6 +294,10 @@ int main(void) {
     struct sp_request on_globe = {.from = {0.1, -0.7, 0}, .to = {1.4, 0.9, 0}}, on_sphere = {.from = {1, 0, 0}, .to = {0, 1, 0}};
     check_great_circle(&globe_surface, on_globe, acos(sin(-0.7) * sin(0.9) + cos(-0.7) * cos(0.9) * cos(1.3)));
     check_great_circle(&sphere_surface, on_sphere, acos(0.0));
+    check_pull(&globe_surface, on_globe, (double[2][3]){{0.3, -0.8, 0}, {0.6, 0.8, 0}});
+    check_pull(&saddle_surface, (struct sp_request){.from = {0.7, -0.6, 0}, .to = {-0.8, 0.5, 0}},
+               (double[2][3]){{-0.6, 0.8, 0}, {0.9, 0.1, 0}});
+    check_pull(&sphere_surface, on_sphere, (double[2][3]){{0, 0.5, -0.7}, {-0.4, 0, 0.3}});
     check_escape();
     const struct sp_surface *surfaces[] = {&saddle_surface, &bumpy_surface, &globe_surface, &torus_surface};
     for (int i = 0; i < 400; i++)

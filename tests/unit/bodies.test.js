@@ -270,6 +270,25 @@ test('a cube under a density: where legs do not come to rest, that is given up i
   body.dispose();
 });
 
+test('between the outer poles of two balls joined a path may cross their rim anywhere: as long as two arcs', () => {
+  const [r, other, apart] = [0.7, 0.6, 0.5];
+  const body = surfpath.implicit({ f: `min(hypot(x, y, z) - ${r}, hypot(x - ${apart}, y, z) - ${other})`, bounds: cube(1.2) });
+  const path = body.shortestPath([-r, 0, 0], [apart + other, 0, 0]);
+  const x = (apart * apart + r * r - other * other) / (2 * apart);
+  const expected = r * (Math.PI - Math.acos(x / r)) + other * Math.acos((x - apart) / other);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - expected) <= 1e-12, `${path.length}, not ${expected}`);
+  body.dispose();
+});
+
+test('a cube from which a ball is cut so that its faces have holes: from corner to corner over their rims and through the hollow', () => {
+  const body = surfpath.implicit({ f: 'max(max(abs(x), abs(y), abs(z)) - 1, 1.3 - hypot(x, y, z))', bounds: cube(1.2) });
+  const path = body.shortestPath([1, 0.9, 0.3], [-1, -0.9, -0.2]);
+  assert.equal(path.status, 'converged');
+  assert.ok(Math.abs(path.length - 4.11740919733) <= 1e-10, `${path.length}`);
+  body.dispose();
+});
+
 /** Form, half sides, rounding, bounds (0: none). @type {[string, import('../accuracy/measure/rounded.js').Half, number, number][]} */
 const ROUNDED = [
   ['clamped', [0.82, 0.52, 0.12], 0.02, 1],

@@ -2,7 +2,7 @@
 
 import { largest, sumOf } from '../vector.js';
 import { bothWays, directions, meetEdge, settle } from './crease.js';
-import { isInside, isOnEdge, LEG, leastBeside, placesOf, solveLeg, span } from './legs.js';
+import { isInside, isOnEdge, LEG, leastBeside, placesOf, slopeAlong, solveLeg, span } from './legs.js';
 import { ahead, apart, solveLinear } from './linear.js';
 import { withoutPassed } from './parts.js';
 import { graze, survey } from './shores.js';
@@ -15,8 +15,8 @@ import { speedOn } from './tangent.js';
 
 /** Legs are right where sines of their angles, or differences of cosines, are off by so little. */
 const GRAZING = 1e-7;
-/** Differences of lengths are taken over this part of the shorter leg, those of angles over the second; steps are at most the third. */
-const [DIFFERENCE, BALANCE, FARTHEST] = [1e-4, 1e-3, 0.5];
+/** Differences of angles are taken over this part of the shorter leg; steps are at most the second. */
+const [BALANCE, FARTHEST] = [1e-3, 0.5];
 /** A joint stays on an edge of the rectangle that is no farther than this part of the shorter leg. */
 const NEAR_EDGE = 0.05;
 /** So often joints are moved, and so often a step halved; joints that have passed each other for so many steps have no shore between them. */
@@ -138,34 +138,21 @@ function weigh(question, route, known) {
   const legs = route.legs.map((leg, i) => (leg.shore || !isOpen[i] ? leg : solveLeg(question, leg, places[i], places[i + 1], LEG)));
   if (legs.includes(null)) return null;
   const solved = { legs: /** @type {Leg[]} */ (legs), joints };
-  const least = leastBeside(solved, question.sides.scale);
   const off = joints.map((joint, j) => {
     if (joint.isCorner) return 0;
     if (known && !isOpen[j] && !isOpen[j + 1]) return known.off[j];
-    return offAt(question, solved, j, DIFFERENCE * least[j]);
+    return offAt(question, solved, j);
   });
   return off.every(Number.isFinite) ? { ...solved, off } : null;
 }
 
-/** How far from right the legs meet at a joint, as a sine. @param {Question} question @param {Route} route @param {number} j @param {number} step of differences */
-function offAt(question, { legs, joints }, j, step) {
-  const places = placesOf(question, joints);
+/** How far from right the legs meet at a joint, as a sine: by Snell's law, what the length changes by along the crease, over what that measures. @param {Question} question @param {Route} route @param {number} j */
+function offAt(question, { legs, joints }, j) {
   const [before, after] = [legs[j], legs[j + 1]];
-  if (before.shore) return graze(question, after, [places[j + 1], places[j + 2]], 0, before, step);
-  if (after.shore) return graze(question, before, [places[j], places[j + 1]], 1, after, step);
-  return snell(question, [before, after], places.slice(j, j + 3), joints[j], step);
-}
-
-/**
- * How far from right two legs meet on a crease that they cross, by Snell's law: what the length changes by along it, over what that measures.
- * @param {Question} question @param {Leg[]} legs @param {number[][]} places where they begin, meet and end @param {Joint} joint @param {number} step of differences
- */
-function snell(question, [before, after], [from, place, to], joint, step) {
-  const [back, on] = bothWays(question.sides, joint, place, step);
-  const lengthAt = (/** @type {number[]} */ at) =>
-    (solveLeg(question, before, from, at, LEG)?.length ?? Number.NaN) + (solveLeg(question, after, at, to, LEG)?.length ?? Number.NaN);
-  const { along } = directions(question.sides, joint, place);
-  return (
-    (lengthAt(on) - lengthAt(back)) / (2 * step * Math.max(...[before, after].map(({ signs }) => speedOn(question, signs, place, along))))
-  );
+  const { place } = joints[j];
+  if (before.shore) return graze(question, after, place, 0, before);
+  if (after.shore) return graze(question, before, place, 1, after);
+  const { along } = directions(question.sides, joints[j], place);
+  const speeds = [before, after].map(({ signs }) => speedOn(question, signs, place, along));
+  return (slopeAlong(before, 1, along) + slopeAlong(after, 0, along)) / Math.max(...speeds);
 }

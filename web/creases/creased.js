@@ -102,6 +102,8 @@ function findRoute(question, { ways, distance }, start) {
     for (const drawn of sketches) {
       const { line, length } = drawn;
       if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
+      /* A chord through the body is no way. */
+      if (isBody && !drawn.isRelaxed && distance < Infinity && length * (1 + COARSE) < distance) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
       const crossed = crossedBy(sides, line);
       if (

@@ -65,7 +65,10 @@ function comeToRest(question, line, near, most) {
   let folds = false;
   for (let cuts = 0; route && cuts < MOST_CUTS; cuts++) {
     let again = recut(question, route, line, isAtRest, folds);
-    if (!again && isAtRest) return finish(question, route);
+    if (!again && isAtRest) {
+      const whole = finish(question, route);
+      return whole && lengthOf(whole.legs) <= most ? whole : null;
+    }
     if (again && isAtRest) {
       question.budget.lost = lineOf(route.legs, width);
       const key = keyOf(route);

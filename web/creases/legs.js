@@ -5,6 +5,7 @@ import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { listOf, sumOf } from '../vector.js';
+import { product } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -15,8 +16,10 @@ import { listOf, sumOf } from '../vector.js';
  * @property {Float64Array} line its polyline as it was solved last
  * @property {number} length
  * @property {import('./shores.js').Shore | null} shore the crease that it follows, if it does
+ * @property {number[][]} [pulls] how its length changes with where it begins, and ends
  * @property {number} [error] of the length, once a shore was surveyed
  */
+/** @typedef {Pick<Leg, 'pulls'>} Pulled */
 /** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
 /** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
 /** @typedef {{ steps: number, lost?: Float64Array | null }} Budget of Newton, for all that is tried; lost: the polyline of the last route that came to rest where it does not hold */
@@ -25,6 +28,7 @@ import { listOf, sumOf } from '../vector.js';
 /** Legs while joints move: so exact, over so many points. */
 export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
 
+const NOWHERE = { place: null, along: [] };
 /** Steps of a leg that does not hold count so many times: they are those of the most elements. */
 const FAILING = 4;
 
@@ -48,10 +52,45 @@ export const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }
 export function solveLeg({ field, sides, budget }, leg, from, to, options) {
   const side = sides.on(leg.signs);
   if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
-  const path = poseNear({ ...field, run: side.run }, [from, to], leg.line).solve(options);
+  const { path, pulls } = solvePulled({ ...field, run: side.run }, [from, to], leg.line, options);
   const isHeld = holds({ path });
   budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
-  return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points } : null;
+  return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points, pulls } : null;
+}
+
+/** The path near a line, and how its length changes with where it begins, and ends. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {SolveOptions} options */
+export function solvePulled(field, ends, line, options) {
+  /** @type {number[][]} */
+  let pulls = [];
+  const path = poseNear(field, ends, line).solve(options, (heap) => {
+    pulls = heap.pulls();
+  });
+  return { path, pulls };
+}
+
+/** How the length of a leg changes as one of its ends, 0 or 1, moves in a direction: by the first variation. @param {Pulled} leg @param {number} end @param {number[]} way */
+export const slopeAlong = ({ pulls }, end, way) => product(way, pulls?.[end] ?? []);
+
+/**
+ * How the length of all legs changes with the joints between them: first derivatives, and second ones by differences; NaN where a leg does not hold. A leg's length depends on the two joints beside it.
+ * @param {Pulled[]} legs @param {number[][]} places where they begin and end @param {number[][]} ways in which joints move @param {number[]} steps of differences
+ * @param {(j: number, by: number) => { place: number[], along: number[] } | null} moved where a joint is that has moved, and in which way it does there @param {(i: number, from: number[], to: number[]) => Pulled | null} solve a leg between other places
+ */
+export function changes(legs, places, ways, steps, moved, solve) {
+  const slopes = ways.map(() => 0);
+  const matrix = ways.map(() => ways.map(() => 0));
+  const there = steps.map((step, j) => moved(j, step));
+  for (const [i, leg] of legs.entries()) {
+    const beside = [i - 1, i].filter((j) => ways[j]);
+    const slopeAt = (/** @type {Pulled} */ of, /** @type {number} */ j, way = ways[j]) => slopeAlong(of, Number(j === i), way);
+    for (const j of beside) {
+      slopes[j] += slopeAt(leg, j);
+      const { place, along } = there[j] ?? NOWHERE;
+      const other = (place && solve(i, j < i ? place : places[i], j < i ? places[i + 1] : place)) ?? {};
+      for (const k of beside) matrix[k][j] += (slopeAt(other, k, k === j ? along : ways[k]) - slopeAt(leg, k)) / steps[j];
+    }
+  }
+  return { slopes, matrix };
 }
 
 /** The polyline of all legs. @param {Leg[]} legs @param {number} width */

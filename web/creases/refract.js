@@ -2,7 +2,7 @@
 
 import { dot, largest, minus, norm, sumOf } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
+import { changes, isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
 import { ahead, product, scaled } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
@@ -12,6 +12,8 @@ import { ahead, product, scaled } from './linear.js';
 
 /** Differences are taken over this part of the shorter leg; steps are at most this part of it. */
 const [DIFFERENCE, FARTHEST] = [1e-4, 0.5];
+/** What rounding leaves of second derivatives, over the shorter leg: where a joint may be anywhere, as between the poles of two balls, it is at rest. */
+const FLAT = 1e-7;
 /** So often joints are moved, and so often a step halved. */
 const [MOST_STEPS, MOST_HALVINGS] = [30, 12];
 /** A step that gains less, in parts of the length, is the last. */
@@ -105,16 +107,16 @@ function motion({ sides }, joints) {
  * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
  */
 function improve(question, { legs, joints }) {
-  const { moved } = motion(question, joints);
+  const ways = motion(question, joints);
   const least = leastBeside({ legs, joints }, question.sides.scale);
-  const { slope, matrix } = differentiate(question, { legs, joints }, least, moved);
-  const down = descend(matrix, slope);
+  const { slopes, matrix } = differentiate(question, { legs, joints }, least, ways);
+  const down = descend(matrix, slopes);
   if (!down) return null;
-  const gain = -0.5 * product(down.step, slope);
+  const gain = -0.5 * product(down.step, slopes);
   const before = lengthOf(legs);
   let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
   for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
-    const tried = joints.map((joint, j) => ({ ...joint, place: moved(j, factor * down.step[j]) }));
+    const tried = joints.map((joint, j) => ({ ...joint, place: ways.moved(j, factor * down.step[j]) }));
     const solved = tried.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs, joints: tried }) : null;
     if (solved && lengthOf(solved) <= before * (1 + ENOUGH))
       return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isMinimum: !down.shifted };
@@ -122,36 +124,21 @@ function improve(question, { legs, joints }) {
   return null;
 }
 
-/**
- * First and second derivatives of the length by where the joints lie on their creases: by differences, of each leg by its own ends.
- * @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {(j: number, by: number) => number[]} moved a joint's place, moved
- */
-function differentiate(question, { legs, joints }, least, moved) {
-  const count = joints.length;
-  const places = placesOf(question, joints);
-  /** @type {number[]} */
-  const slope = new Array(count).fill(0);
-  const matrix = slope.map(() => /** @type {number[]} */ (new Array(count).fill(0)));
-  const steps = least.map((length) => DIFFERENCE * length);
-  for (const [i, leg] of legs.entries()) {
-    const placeOf = (/** @type {number} */ j, /** @type {number} */ by) => (by ? moved(j, by * steps[j]) : places[j + 1]);
-    const lengthAt = (/** @type {number} */ from, /** @type {number} */ to) =>
-      solveLeg(question, leg, placeOf(i - 1, from), placeOf(i, to), LEG)?.length ?? Number.NaN;
-    const beside = [i - 1, i].filter((j) => j >= 0 && j < count);
-    const [on, back] = [1, -1].map((by) => beside.map((j) => (j < i ? lengthAt(by, 0) : lengthAt(0, by))));
-    const first = beside.map((j, k) => (on[k] - back[k]) / (2 * steps[j]));
-    const second = beside.map((j, k) => [(on[k] - 2 * leg.length + back[k]) / steps[j] ** 2]);
-    if (beside.length === 2) {
-      const mixed = (lengthAt(1, 1) - on[0] - on[1] + leg.length) / (steps[i - 1] * steps[i]);
-      second[0] = [second[0][0], mixed];
-      second[1] = [mixed, second[1][0]];
-    }
-    for (const [k, j] of beside.entries()) {
-      slope[j] += first[k];
-      for (const [m, other] of beside.entries()) matrix[j][other] += second[k][m];
-    }
-  }
-  return { slope, matrix };
+/** First and second derivatives of the length by where the joints lie on their creases. @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {ReturnType<typeof motion>} motion of the joints */
+function differentiate(question, { legs, joints }, least, { ways, moved }) {
+  const { slopes, matrix } = changes(
+    legs,
+    placesOf(question, joints),
+    ways,
+    least.map((length) => DIFFERENCE * length),
+    (j, by) => {
+      const place = moved(j, by);
+      return { place, along: directions(question.sides, joints[j], place).along };
+    },
+    (i, from, to) => solveLeg(question, legs[i], from, to, LEG),
+  );
+  for (const [j, length] of least.entries()) matrix[j][j] += FLAT / length;
+  return { slopes, matrix };
 }
 
 /** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */

@@ -3,9 +3,9 @@
 import { joinPaths, thinned } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { largest, minus, sumOf } from '../vector.js';
-import { between, beyond, directions, ground, slopeAt, slopeOf, walk } from './crease.js';
-import { isInside, LEG, middleOf, nodesOf, solveLeg } from './legs.js';
-import { ahead, inner } from './linear.js';
+import { between, beyond, directions, slopeAt, slopeOf, walk } from './crease.js';
+import { isInside, LEG, middleOf, nodesOf, slopeAlong, solveLeg } from './legs.js';
+import { inner } from './linear.js';
 import { frameOn, speedOn } from './tangent.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -52,23 +52,17 @@ export function land(question, leg, shore, place) {
 /**
  * How far a leg meets a shore from as it should: the tangent of half its angle, large where it turns back, less that of the critical one, whose cosine is the ratio of what both sides measure
  * along the shore: 0 on a fold.
- * @param {Question} question @param {Leg} leg @param {number[][]} ends of it @param {number} end which of them is on the shore @param {Leg} beside along the shore @param {number} step of differences
+ * @param {Question} question @param {Leg} leg @param {number[]} place where that is @param {number} end 0: of the leg's beginning; 1: of its end @param {Leg} beside along the shore
  */
-export function graze(question, leg, ends, end, beside, step) {
+export function graze(question, leg, place, end, beside) {
   const { sides } = question;
   const { crease, sense, isFold } = /** @type {Shore} */ (beside.shore);
   const on = { crease, signs: leg.signs };
-  const place = ends[end];
   const { along, across } = directions(sides, on, place, slopeAt(sides, { crease, signs: beside.signs }, place));
   const t = along.map((x) => (end ? sense : -sense) * x);
   const n = across.map((x) => leg.signs[crease] * x);
-  const at = (/** @type {number} */ a, /** @type {number} */ b) => ground(sides, on, ahead(ahead(place, t, a * step), n, b * step));
-  const lengthAt = (/** @type {number} */ a, /** @type {number} */ b) => {
-    const there = at(a, b);
-    return solveLeg(question, leg, end ? ends[0] : there, end ? there : ends[1], LEG)?.length ?? Number.NaN;
-  };
   const { t: tt, n: nn, skew } = frameOn(question, leg.signs, place, t, n);
-  const [alongIt, acrossIt] = [lengthAt(1, 0) - lengthAt(-1, 0), lengthAt(0, 1) - lengthAt(0, -1)].map((by) => by / (2 * step));
+  const [alongIt, acrossIt] = [t, n].map((way) => slopeAlong(leg, end, way));
   const [sine, cosine] = [(acrossIt - skew * alongIt) / Math.sqrt(nn), alongIt / Math.sqrt(tt)];
   const isOwn = isFold || leg.signs[crease] === beside.signs[crease];
   const critical = isOwn ? 1 : Math.min(1, speedOn(question, beside.signs, place, t) / Math.sqrt(tt));

@@ -1,7 +1,7 @@
 /** How a side of the surface measures directions at a place, and where geodesics lead that begin there. */
 
 import { CONVERGED } from '../runtime/status.js';
-import { ahead, product } from './linear.js';
+import { ahead } from './linear.js';
 
 /** @typedef {import('../runtime/result.js').RawPath} RawPath */
 /** @typedef {import('../manifold/sides.js').Side} Side */
@@ -19,18 +19,22 @@ export function velocityOn({ field, sides }, signs, place, direction) {
   return (still?.status === CONVERGED && still.end?.velocity) || null;
 }
 
-/** How long a tangent vector is, as a side measures it; NaN: it is none there. @param {Surface} surface @param {number[]} signs @param {number[]} place @param {number[]} vector */
-export function speedOn(surface, signs, place, vector) {
-  const velocity = velocityOn(surface, signs, place, vector);
-  return velocity ? product(vector, vector) / product(vector, velocity) : Number.NaN;
+/** The product that measures tangent vectors on a side, at a place; NaN: there is none. @param {Surface} surface @param {number[]} signs @param {number[]} place @returns {import('../manifold/sides.js').Product} */
+function timesOn({ sides }, signs, place) {
+  const side = sides.on(signs);
+  return side ? side.productOf(side.jets(place)[0]) : () => Number.NaN;
 }
+
+/** How long a tangent vector is, as a side measures it; NaN: it is none there. @param {Surface} surface @param {number[]} signs @param {number[]} place @param {number[]} vector */
+export const speedOn = (surface, signs, place, vector) => Math.sqrt(timesOn(surface, signs, place)(vector, vector));
 
 /**
  * How a side measures what is along a crease, a unit vector of the coordinates, and what is across, at right angles as it measures: their squared lengths.
  * @param {Surface} surface @param {number[]} signs @param {number[]} place @param {number[]} along @param {number[]} across
  */
 export function frameOn(surface, signs, place, along, across) {
-  const [t, n, both] = [along, across, ahead(along, across, 1)].map((vector) => speedOn(surface, signs, place, vector) ** 2);
-  const skew = (both - t - n) / (2 * t);
-  return { t, n: n - skew * skew * t, skew, across: ahead(across, along, -skew) };
+  const times = timesOn(surface, signs, place);
+  const t = times(along, along);
+  const skew = times(along, across) / t;
+  return { t, n: times(across, across) - skew * skew * t, skew, across: ahead(across, along, -skew) };
 }

@@ -3,7 +3,7 @@
  * consists of legs between places on such curves, which are moved until its length does not change with them. MATH.md, "Crossings".
  */
 
-import { LEG, lengthOf, nodesOf, placesOf, span } from '../creases/legs.js';
+import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
 import { solveLinear } from '../creases/linear.js';
 import { mostOf } from '../path.js';
 import { holds } from '../search/candidates.js';
@@ -18,7 +18,7 @@ import { AT_REST, crossingsFrom } from './singular.js';
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {import('./singular.js').Crossing} Crossing */
 /** @typedef {{ points: Float64Array, length: number }} Drawn a polyline on the surface */
-/** @typedef {{ line: Float64Array, length: number }} Leg its polyline as it was solved last */
+/** @typedef {{ line: Float64Array, length: number, pulls?: number[][] }} Leg its polyline as it was solved last */
 /** @typedef {{ legs: Leg[], joints: Crossing[] }} Route one joint less than legs */
 
 /** A polyline passes a crossing where it leads nearer to it than so many of its chords are long. */
@@ -155,8 +155,8 @@ function without({ joints, legs }, j) {
 
 /** The leg near that line between two places, null if it does not hold. @param {Field} field @param {Leg} leg @param {number[]} from @param {number[]} to @returns {Leg | null} */
 function solveLeg(field, { line }, from, to) {
-  const path = poseNear(field, [from, to], line).solve(WITHIN);
-  return holds({ path }) ? { line: path.points, length: path.length } : null;
+  const { path, pulls } = solvePulled(field, [from, to], line, WITHIN);
+  return holds({ path }) ? { line: path.points, length: path.length, pulls } : null;
 }
 
 /** All legs over these joints; null: one does not hold. @param {Field} field @param {number[][]} ends @param {Route} route @returns {Route | null} */
@@ -170,33 +170,18 @@ function solveAll(field, ends, { joints, legs }) {
 const moved = ({ jets }, { place, along }, by, size) =>
   crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + AT_REST * size, size)[0];
 
-/**
- * How the length changes with the joints, by differences: a leg's depends on the two beside it.
- * @param {Field} field @param {number[][]} ends @param {Route} route @returns {{ slopes: number[], matrix: number[][] }} first and second derivatives; NaN where a leg does not hold
- */
-function changes(field, ends, { joints, legs }) {
+/** How the length changes with the joints. @param {Field} field @param {number[][]} ends @param {Route} route */
+function bend(field, ends, { joints, legs }) {
   const size = gap(ends[0], ends[1]);
   const steps = leastBeside(legs).map((least) => DIFFERENCE * least);
-  const sides = joints.map((joint, j) => [moved(field, joint, -steps[j], size), joint, moved(field, joint, steps[j], size)]);
-  const spot = (/** @type {number} */ k, /** @type {number} */ side) =>
-    k > 0 && k <= joints.length ? sides[k - 1][side + 1]?.place : ends[Math.min(k, 1)];
-  const length = (/** @type {number} */ k, /** @type {number} */ before, /** @type {number} */ after) => {
-    const [from, to] = [spot(k, before), spot(k + 1, after)];
-    return (from && to && solveLeg(field, legs[k], from, to)?.length) ?? Number.NaN;
-  };
-  const beside = joints.map((_, j) => [1, -1].map((side) => length(j, 0, side) + length(j + 1, side, 0)));
-  const slopes = beside.map(([ahead, behind], j) => (ahead - behind) / (2 * steps[j]));
-  const mixed = joints
-    .slice(1)
-    .map(
-      (_, j) =>
-        [1, -1].reduce((sum, side) => sum + length(j + 1, side, side) - length(j + 1, side, -side), 0) / (4 * steps[j] * steps[j + 1]),
-    );
-  const bends = beside.map(([ahead, behind], j) => (ahead + behind - 2 * (legs[j].length + legs[j + 1].length)) / steps[j] ** 2);
-  return {
-    slopes,
-    matrix: bends.map((bend, i) => bends.map((_, j) => (i === j ? bend : Math.abs(i - j) === 1 ? mixed[Math.min(i, j)] : 0))),
-  };
+  return changes(
+    legs,
+    placesOf({ ends }, joints),
+    joints.map(({ along }) => along),
+    steps,
+    (j, by) => moved(field, joints[j], by, size),
+    (i, from, to) => solveLeg(field, legs[i], from, to),
+  );
 }
 
 /** How long the shorter of the two legs beside each joint is. @param {Leg[]} legs */
@@ -218,7 +203,7 @@ function isPositive(matrix) {
 function balance(field, ends, route) {
   let now = route.joints.length > 0 ? solveAll(field, ends, route) : null;
   for (let move = 0; now && move < MOST_MOVES; move++) {
-    const { slopes, matrix } = changes(field, ends, now);
+    const { slopes, matrix } = bend(field, ends, now);
     const isBent = isPositive(matrix);
     if (slopes.every((slope) => Math.abs(slope) <= BALANCED)) return isBent ? now : null;
     const step = isBent ? solveLinear(matrix, slopes) : slopes;

@@ -118,6 +118,12 @@ export class Heap extends Memory {
     return readResult(this, this.#result, options.points + 2);
   }
 
+  /** Of the path just solved: how its length changes with u v or x y z of its first end, and of its last; NaN where that is not known. */
+  pulls() {
+    const six = Array.from(this.doubles(this.#result + layout.sp_result_pull, 6));
+    return [six.slice(0, 3), six.slice(3)];
+  }
+
   /**
    * Runs sp_trace_path.
    * @param {number} surface address of its record

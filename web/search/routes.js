@@ -69,7 +69,13 @@ export function poseNear({ kind, domain, run }, ends, start) {
   const lifted = domain ? liftEnds(domain, faced[0], faced[1], start) : ends;
   const request = { kind, from: lifted[0], to: lifted[1], start };
   return {
-    solve: (/** @type {SolveOptions} */ asked) => run((heap, record) => heap.solve(record, request, asked)),
+    /** What the solver's memory has of the path besides is for `read`. */
+    solve: (/** @type {SolveOptions} */ asked, read = (/** @type {Heap} */ _) => {}) =>
+      run((heap, record) => {
+        const raw = heap.solve(record, request, asked);
+        read(heap);
+        return raw;
+      }),
     finish(/** @type {import('../runtime/result.js').RawPath} */ raw) {
       const path = makePath(raw);
       if (domain && path.parameters) moveOnto(domain, path.parameters, faced[0]);
