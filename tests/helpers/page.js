@@ -98,6 +98,12 @@ export const openEntry = (page, name) => openSketch(page, { entry: name });
 
 /** Follows a link, and waits until all of it is computed. @param {import('playwright-core').Page} page @param {object} sketch */
 export async function openSketch(page, sketch) {
+  await followLink(page, sketch);
+  await settled(page);
+}
+
+/** Follows a link, and waits until the page has heard of it. @param {import('playwright-core').Page} page @param {object} sketch */
+export async function followLink(page, sketch) {
   await page.evaluate((hash) => {
     // The same address again would change nothing; in one go, as the page rewrites the address by itself.
     history.replaceState(null, '', '#');
@@ -106,7 +112,6 @@ export async function openSketch(page, sketch) {
     location.hash = hash;
     return heard.then(() => {});
   }, hashOf(sketch));
-  await settled(page);
 }
 
 /** The middle of the view, without legend and player. @param {import('playwright-core').Page} page */
