@@ -380,3 +380,18 @@ describe('the energy of a path that was joined is that of constant speed, howeve
       surface.dispose();
     });
 });
+
+test('the error of a path along an edge is not below rounding', () => {
+  const square = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1] });
+  const annulus = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 0, u: [0, '2pi'], v: [1, 3] });
+  for (const [surface, from, to] of /** @type {const} */ ([
+    [square, [0.1, 0], [0.7, 0]],
+    [annulus, [0, 1], [1, 1]],
+  ])) {
+    const path = surface.shortestPath(from, to);
+    assert.deepEqual([path.status, path.touchesBoundary], ['converged', true]);
+    const wrong = Math.abs(path.length - (to[0] - from[0]));
+    assert.ok(wrong <= path.lengthError && path.lengthError < 1e-14, `${wrong}, said ${path.lengthError}`);
+    surface.dispose();
+  }
+});
