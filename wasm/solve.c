@@ -109,9 +109,9 @@ static double size_of(const struct sp_polyline *line) {
 static void fill(const struct sp_refined *refined, const struct sp_newton *newton, const struct sp_options *options,
                  struct sp_result *result) {
     const struct sp_outcome *outcome = &refined->outcome;
-    result->length = refined->length, result->length_error = refined->length_error;
+    result->length = refined->length, result->length_error = result->rounding = sp_check_rounding(refined->length, newton->size);
+    if (!(refined->length_error < result->rounding)) result->length_error = refined->length_error; /* that of an edge may be 0 */
     result->energy = outcome->energy, result->gradient_norm = outcome->gradient_norm;
-    result->rounding = sp_check_rounding(refined->length, newton->size);
     result->iterations = options->max_iterations - newton->steps_left, result->index = outcome->index,
     result->touches_boundary = outcome->active;
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;

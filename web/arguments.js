@@ -50,11 +50,11 @@ export function allFields(given) {
   return fields;
 }
 
-/** Options, none where they are absent; refuses those that do not exist. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
+/** Options, none where they are absent; refuses those that do not exist, and so a URL or a Response in their place. @param {string} caller @param {any} options @param {string[]} known @returns {any} */
 export function checkOptions(caller, options = {}, known) {
   checkObject(`${caller}: options`, options);
   for (const name in options)
-    if (!known.includes(name) && Object.hasOwn(options, name) && /** @type {Record<string, unknown>} */ (options)[name] !== undefined)
+    if (!known.includes(name) && !(name in Object.prototype) && options[name] !== undefined)
       throw new TypeError(`${caller}: there is no option '${name}'; the options are ${known.join(', ')}`);
   return options;
 }

@@ -124,10 +124,13 @@ export function checkPeriodic(caller, periodic = 'auto') {
   return { ...periodic };
 }
 
+/** Whether it may be a list: what has a length that counts, as that of a Path does not. @param {any} value @returns {value is ArrayLike<number>} */
+const isList = (value) => typeof value === 'object' && Number.isInteger(value?.length);
+
 /** Points or pairs as a flat list; looked at one by one, as its length may be anything. @param {string} name for messages, of points @param {any} list @param {string[]} variables of one @param {string} one what one is @returns {Float64Array} a copy, which no getter can change */
 export function readList(name, list, variables, one) {
   const what = `a flat array of ${variables.join(' ')}, ${variables.length} numbers a ${one}`;
-  if (typeof list !== 'object' || list === null || typeof list.length !== 'number') refuse(name, what, list);
+  if (!isList(list)) refuse(name, what, list);
   for (let i = 0; i < list.length; i++)
     if (typeof list[i] !== 'number') throw new TypeError(`${name} must be ${what}; it holds ${describe(list[i])}`);
   if (list.length % variables.length) throw new RangeError(`${name} must be ${what}, not ${list.length} numbers`);
@@ -171,9 +174,7 @@ export function checkBounds(caller, bounds) {
 /** @param {string} caller @param {string} name @param {unknown} given @param {string[]} variables one a number @returns {number[]} */
 export function readNumbers(caller, name, given, variables) {
   const [what, count] = [`[${variables.join(', ')}]`, variables.length];
-  if (typeof given !== 'object' || given === null || typeof (/** @type {any} */ (given).length) !== 'number')
-    refuse(`${caller}: ${name}`, what, given);
-  const { length } = /** @type {ArrayLike<number>} */ (given);
-  if (length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${length}`);
-  return readFinite(`${caller}: ${name}`, /** @type {ArrayLike<number>} */ (given));
+  if (!isList(given)) refuse(`${caller}: ${name}`, what, given);
+  if (given.length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${given.length}`);
+  return readFinite(`${caller}: ${name}`, given);
 }

@@ -81,14 +81,9 @@ export function readOptions(caller, given, others = []) {
   const { maxIterations = algorithm === 'elements' ? 400 : 100 } = options;
   const code = ALGORITHMS.get(algorithm);
   if (code === undefined) refuseName(`${caller}: options.algorithm`, "'elements', 'polyline' or 'paper'", algorithm);
-  if (options.tolerance !== undefined && algorithm !== 'elements')
-    throw new RangeError(
-      `${caller}: options.tolerance belongs to the algorithm 'elements'; '${algorithm}' takes points and gradientTolerance`,
-    );
-  if (gradientTolerance !== undefined && algorithm === 'elements')
-    throw new RangeError(
-      `${caller}: options.gradientTolerance belongs to the algorithms 'polyline' and 'paper'; 'elements' takes tolerance`,
-    );
+  const [own, foreign] = algorithm === 'elements' ? ['tolerance', 'gradientTolerance'] : ['points and gradientTolerance', 'tolerance'];
+  if (options[foreign] !== undefined)
+    throw new RangeError(`${caller}: options.${foreign} is no option of '${algorithm}', which takes ${own}`);
   if (gradientTolerance !== undefined && !(Number.isFinite(gradientTolerance) && gradientTolerance > 0))
     refuseNumber(`${caller}: options.gradientTolerance`, 'a positive number', gradientTolerance);
   checkBoolean(caller, 'record', record);
@@ -112,17 +107,14 @@ export function readOptions(caller, given, others = []) {
  */
 export function readStart(caller, start, domain) {
   if (start === 'straight') return null;
-  const dimension = domain ? 2 : 3;
+  const [dimension, what, field] = domain ? [2, 'u v', 'parameters'] : [3, 'x y z', 'points'];
   const path = /** @type {any} */ (start);
-  const isGiven = typeof path === 'object' && path !== null && typeof path.status === 'string';
-  if (isGiven && !(path.points instanceof Float64Array))
-    throw new TypeError(
-      `${caller}: options.start is a path whose points are no Float64Array, which JSON does not keep; give its points or parameters as a flat array`,
-    );
-  const numbers = isGiven ? (dimension === 2 ? path.parameters : path.points) : path;
-  const what = dimension === 2 ? 'u v' : 'x y z';
+  const isGiven = typeof path?.status === 'string';
+  const numbers = isGiven ? path[field] : path;
   if (isGiven && !(numbers?.length > 0))
-    throw new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
+    throw numbers && numbers.length === undefined
+      ? new TypeError(`${caller}: options.start has lost its arrays to JSON; give Array.from(path.${field})`)
+      : new RangeError(`${caller}: options.start is a path without ${what}, of status '${path.status}'`);
   if (typeof numbers !== 'object' || numbers === null || typeof numbers.length !== 'number')
     refuseName(`${caller}: options.start`, `'global', 'straight', a polyline (a flat array of ${what}) or a path`, start);
   if (Array.isArray(numbers) && numbers.some(Array.isArray))

@@ -170,11 +170,14 @@ export class Surface {
     const manifold = this.#manifold;
     const mesh = meshSurface(manifold, caller, resolution);
     const field = manifold.field();
-    /* First as an end of a path is put onto the surface. */
-    const settled = manifold.domain ? point : settleEnd(field, point);
-    const place = manifold.domain ? point : projectOnto(manifold, `${caller}: from`, settled, settled);
-    if (!manifold.domain && gap(place, point) > FAR * manifold.extent)
-      throw new RangeError(`${caller}: from is farther from the surface than a tenth of its bounds; project it first`);
+    let place = point;
+    if (!manifold.domain) {
+      /* First as an end of a path is put onto the surface. */
+      const settled = settleEnd(field, point);
+      place = projectOnto(manifold, `${caller}: from`, settled, settled);
+      if (gap(place, point) > FAR * manifold.extent)
+        throw new RangeError(`${caller}: from is farther from the surface than a tenth of its bounds; project it first`);
+    }
     return { mesh, distances: measureField(field, caller, place, mesh, exact).map((distance) => manifold.factor * distance) };
   }
 

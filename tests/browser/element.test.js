@@ -338,6 +338,37 @@ test('a look that is wrong is said, and what is right again mends it', async () 
   });
 });
 
+test('where there is no surface it says so; an end that is nowhere is no reason not to draw the others', async () => {
+  const { page: other, complaints: said } = await openPage(browser.context, `${site.address}/empty`);
+  const looks = await other.evaluate(async () => {
+    await customElements.whenDefined('surface-path');
+    const looks = [];
+    for (const attributes of [
+      { f: 'x^2 + y^2 + z^2 - 9', bounds: '-1,1' },
+      { z: 'sqrt(x)', x: '-1,1', y: '-1,1', from: '-0.5,0', to: '0.5,0' },
+    ]) {
+      const element = document.createElement('surface-path');
+      Object.assign(element.style, { width: '200px', height: '150px' });
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      document.querySelector('main')?.append(element);
+      await new Promise((resolve) => setTimeout(resolve, 600));
+      const canvas = element.shadowRoot?.querySelector('canvas');
+      const drawing = new OffscreenCanvas(200, 150).getContext('2d');
+      drawing?.drawImage(/** @type {HTMLCanvasElement} */ (canvas), 0, 0, 200, 150);
+      const data = drawing?.getImageData(0, 0, 200, 150).data ?? [];
+      looks.push([element.shadowRoot?.querySelector('p')?.textContent, Array.from(data).some((x, i) => i % 4 === 3 && x > 0)]);
+      element.remove();
+    }
+    return looks;
+  });
+  assert.deepEqual(looks, [
+    ['surface-path: nothing to draw: inside its bounds f is nowhere zero, or formulas have no value', false],
+    ['No path: the formula has no value on the way.', true],
+  ]);
+  assert.deepEqual(said, []);
+  await other.close();
+});
+
 test('it can be looked at from straight above', async () => {
   await page.$eval('#torus', (element) => element.setAttribute('camera', '0,0,1'));
   await nextFrame(page);

@@ -530,12 +530,15 @@ for (const [title, name] of TESTED)
 
       test('refuses a place that is none, and a line what is no number', async () => {
         const messages = await page.evaluate(() => {
-          const { draw, gallery, surfpath, camera, renderer } = /** @type {any} */ (window).view;
+          const { view } = /** @type {any} */ (window);
+          const { draw, gallery, surfpath, camera, renderer } = view;
           const helicoid = surfpath.surface(gallery.helicoid);
           const told = [
             () => new draw.DragHandle(helicoid, [Number.NaN, 0], { camera, domElement: renderer.domElement }),
             () => new draw.GeodesicLine([0, 0, 0, NaN, 1, 1]),
             () => new draw.GeodesicLine(null, { haloWidth: -1 }),
+            () => new draw.DragHandle(helicoid, [0, 0], { camera, domElement: renderer.domElement, step: '8' }),
+            () => view.handle.setColours({ color: 'red' }),
           ];
           return told.map((make) => {
             try {
@@ -549,7 +552,61 @@ for (const [title, name] of TESTED)
         assert.match(messages[0], /^(Type|Range)Error: /);
         assert.match(messages[1], /^RangeError: GeodesicLine: path must hold finite numbers/);
         assert.match(messages[2], /^RangeError: GeodesicLine: options.haloWidth must be a number of pixels, 0 or more, not -1/);
+        assert.match(messages[3], /^TypeError: DragHandle: options.step must be a number of pixels, 0 or more, not '8'/);
+        assert.match(messages[4], /^TypeError: setColours: there is no option 'color'; the options are colour, ring/);
         assert.equal(await page.locator('.surfpath-handle').count(), 1, 'a handle that is refused leaves no button');
+      });
+
+      test("follows the mouse over a mesh of the reader's own, whatever its uv are", async () => {
+        await begin([0.2, 0.1], 'saddle');
+        await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          const { THREE, surface, scene } = view;
+          const { positions, parameters, indices } = surface.mesh({ resolution: 64 });
+          const geometry = new THREE.BufferGeometry();
+          geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(positions), 3));
+          // As an image would lie on it four times each way, upside down.
+          const uv = Float32Array.from(parameters, (/** @type {number} */ x, /** @type {number} */ i) => 4 * (i % 2 ? 1 - x : x));
+          geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
+          geometry.setIndex(new THREE.BufferAttribute(indices, 1));
+          view.own = new THREE.Mesh(geometry, new THREE.MeshNormalMaterial());
+          scene.add(view.own);
+          view.things.push(geometry);
+          view.handle.setSurface(surface, undefined, view.own);
+        });
+        const { screen } = await where();
+        await page.mouse.move(screen.x, screen.y);
+        await page.mouse.down();
+        await page.mouse.move(screen.x + 20, screen.y - 6, { steps: 4 });
+        const now = await where();
+        await page.mouse.up();
+        assert.ok(Math.hypot(now.screen.x - screen.x - 20, now.screen.y - screen.y + 6) < 3, `it is at ${now.screen.x}, ${now.screen.y}`);
+        await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          view.scene.remove(view.own);
+        });
+      });
+
+      test('has its button once its canvas has come into the page', async () => {
+        await begin(null);
+        const parents = await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          const { THREE, draw, surface, camera, scene } = view;
+          const renderer = new THREE.WebGLRenderer();
+          renderer.setSize(64, 48);
+          const handle = new draw.DragHandle(surface, [5, 0.9], { camera, domElement: renderer.domElement });
+          scene.add(handle);
+          const box = document.createElement('div');
+          document.body.append(box);
+          box.append(renderer.domElement);
+          renderer.render(scene, camera);
+          const parents = [handle.element.parentNode === box, handle.element.style.visibility];
+          handle.dispose();
+          renderer.dispose();
+          box.remove();
+          return parents;
+        });
+        assert.deepEqual(parents, [true, 'visible']);
       });
 
       test('stays on an implicit surface', async () => {

@@ -12,6 +12,8 @@ import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const ALL = '*';
+/** What has become a type of the same name. */
+const TYPEDEF = /^\/\*\* @typedef .*\*\/\n/gm;
 const COMMENT = /\/\*[\s\S]*?\*\/\s*/g;
 const BEGIN = /^(?=\/\*|(?:export|import|declare) )/m;
 const DECLARED = /^(?:export |declare |abstract )*(?:type|interface|class|const|function) ([\w$]+)/;
@@ -83,7 +85,7 @@ export async function pruned(folder) {
       file,
       statements
         .filter((one) => kept.has(one))
-        .map((one) => one.text)
+        .map((one) => one.text.replace(TYPEDEF, ''))
         .join(''),
     ]),
   );

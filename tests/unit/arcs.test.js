@@ -336,3 +336,62 @@ test('across a cusp from an end beside it: its arc is a millionth of the path, a
     assert.ok(Math.abs(path.length / fine.length - 1) <= 1e-9, `${from} to ${to}: ${path.length}, ${fine.length}`);
   }
 });
+
+describe('the energy of a path that was joined is that of constant speed, however many points it has', () => {
+  const square = { x: [-2, 2], y: [-2, 2] };
+  /** @type {[string, any, number[], number[], number[][]][]} */
+  const joined = [
+    [
+      'at points on the way',
+      { kind: 'graph', z: 'x*y', ...square },
+      [-1, -1],
+      [1, 0.5],
+      [
+        [0, 0.5],
+        [0.3, 0.3],
+      ],
+    ],
+    ['across a crease', { kind: 'graph', z: 'abs(x)', ...square }, [-0.9, -0.8], [0.7, 0.9], []],
+    ['along a shore', { kind: 'graph', z: 0, ...square, density: '3 - 2*sign(x^2 + y^2 - 1)' }, [-1.5, 0.2], [1.5, -0.1], []],
+    [
+      'in a node',
+      {
+        kind: 'implicit',
+        f: 'x^2 + y^2 - z^2',
+        bounds: [
+          [-2, 2],
+          [-2, 2],
+          [-2, 2],
+        ],
+      },
+      [1, 0, -1],
+      [0, 1.5, 1.5],
+      [],
+    ],
+  ];
+  for (const [where, definition, from, to, via] of joined)
+    test(where, () => {
+      const surface = surfpath.surface(definition);
+      for (const points of [5, 64]) {
+        const path = surface.shortestPath(from, to, { points, via });
+        assert.equal(path.status, 'converged');
+        assert.ok(Math.abs(path.energy / path.length ** 2 - 1) < 1e-9, `energy ${path.energy}, length ${path.length}`);
+      }
+      surface.dispose();
+    });
+});
+
+test('the error of a path along an edge is not below rounding', () => {
+  const square = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1] });
+  const annulus = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 0, u: [0, '2pi'], v: [1, 3] });
+  for (const [surface, from, to] of /** @type {const} */ ([
+    [square, [0.1, 0], [0.7, 0]],
+    [annulus, [0, 1], [1, 1]],
+  ])) {
+    const path = surface.shortestPath(from, to);
+    assert.deepEqual([path.status, path.touchesBoundary], ['converged', true]);
+    const wrong = Math.abs(path.length - (to[0] - from[0]));
+    assert.ok(wrong <= path.lengthError && path.lengthError < 1e-14, `${wrong}, said ${path.lengthError}`);
+    surface.dispose();
+  }
+});

@@ -151,6 +151,26 @@ test('load and compileModule complain in their own names', async () => {
   }
 });
 
+test('a URL, a Response or a signal in place of options does not go unnoticed', async () => {
+  for (const wasm of [new URL('file:///surfpath.wasm'), new Response('')])
+    await assert.rejects(load(anything(wasm)), /^TypeError: load: there is no option '\w+'; the options are wasm$/);
+  const surface = plane();
+  refuses(() => surface.mesh(anything(new AbortController().signal)), TypeError, /^mesh: there is no option 'aborted'/);
+  assert.equal(surface.mesh(Object.create({ resolution: 2 })).indices.length, 24, 'inherited options count');
+  refuses(() => surface.mesh(Object.create({ reslution: 2 })), TypeError, /^mesh: there is no option 'reslution'/);
+});
+
+test('a path in place of a point or of points is no list, whatever its length', () => {
+  const surface = plane();
+  const path = surface.shortestPath([0, 0], [1, 1]);
+  const none = { ...path, length: NaN };
+  for (const wrong of [path, none]) {
+    refuses(() => surface.shortestPath(anything(wrong), [1, 1]), TypeError, /^shortestPath: from must be \[u, v\], not an object$/);
+    refuses(() => surface.evaluate(anything(wrong)), TypeError, /^evaluate: points must be a flat array of u v, .*, not an object$/);
+    refuses(() => surface.lengths(anything(wrong)), TypeError, /^lengths: pairs must be a flat array of u v u v, .*, not an object$/);
+  }
+});
+
 test('what is disposed in the middle of a call, by a getter, ends it', async () => {
   const gone = /^surfpath: this surface was disposed$/;
   /** @param {string} name @param {unknown} value @param {(surface: ReturnType<typeof plane>, options: any) => unknown} call */

@@ -1,6 +1,7 @@
 // Options in, Path out: every option, every status that can be provoked, and that results are plain data and copies.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
+import { runInNewContext } from 'node:vm';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
 import { POLYLINE, STRAIGHT } from '../helpers/options.js';
@@ -32,11 +33,15 @@ describe('options', () => {
     ['fast', TypeError, /options must be an object, not 'fast'/],
     [{ pionts: 3 }, TypeError, /there is no option 'pionts'; the options are algorithm, points/],
     [{ algorithm: 'fast', tolerance: 1e-6 }, RangeError, /options.algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
-    [{ algorithm: 'elements', gradientTolerance: 1e-6 }, RangeError, /'elements' takes tolerance/],
+    [{ algorithm: 'elements', gradientTolerance: 1e-6 }, RangeError, /is no option of 'elements', which takes tolerance$/],
     [{ algorithm: 'fast' }, RangeError, /algorithm must be 'elements', 'polyline' or 'paper', not 'fast'/],
     [{ start: 'curved' }, RangeError, /start must be 'global', 'straight', a polyline .* not 'curved'/],
-    [{ algorithm: 'polyline', tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'; 'polyline' takes points/],
-    [{ gradientTolerance: 1e-6, tolerance: 1e-9 }, RangeError, /tolerance belongs to the algorithm 'elements'/],
+    [
+      { algorithm: 'polyline', tolerance: 1e-9 },
+      RangeError,
+      /tolerance is no option of 'polyline', which takes points and gradientTolerance$/,
+    ],
+    [{ gradientTolerance: 1e-6, tolerance: 1e-9 }, RangeError, /tolerance is no option of 'polyline', /],
     [{ tolerance: 0 }, RangeError, /between 1e-15 and 0.1, not 0/],
     [{ tolerance: 0.2 }, RangeError, /between 1e-15 and 0.1, not 0.2/],
     [{ tolerance: NaN }, RangeError, /between 1e-15 and 0.1, not NaN/],
@@ -81,9 +86,23 @@ describe('options', () => {
   test('a path out of JSON is no start, and the message says what is', () => {
     const path = saddle.shortestPath([0, 0], [0.5, 0.5]);
     const start = JSON.parse(JSON.stringify(path));
-    refuses(() => saddle.shortestPath([0, 0], [0.5, 0.5], { start }), TypeError, /no Float64Array, which JSON does not keep/);
+    refuses(
+      () => saddle.shortestPath([0, 0], [0.5, 0.5], { start }),
+      TypeError,
+      /options\.start has lost its arrays to JSON; give Array\.from\(path\.parameters\)$/,
+    );
     const flat = JSON.parse(JSON.stringify(Array.from(/** @type {Float64Array} */ (path.parameters))));
     assert.equal(saddle.shortestPath([0, 0], [0.5, 0.5], { start: flat }).status, 'converged');
+  });
+
+  test('a path whose arrays are plain ones, or of another realm, is a start as any', () => {
+    const path = saddle.shortestPath([0, 0], [0.5, 0.5]);
+    const parameters = Array.from(/** @type {Float64Array} */ (path.parameters));
+    const foreign = runInNewContext('Float64Array.from(numbers)', { numbers: parameters });
+    const [own, ...others] = [path.parameters, parameters, foreign].map((one) =>
+      saddle.shortestPath([0, 0], [0.5, 0.4], { start: anything({ ...path, points: one, parameters: one }) }),
+    );
+    for (const other of others) assert.deepEqual(other, own);
   });
 
   test('an option that is undefined counts as not given', () => {

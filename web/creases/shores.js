@@ -140,8 +140,9 @@ export function writeShore(question, leg, options) {
       const { solve, finish } = poseNear({ ...field, run }, [nodes[k], node], null);
       return finish(solve({ ...options, points: NEAR.points, maxIterations: NEAR.maxIterations }));
     });
-    const whole = joinPaths(parts, field.domain);
-    if (whole.converged) return { ...thinned(whole, pieces + 1), length, lengthError: error + Number.EPSILON * length };
+    const whole = joinPaths(parts, field.domain, true);
+    if (whole.converged)
+      return { ...thinned(whole, pieces + 1), length, energy: length * length, lengthError: error + Number.EPSILON * length };
     if (finer === 2 ** HALVINGS) return whole;
   }
 }

@@ -3,20 +3,15 @@
 import { functions } from './functions.js';
 
 /** What to write instead of characters that are no part of an expression. */
-const ALTERNATIVES = new Map([
+const ALTERNATIVES = [
   ['=', 'an expression has no "="; for an equation a = b write a - (b)'],
-  ['<', 'comparisons are not available; use min, max, abs or sign'],
-  ['>', 'comparisons are not available; use min, max, abs or sign'],
-  ['[', 'write round brackets ( ) instead of [ ]'],
-  [']', 'write round brackets ( ) instead of [ ]'],
-  ['{', 'write round brackets ( ) instead of { }'],
-  ['}', 'write round brackets ( ) instead of { }'],
+  ['<>≤≥', 'comparisons are not available; use min, max, abs or sign'],
+  ['[]{}', 'write round brackets ( ) instead'],
   ['%', 'for the remainder of a/b write a - b*floor(a/b)'],
   ['°', 'angles are in radians; for degrees write *pi/180'],
   [';', 'write one expression without ";"'],
-  ['–', 'a dash is no minus sign; write -'],
-  ['—', 'a dash is no minus sign; write -'],
-]);
+  ['‐‑‒–—', 'a dash is no minus sign; write -'],
+];
 
 /** What to write instead of names that other programs know. */
 const TRANSLATIONS = new Map([
@@ -25,9 +20,12 @@ const TRANSLATIONS = new Map([
   ['tg', 'tan(…)'],
   ['cot', '1/tan(…)'],
   ['ctg', '1/tan(…)'],
+  ['coth', '1/tanh(…)'],
   ['sec', '1/cos(…)'],
-  ['csc', '1/sin(…)'],
   ['sech', '1/cosh(…)'],
+  ['csc', '1/sin(…)'],
+  ['cosec', '1/sin(…)'],
+  ['csch', '1/sinh(…)'],
   ['mod', 'a - b*floor(a/b)'],
   ['ceil', '-floor(-(…))'],
   ['round', 'floor(… + 0.5)'],
@@ -49,7 +47,8 @@ export function unexpected(symbol) {
   const code = /** @type {number} */ (symbol.codePointAt(0));
   if (/[\p{C}\p{Z}\p{M}]/u.test(symbol))
     return `here stands an invisible character, U+${code.toString(16).toUpperCase().padStart(4, '0')}; remove it`;
-  return ALTERNATIVES.get(symbol) ?? `"${symbol}" is no part of an expression; write it with + - * / ^ ( ), numbers and names`;
+  const [, advice] = ALTERNATIVES.find(([symbols]) => symbols.includes(symbol)) ?? [];
+  return advice ?? `"${symbol}" is no part of an expression; write it with + - * / ^ ( ), numbers and names`;
 }
 
 /** @param {string} name @param {number} count of arguments it was given */
@@ -68,7 +67,9 @@ export function unknown(name, isCall, known) {
   const listed = (isCall ? [...functions.keys()] : known).join(', ');
   const shown = name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
   const others = `the ${kind}s here are ${listed}${isCall ? '' : '; or give it a value in parameters'}`;
-  return `unknown ${kind} ${shown}; ${near ? `did you mean ${near}?` : others}`;
+  // Some of these look like others.
+  const script = /[Ѐ-ӿ]/.test(shown) ? ' in Cyrillic' : '';
+  return `unknown ${kind} ${shown}${script}; ${near ? `did you mean ${near}?` : others}`;
 }
 
 /**

@@ -1,5 +1,6 @@
 /* Formulas -> a small WebAssembly module that evaluates them with their derivatives, and the data block it reads. */
 
+import { refuse } from '../arguments.js';
 import { differentiate } from './differentiate.js';
 import { emit } from './emit.js';
 import { ExpressionError } from './error.js';
@@ -110,9 +111,7 @@ export function evaluateConstant(source, parameters, apply, name = '') {
 function read(source, scope, name) {
   if (typeof source === 'string') return parse(source, scope, name);
   if (typeof source === 'number' && Number.isFinite(source)) return [{ kind: 'number', name: '', value: source, index: 0 }];
-  throw new TypeError(
-    `${name || 'the expression'} must be a string or a finite number, not ${typeof source === 'number' ? source : source === null ? 'null' : typeof source}`,
-  );
+  refuse(name || 'the expression', 'a string or a finite number', source);
 }
 
 /** What names mean: variables before parameters before constants. @param {string[]} variables @param {Record<string, number>} parameters @returns {Map<string, Meaning>} */
@@ -145,8 +144,7 @@ function checkParameter(name, value, index, scope) {
   if (!isName(name)) refuseParameter(name, `${JSON.stringify(name)} cannot name a parameter; write a letter, then letters and digits`);
   if (functions.has(name)) refuseParameter(name, `${name} is a function; give the parameter another name`);
   if (scope.has(name)) refuseVariable(name);
-  if (typeof value !== 'number' || !Number.isFinite(value))
-    throw new TypeError(`the parameter ${name} must be a finite number, not ${String(value)}`);
+  if (!Number.isFinite(value)) refuse(`the parameter ${name}`, 'a finite number', value);
 }
 
 /** Nodes of all outputs together, by order of derivative. @param {Jet[]} jets @param {0 | 1 | 2} order */

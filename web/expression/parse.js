@@ -16,6 +16,9 @@ import { Postfix } from './postfix.js';
 /** The largest expression that is read. */
 export const LIMITS = Object.freeze({ characters: 4096, nodes: 2000, nesting: 64 });
 
+/** Also what text processors put between a function and its bracket, and between factors, where nothing is to be seen. */
+const SPACE = /^[\s\u2061\u2062]+/u;
+
 /**
  * What a name stands for: `value` is the number, or the index of the variable, parameter or known value.
  * @typedef {{ kind: 'number' | 'variable' | 'parameter' | 'known', value: number }} Meaning
@@ -105,7 +108,7 @@ class Parser {
   #readName() {
     const name = this.#match(NAME);
     if (name === '') return false;
-    const rest = this.#source.slice(this.#index + name.length).trimStart();
+    const rest = this.#source.slice(this.#index + name.length).replace(SPACE, '');
     const isCall = rest[0] === '(';
     if (functions.has(name)) this.#readFunction(name, rest);
     else if (!this.#scope.has(name) && this.#isDefined(rest)) this.#fail('write only what stands behind "="; the name is known');
@@ -222,8 +225,7 @@ class Parser {
 
   #checkPower() {
     if (this.#last === 'superscript') this.#fail('this could mean two powers; write (…)^… with brackets');
-    if (this.#afterRadical())
-      this.#fail('this could be the root of a power or the power of a root; write √(…) with brackets around all of it, or (√…)^…');
+    if (this.#afterRadical()) this.#fail('this could be the root of a power or the power of a root; write √(…) or (√…)^…');
   }
 
   /** @param {string} symbol */
@@ -281,7 +283,7 @@ class Parser {
   }
 
   #skipSpace() {
-    while (/\s/u.test(this.#source[this.#index] ?? '')) this.#index++;
+    while (SPACE.test(this.#source[this.#index] ?? '')) this.#index++;
   }
 
   /** @param {string} symbol */

@@ -3,6 +3,7 @@
 import { moveNear } from '../manifold/lifts.js';
 import { isGeodesic } from '../path.js';
 import { listOf, sumOf } from '../vector.js';
+import { ELEMENTS } from './candidates.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../manifold/seams.js').Glued} Glued */
@@ -54,9 +55,10 @@ function joinParameters(pieces, glued) {
 
 /**
  * Joins paths that follow each other. A piece without a path makes the whole one; else the status is the first that is not `converged`.
- * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @returns {Path}
+ * @param {Path[]} pieces @param {Glued | null} glued the rectangle, if they have parameters @param {boolean} areElements they share time as their lengths do; chords take as long as each other
+ * @returns {Path}
  */
-export function joinPaths(pieces, glued) {
+export function joinPaths(pieces, glued, areElements) {
   const missing = pieces.find(({ length }) => Number.isNaN(length));
   if (missing) return missing;
   const status = pieces.find(({ converged }) => !converged)?.status ?? 'converged';
@@ -64,7 +66,7 @@ export function joinPaths(pieces, glued) {
     pieces.map((piece) => piece.points),
     3,
   );
-  const segments = sum(pieces.map(segmentsOf));
+  const timeOf = areElements ? (/** @type {Path} */ { length }) => length : segmentsOf;
   return {
     status,
     converged: status === 'converged',
@@ -73,7 +75,7 @@ export function joinPaths(pieces, glued) {
     points,
     parameters: joinParameters(pieces, glued),
     iterations: sum(pieces.map(({ iterations }) => iterations)),
-    energy: segments * sum(pieces.map((piece) => piece.energy / segmentsOf(piece))),
+    energy: sum(pieces.map(timeOf)) * sum(pieces.map((piece) => piece.energy / timeOf(piece) || 0)),
     gradientNorm: Math.sqrt(sum(pieces.map(({ gradientNorm }) => gradientNorm ** 2))),
     index: pieces.some(({ index }) => index < 0) ? -1 : sum(pieces.map(({ index }) => index)),
     touchesBoundary: pieces.some(({ touchesBoundary }) => touchesBoundary),
@@ -99,6 +101,7 @@ export function joinLegs(legs, asked, solve, glued, least = 1) {
   const whole = joinPaths(
     parts.map((part, k) => (least > 1 && isGeodesic(part) ? thinned(part, shares[k] + 2) : part)),
     glued,
+    asked.algorithm === ELEMENTS,
   );
   return { parts, path: points > asked.points && whole.length >= 0 ? thinned(whole, asked.points + 2) : whole };
 }

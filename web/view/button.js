@@ -41,11 +41,15 @@ export class HandleButton {
       ...{ background: 'none', cursor: 'grab', touchAction: 'none', visibility: 'hidden' },
     });
     this.#resize(matchMedia('(pointer: coarse)').matches ? COARSE : FINE);
-    // After those that are there: the tabulator goes from the first to the last.
-    let last = canvas;
+    this.#settleIn();
+    this.#listen();
+  }
+
+  /** After those that are there: the tabulator goes from the first to the last. */
+  #settleIn() {
+    let last = this.#canvas;
     while (last.nextElementSibling?.classList.contains(NAME)) last = /** @type {HTMLElement} */ (last.nextElementSibling);
     last.after(this.element);
-    this.#listen();
   }
 
   #listen() {
@@ -142,7 +146,9 @@ export class HandleButton {
 
   /** @param {number} x in CSS pixels from the canvas's corner @param {number} y @param {boolean} seen whether that is inside the view */
   place(x, y, seen) {
-    const { style } = this.element;
+    const { style, parentNode } = this.element;
+    // The canvas may have come into a page since.
+    if (!parentNode) this.#settleIn();
     const { offsetLeft, offsetTop, clientLeft, clientTop } = this.#canvas;
     const [left, top] = [offsetLeft + clientLeft + x - this.#size / 2, offsetTop + clientTop + y - this.#size / 2];
     style.visibility = seen || this.#pointer !== null ? 'visible' : 'hidden';

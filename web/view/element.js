@@ -12,7 +12,7 @@ import {
   readOptions,
   SURFACE_ATTRIBUTES,
 } from './element/attributes.js';
-import { adopt, reflect, TypedElement } from './element/base.js';
+import { adopt, BaseElement, reflect } from './element/base.js';
 import { Caption } from './element/caption.js';
 import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
@@ -33,7 +33,7 @@ const [LOOK, PATH, SURFACE] = [1, 2, 3];
  * `<surface-path surface="parametricTorus" from="0,0" to="2,1" controls></surface-path>`. The attributes stand in the manual. Events: `path`, its detail the Path,
  * each time one was computed; `error`, its detail the Error, where a formula, a point or the browser does not allow it. Neither bubbles.
  */
-export class SurfacePathElement extends TypedElement {
+export class SurfacePathElement extends BaseElement {
   static observedAttributes = [...SURFACE_ATTRIBUTES, ...PATH_ATTRIBUTES, ...LOOK_ATTRIBUTES];
   #canvas = document.createElement('canvas');
   #caption = new Caption(this.#canvas);

@@ -3,7 +3,7 @@
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
 import { checkOptions, refuse } from '../arguments.js';
 import { HandleButton } from './button.js';
-import { checkDrawable } from './check.js';
+import { checkDrawable, checkPixels } from './check.js';
 import { Marker } from './marker.js';
 import { Picker } from './pick.js';
 import { stepAlong } from './step.js';
@@ -63,13 +63,14 @@ export class DragHandle extends Group {
     checkDrawable('DragHandle', surface);
     checkOptions('DragHandle', options ?? {}, [...NAMES, ...EVENTS]);
     if (!options?.camera || !options.domElement) throw new TypeError('DragHandle: options.camera and options.domElement are needed');
-    const { label = 'Point', radius = 6, step = 8, onChange = () => {} } = options;
+    const { label = 'Point', radius = 6, step = 8, onChange = () => {}, colour, ring } = options;
+    checkPixels('DragHandle: options.', { radius, step });
     // Nobody draws what is not made yet.
     this.#options = { ...options, label, radius, step, onChange: () => {} };
     this.#surface = surface;
     this.add(this.#marker);
     this.#marker.onDraw = (camera, viewport, renderer) => this.#follow(camera, viewport, renderer);
-    this.setColours(options);
+    this.setColours({ colour, ring });
     this.#highlight(false);
     this.setPoint(point);
     this.#button = new HandleButton(options.domElement, this.#options.label, {
@@ -126,8 +127,8 @@ export class DragHandle extends Group {
   }
 
   /** What is not named stays. @param {{ colour?: Colour, ring?: Colour }} colours */
-  setColours({ colour, ring }) {
-    this.#marker.setColours({ colour, ring });
+  setColours(colours) {
+    this.#marker.setColours(colours);
     this.#options.onChange();
   }
 

@@ -55,7 +55,8 @@ export class Picker {
   #project(point, uv) {
     const { domain } = this.#surface;
     const at = (/** @type {number[]} */ [from, to], /** @type {number} */ share) => from + share * (to - from);
-    const near = domain ? uv && [at(domain.u, uv.x), at(domain.v, uv.y)] : undefined;
+    // Of a geometry of the reader's own they may be anything.
+    const near = domain && uv && this.#mesh.geometry.userData.cells ? [at(domain.u, uv.x), at(domain.v, uv.y)] : undefined;
     try {
       return this.#surface.project(point.toArray(), near);
     } catch (error) {

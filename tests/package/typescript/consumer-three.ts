@@ -1,5 +1,5 @@
 // A stranger's TypeScript with three.js. Checked by package.test.js where the package, three and its types are installed.
-import { load } from 'surfpath';
+import { load, type Path } from 'surfpath';
 import { SurfacePathElement } from 'surfpath/element';
 import { type ColourScale, DragHandle, GeodesicLine, PathPlayer, surfaceGeometry, surfaceMaterial } from 'surfpath/three';
 import { Mesh, PerspectiveCamera, Scene } from 'three';
@@ -27,6 +27,12 @@ if (element instanceof SurfacePathElement) {
   element.from = [0.5, 0.6];
   element.definition = { kind: 'graph', z: 'x y', x: [-1, 1], y: [-1, 1] };
   element.addEventListener('path', ({ detail }) => console.log(detail.length));
+  const listen = ({ detail }: CustomEvent<Path>) => console.log(detail.length);
+  element.addEventListener('path', listen);
+  element.removeEventListener('path', listen);
+  element.addEventListener('error', ({ detail }) => console.log(detail.message));
+  element.addEventListener('pointerdown', ({ clientX }) => console.log(clientX));
+  element.addEventListener('mine', { handleEvent: ({ type }) => console.log(type) });
   console.log(length, element.from, element.definition.kind);
   // @ts-expect-error: the path is read, not set
   element.path = path;

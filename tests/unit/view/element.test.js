@@ -53,6 +53,23 @@ describe('attributes', () => {
     assert.deepEqual(/** @type {any} */ (define({ ...sphere, bounds: '-1 1; -2 2; -3 3' })).bounds[2], [-3, 3]);
   });
 
+  test('that are missing are told by the kind that was meant', () => {
+    const range = '-1, 1';
+    const missing = (/** @type {Record<string, string>} */ values) => surfpath.surface(define(values));
+    assert.throws(() => missing({ x: 'u', y: 'v', z: 'u v' }), /^TypeError: parametric: the definition needs x, y, z, u, v; u is missing$/);
+    assert.throws(() => missing({ x: 'cos(t)', y: 'sin(t)', z: 'v', v: range }), /^TypeError: parametric: .*; u is missing$/);
+    assert.throws(
+      () => missing({ centerline: 'cos(t); sin(t); 0', radius: '0.2', t: '0, 2pi' }),
+      /^TypeError: tube: .*; centreline is missing$/,
+    );
+    assert.throws(() => missing({ z: 'x', x: range }), /^TypeError: graph: .*; y is missing$/);
+    for (const x of ['-1..1', '-1 1', '-1; 0; 1'])
+      assert.throws(() => missing({ z: 'x', x, y: range }), {
+        name: 'TypeError',
+        message: `surface-path: x must be a range as '-1, 1', not '${x}'`,
+      });
+  });
+
   test('are a metric, and which directions close', () => {
     const plate = { x: 'u', y: 'v', z: '0', u: '-2,2', v: '-2,2' };
     const { metric } = /** @type {any} */ (define({ ...plate, metric: '9; atan2(u, 2); 1' }));

@@ -22,7 +22,9 @@ const SIGNS = /** @type {const} */ ([
   ['profile', 'sweep'],
   ['r', 'revolution'],
   ['u', 'parametric'],
+  ['v', 'parametric'],
   ['z', 'graph'],
+  ['radius', 'tube'],
 ]);
 const COLOURS = ['none', 'curvature', 'distance'];
 const METRIC = { implicit: ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'], other: ['E', 'F', 'G'] };
@@ -79,7 +81,9 @@ function readPeriodic(text) {
 
 /** The formulas that the attributes hold. @param {Attributes} attribute @returns {Record<string, any> & { kind: string }} */
 function readFormulas(attribute) {
-  const kind = attribute('kind') ?? SIGNS.find(([name]) => attribute(name) !== null)?.[1];
+  const sign = SIGNS.find(([name]) => attribute(name) !== null)?.[1];
+  // A range of x has no u or v: ranges of these are missing.
+  const kind = attribute('kind') ?? (sign === 'graph' && /^[^,;]*[uv]/.test(attribute('x') ?? '') ? 'parametric' : sign);
   if (kind === undefined)
     throw new TypeError('surface-path: name a surface of the gallery (surface="torus"), or give formulas (x, y, z, u, v or f, bounds)');
   const fields = Object.hasOwn(KINDS, kind) ? KINDS[kind] : null;
@@ -89,7 +93,9 @@ function readFormulas(attribute) {
   for (const name of fields.formulas) definition[name] = attribute(name) ?? undefined;
   for (const name of [...fields.lists, ...fields.ranges]) {
     const text = attribute(name);
-    if (text !== null) definition[name] = split(text);
+    if (text === null) continue;
+    definition[name] = split(text);
+    if (fields.ranges.includes(name) && definition[name].length !== 2) refuse(`surface-path: ${name}`, "a range as '-1, 1'", text);
   }
   return definition;
 }

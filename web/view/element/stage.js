@@ -64,6 +64,8 @@ export class Stage {
   /** Takes a surface in place of the last one. @param {Surface} surface @param {import('../geometry.js').GeometryOptions} look */
   setSurface(surface, look) {
     const geometry = surfaceGeometry(surface, look);
+    if (geometry.index?.count === 0)
+      throw new RangeError('surface-path: nothing to draw: inside its bounds f is nowhere zero, or formulas have no value');
     const coloured = geometry.hasAttribute('color');
     this.#outgoing.push(/** @type {import('three').Material} */ (this.#mesh.material));
     this.#mesh.geometry.dispose();
@@ -223,10 +225,10 @@ export class Stage {
   }
 
   #fit() {
-    if (this.#mesh.geometry.index?.count === 0) return;
     this.#isFitted = true;
     const margin = Math.min(MARGIN + COVERED / this.#size.height, 0.5);
-    const shown = this.#ends.map(({ position }) => position.toArray());
+    // Where formulas have no value an end is nowhere.
+    const shown = this.#ends.map(({ position }) => position.toArray()).filter((place) => place.every(Number.isFinite));
     const target = fitCamera(this.#camera, this.#mesh.geometry, this.#towards, margin, shown);
     if (!this.#controls) return;
     const distance = this.#camera.position.distanceTo(target);
