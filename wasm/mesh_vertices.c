@@ -28,6 +28,7 @@ static const double least_fall = 0.01;
 /* A block of vertices on their way from the lattice edge to the surface. */
 struct block {
     struct sp_mesh_points points;
+    const double *box;
     double start[BLOCK][3], edge[BLOCK][3]; /* f < 0 at start, not at start + edge */
     double freedom[BLOCK][3];               /* 0 along the axes in which the vertex is bound to a face of the box, else 1 */
     double low[BLOCK], high[BLOCK];         /* part of the edge where f changes sign */
@@ -88,11 +89,15 @@ static int32_t project(struct block *block) {
     return moving;
 }
 
-/* True when vertex i came to rest on f = 0, not far from its edge, on the sheet that crosses it: f grows along the edge. */
+/* True when vertex i came to rest on f = 0, not far from its edge, on the sheet that crosses it: f grows along the edge. Nor may it leave
+ * the box: triangles would fold back over its faces. */
 static bool settled(const struct block *block, int32_t i) {
     double gradient[3], away[3], factor = newton_factor(block, i, gradient), edge = dot(block->edge[i], block->edge[i]);
-    for (int axis = 0; axis < 3; axis++)
-        away[axis] = block->points.at[i][axis] - block->start[i][axis] - block->low[i] * block->edge[i][axis];
+    for (int axis = 0; axis < 3; axis++) {
+        const double at = block->points.at[i][axis], *box = block->box + 2 * axis;
+        away[axis] = at - block->start[i][axis] - block->low[i] * block->edge[i][axis];
+        if (at > box[1] || at < box[0]) return false;
+    }
     return factor * factor * dot(gradient, gradient) <= 1e-20 * edge && dot(away, away) <= 0.25 * edge && dot(gradient, block->edge[i]) > 0;
 }
 
@@ -150,23 +155,24 @@ static void place_block(sp_evaluate value, struct block *block, double *position
     }
 }
 
-static void prepare(struct block *block, int32_t i, const double box[6]) {
+static void prepare(struct block *block, int32_t i) {
     block->low[i] = 0, block->high[i] = 1, block->largest[i] = 0;
     for (int axis = 0; axis < 3; axis++) {
-        bool on_face = block->start[i][axis] == box[2 * axis] || block->start[i][axis] == box[2 * axis + 1];
+        bool on_face = block->start[i][axis] == block->box[2 * axis] || block->start[i][axis] == block->box[2 * axis + 1];
         block->freedom[i][axis] = on_face && block->edge[i][axis] == 0 ? 0 : 1;
     }
 }
 
 void sp_place_vertices(sp_evaluate value, const double box[6], struct sp_mesh *mesh) {
     struct block block;
+    block.box = box;
     for (int32_t first = 0; first < mesh->vertex_count; first += BLOCK) {
         size_t offset = 3 * (size_t)first;
         block.points.count = mesh->vertex_count - first < BLOCK ? mesh->vertex_count - first : BLOCK;
         memcpy(block.start, mesh->positions + offset, (size_t)block.points.count * sizeof block.start[0]);
         memcpy(block.edge, mesh->normals + offset, (size_t)block.points.count * sizeof block.edge[0]);
         for (int32_t i = 0; i < block.points.count; i++)
-            prepare(&block, i, box);
+            prepare(&block, i);
         place_block(value, &block, mesh->positions + offset, mesh->normals + offset);
     }
 }

@@ -13,8 +13,7 @@ import { listOf } from './vector.js';
  */
 export function readPairOptions(caller, given) {
   const { solve, start } = readOptions(caller, given);
-  if (start !== 'global' && start !== 'straight')
-    throw new RangeError(`${caller}: options.start must be 'global' or 'straight', the same for all pairs`);
+  if (start !== 'global' && start !== 'straight') throw new RangeError(`${caller}: options.start must be 'global' or 'straight'`);
   return { solve, start };
 }
 

@@ -120,7 +120,7 @@ export class Surface {
     const { solve, start } = readOptions(caller, options, ['max']);
     const { max = MOST_GEODESICS } = options ?? {};
     wholeNumber(caller, 'max', max, 1, MOST_POINTS);
-    if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global': geodesics looks for all paths`);
+    if (start !== 'global') throw new RangeError(`${caller}: options.start must be 'global'`);
     const field = this.#manifold.field();
     const asked = this.#inSpace(solve);
     const found = findGeodesics(field, ends, asked, max).filter(
@@ -184,7 +184,7 @@ export class Surface {
   /**
    * The geodesic from a point in a direction: the exponential map. It ends early, with status `edge-reached`, on an edge of the rectangle.
    * @param {ArrayLike<number>} from u v in the rectangle (any number in a periodic direction), or x y z (projected onto the surface first)
-   * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts; its length does not matter. Zero or normal to the surface throws
+   * @param {ArrayLike<number>} direction du dv, or x y z, of which the tangent part counts, not its length; without one it throws
    * @param {number} length how far, ≥ 0
    * @param {TraceOptions} [options]
    * @returns {Path} index −1, energy and gradientNorm NaN, no history; `conjugate`: the length at which the geodesic ceases to be locally shortest

@@ -5,6 +5,7 @@ import { changesSides, traceAcross } from './creases/trace-across.js';
 import { sizeOf } from './creases/linear.js';
 import { endOf } from './creases/meeting.js';
 import { readNumbers } from './definition.js';
+import { freeCoordinate } from './manifold/domain.js';
 import { KIND } from './manifold/kind.js';
 import { MOST_POINTS, makePath } from './path.js';
 import { placeIn } from './pieces/pieces.js';
@@ -15,6 +16,9 @@ import { settleEnd } from './search/routes.js';
 /** A trace that ends so on an implicit surface is tried again with so many times the tolerance, from this one no more. */
 const MAY_CROSS = [TOLERANCE_NOT_MET, SINGULAR_METRIC];
 const [LOOSER, LOOSEST] = [100, 1e-5];
+
+/** From a pole a trace begins beside it, by this part of the rectangle. */
+const BESIDE = 1e-15;
 
 /**
  * @typedef {object} TraceOptions
@@ -28,7 +32,7 @@ const [LOOSER, LOOSEST] = [100, 1e-5];
  */
 export function readTrace(caller, direction, length, variables) {
   const numbers = readNumbers(caller, 'direction', direction, variables);
-  if (numbers.every((x) => x === 0)) throw new RangeError(`${caller}: direction must not be zero; only its length does not matter`);
+  if (numbers.every((x) => x === 0)) throw new RangeError(`${caller}: direction must not be zero`);
   if (typeof length !== 'number' || !(length >= 0 && length < Infinity))
     refuseNumber(`${caller}: length`, 'a finite number that is not negative', length);
   return { direction: numbers, length };
@@ -48,12 +52,25 @@ export function readTraceOptions(caller, given) {
 export function traceFrom(manifold, caller, start, asked, wanted) {
   const field = manifold.field();
   const { domain, place } = placeIn(field, start);
+  /* Around a pole a coordinate says nothing, and has no derivative: a trace leaves it along the meridian, from beside it. */
+  const along = freeCoordinate(domain, place);
+  const across = 1 - along;
+  const pole = place[across];
+  if (domain && along >= 0) {
+    place[across] += BESIDE * (domain.lower[across] + domain.upper[across] - 2 * pole);
+    asked.direction[along] = 0;
+  }
   const run = (/** @type {number} */ length, /** @type {number} */ tolerance) =>
     manifold.run(
       (heap, record) => heap.trace(record, { kind: KIND[manifold.kind], from: place, ...asked, length }, { ...wanted, tolerance }),
       domain,
     );
   const path = field.jumps ? traceCreased(field, place, asked, wanted, run) : traceSmooth(manifold, asked, wanted, run);
+  if (along >= 0 && path?.parameters) {
+    const steps = (path.parameters[2 + across] - pole) / (place[across] - pole);
+    path.parameters[across] = pole;
+    path.lengthError += path.length / (wanted.points + 1) / (steps || 1);
+  }
   if (path) return place === start ? makePath(path) : placed(manifold.domain, makePath(path), start);
   throw new RangeError(`${caller}: direction is normal to the surface at from; give one with a tangent part`);
 }
@@ -79,6 +96,7 @@ function traceSmooth({ kind }, { length }, wanted, run) {
  * @param {import('./search/routes.js').Field} field @param {number[]} place @param {ReturnType<typeof readTrace>} asked @param {ReturnType<typeof readTraceOptions>} wanted @param {Run} run
  */
 function traceCreased(field, place, { direction, length }, wanted, run) {
+  const lost = (/** @type {import('./runtime/result.js').RawPath} */ raw) => ({ ...raw, status: TOLERANCE_NOT_MET, lengthError: length });
   const still = run(0, wanted.tolerance);
   if (still && !still.end) return still;
   const sides = field.jumps?.() ?? null;
@@ -89,8 +107,8 @@ function traceCreased(field, place, { direction, length }, wanted, run) {
   const path = isWhole ? traceAcross(field, sides, { place: from, direction, length, reach }, wanted) : run(length, wanted.tolerance);
   /* A side may end where its crease does, as that of max(0, x)^2.5. */
   const whole = isWhole && path?.status === NOT_FINITE ? run(length, wanted.tolerance) : null;
-  if (whole && whole.status >= CONVERGED) return { ...whole, status: TOLERANCE_NOT_MET, lengthError: length };
-  if (!path) return still && { ...still, status: TOLERANCE_NOT_MET, lengthError: length };
+  if (whole && whole.status >= CONVERGED) return lost(whole);
+  if (!path) return still && lost(still);
   const isKnown = isWhole || (sides && !changesSides(sides, path));
-  return isKnown || path.status !== CONVERGED ? path : { ...path, status: TOLERANCE_NOT_MET, lengthError: length };
+  return isKnown || path.status !== CONVERGED ? path : lost(path);
 }

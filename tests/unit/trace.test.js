@@ -129,6 +129,31 @@ test('past a pole, again and again, however closely: a great circle', () => {
   globe.dispose();
 });
 
+// Only where rounding had put the pole beside itself, as at sin(π), had there been a path.
+test('from a pole along its meridian, as on the same body without one', () => {
+  const [X, Y, Z] = ['sin(v)*cos(u)', 'sin(v)*sin(u)', 'cos(v)'];
+  const radius = (/** @type {string[]} */ [x, y, z]) => `(1 + 0.2*${x}*${y} + 0.15*${x} - 0.1*${z}*(${y})^2 + 0.1*sin(2*${x} + ${y}))`;
+  const [x, y, z] = [X, Y, Z].map((part) => `${radius([X, Y, Z])}*${part}`);
+  const globe = surfpath.parametric({ x, y, z, u: [0, '2pi'], v: [0, 'pi'] });
+  const size = 'sqrt(x^2 + y^2 + z^2)';
+  const body = surfpath.implicit({ f: `${size} - ${radius(['x', 'y', 'z'].map((part) => `(${part}/${size})`))}` });
+  for (const [v, inwards] of [
+    [0, 1],
+    [Math.PI, -1],
+  ])
+    for (const u of [0, 0.7, 2.9, 4.4])
+      for (const length of [1e-3, 0.5, 3, 10]) {
+        const away = [Math.cos(u), Math.sin(u)];
+        const path = globe.trace([u, v], [1, inwards], length);
+        const same = body.trace([0, 0, inwards], [...away, inwards * (0.35 * away[0] + 0.1 * away[1])], length);
+        const miss = norm(subtract(pointOf(same, -1), pointOf(path, -1)));
+        assert.ok(path.converged && miss <= path.lengthError + same.lengthError, `${u}, ${v}, ${length}: ${path.status}, ${miss}`);
+        assert.deepEqual(Array.from(/** @type {Float64Array} */ (path.parameters).subarray(0, 2)), [u, v]);
+      }
+  assert.throws(() => globe.trace([1, 0], [1, 0], 1), /^RangeError: trace: direction is normal to the surface at from/);
+  for (const surface of [globe, body]) surface.dispose();
+});
+
 test('a trace that comes to rest at a line where its formulas are not smooth says how much is left', () => {
   const plane = /** @type {const} */ ({ x: 'u', y: 'v', z: 0, u: [-2, 2], v: [-2, 2] });
   for (const definition of [
@@ -278,7 +303,7 @@ test('mistakes throw, and say which', () => {
       String(message),
     );
   }
-  assert.throws(() => sphere.trace([2, 0, 0], [-3, 0, 0], 1), /^RangeError: trace: direction is normal to the surface/);
+  assert.throws(() => sphere.trace([2, 0, 0], [-3, 0, 0], 1), /^RangeError: trace: direction is normal to the surface at from/);
   const gone = surfpath.implicit({ f: 'x' });
   gone.dispose();
   assert.throws(() => gone.trace([0, 0, 0], [0, 1, 0], 1), /^Error: trace: this surface was disposed/);

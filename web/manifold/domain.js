@@ -133,9 +133,9 @@ export function isAtPole({ lower, upper }, point, pole) {
   return point[across] === (side ? upper : lower)[across];
 }
 
-/** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
-function freeCoordinate(domain, point) {
-  const at = domain.poles.find((pole) => isAtPole(domain, point, pole));
+/** Whether a point lies on an edge that is one point, so that its coordinate along that edge says nothing. @param {Domain | null} domain @param {number[]} point @returns {number} that coordinate: 0, 1, or -1 */
+export function freeCoordinate(domain, point) {
+  const at = domain?.poles.find((pole) => isAtPole(domain, point, pole));
   return at === undefined ? -1 : edgeOf(at).along;
 }
 
@@ -145,7 +145,6 @@ function freeCoordinate(domain, point) {
  * @param {Domain | null} domain @param {number[]} a @param {number[]} b @returns {number[][]}
  */
 export function facePoles(domain, a, b) {
-  if (!domain) return [a, b];
   const face = (/** @type {number[]} */ point, /** @type {number[]} */ other) =>
     point.map((x, j) => (j === freeCoordinate(domain, point) ? other[j] : x));
   return freeCoordinate(domain, b) < 0 ? [face(a, b), b] : [a, face(b, a)];

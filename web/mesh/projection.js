@@ -32,7 +32,7 @@ export function projectOnto(manifold, caller, target, near) {
     if (found.status < CONVERGED || away(other) < (1 - NEARER) * away(found)) found = other;
   }
   if (found.status >= CONVERGED) return found.place;
-  throw new RangeError(`${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer to it`);
+  throw new RangeError(`${caller}: no point of the surface was found from there (${STATUS.get(found.status)}); pass a point nearer`);
 }
 
 /**
@@ -65,7 +65,7 @@ function withEdges({ positions, parameters, indices }) {
   const edges = Uint32Array.from({ length: 2 * indices.length }, (_, k) => indices[k & 1 ? after(k >> 1) : k >> 1]);
   const longest = new Float64Array(positions.length / 3).fill(-1);
   for (let k = 0; k < edges.length; k++) {
-    const [from, to] = [edges[k & ~1], edges[k | 1]].map((i) => positions.subarray(3 * i, 3 * i + 3));
+    const [from, to] = [edges[k & ~1], edges[k | 1]].map((i) => positions.subarray(3 * i));
     const length = gap(from, to);
     /* Beside a vertex where the formula has no value the others are as they are. */
     if (length < Infinity) longest[edges[k]] = Math.max(longest[edges[k]], length);

@@ -103,6 +103,21 @@ test('slivers that face away where normals hardly differ are no reason for more 
   gyroid.dispose();
 });
 
+// Vertices went along their gradients as far as a third of a cell out of the bounds, and triangles back over the rim.
+test('where bounds cut a surface its mesh ends on them, and no triangle is folded back', () => {
+  const f = 'sin(2.931x)*cos(2.571y) + sin(2.571y)*cos(3.3z) + sin(3.3z)*cos(2.931x) - 0.007';
+  const side = /** @type {[number, number]} */ ([-1.5, 1.5]);
+  const gyroid = surfpath.implicit({ f, bounds: [side, side, side] });
+  for (const resolution of [16, 64, 128]) {
+    const mesh = gyroid.mesh({ resolution });
+    assert.ok(mesh.positions.every((x) => Math.abs(x) <= 1.5));
+    const { facing } = measureTriangles(mesh);
+    assert.ok(facing > 0, `${resolution}: a triangle at cosine ${facing} to its normals`);
+    assert.ok(worstResidual(gyroid.evaluate(mesh.positions)) < 2e-14);
+  }
+  gyroid.dispose();
+});
+
 // Once there were walls of triangles: lids where the formula ends, sheets along poles.
 for (const f of ['sqrt(z) + x^2 + y^2 - 1', 'acos(x) - y - 1', 'y - 1/x', 'tan(2x) + y', 'floor(x + 0.3) + y', 'log(x) + y*z'])
   test(`${f} = 0: nothing but surface where f jumps, is infinite or no number`, () => {
