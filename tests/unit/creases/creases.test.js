@@ -514,7 +514,7 @@ test('along the bottom of a valley of cost, where only its slope jumps: catenari
       return { x, length: (bottom * x) / 2 + ((bottom * bottom) / 4) * Math.sinh((2 * x) / bottom) };
     };
     let count = 0;
-    for (let i = 0; i < 20; i++) {
+    for (let i = 0; i < 10; i++) {
       const [a, b] = [-1, 1].map((side) => [side * random.between(0.8, 2), random.between(-1, 1)]);
       const [down, up] = [arc(a[1]), arc(b[1])];
       const flat = b[0] - a[0] - down.x - up.x;
@@ -530,7 +530,7 @@ test('along the bottom of a valley of cost, where only its slope jumps: catenari
       assert.equal(surface.shortestPath(b, a).length, path.length);
       count++;
     }
-    assert.ok(count >= 15, `${count}`);
+    assert.ok(count >= 7, `${count}`);
   }
 });
 
