@@ -1,4 +1,4 @@
-// Ten seconds of each fuzzer of `make fuzz`, with the kept corpus, from one seed: what fails here fails again. `make fuzz` takes a new one.
+// Five seconds of each fuzzer of `make fuzz`, with the kept corpus, from one seed: what fails here fails again. `make fuzz` takes a new one.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cpSync, mkdtempSync, rmSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 
-const SECONDS = 10;
+const SECONDS = 5;
 const SEED = 2088936430;
 const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
 const run = promisify(execFile);
