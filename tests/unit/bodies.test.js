@@ -322,10 +322,10 @@ for (const bow of [1.5, 4, 20])
     const random = createRandom(12);
     const radius = Math.hypot(1, bow);
     const middle = [0, 0, radius - bow];
-    for (let i = 0; i < 20; i++) {
+    for (let i = 0; i < 10; i++) {
       const angle = random.between(0, 2 * Math.PI);
       const rim = [Math.cos(angle), Math.sin(angle), 0];
-      for (const end of [rim.map((x) => Number(x.toFixed(i < 10 ? 4 : 9))), lens.project(rim.map((x) => random.between(1, 1.3) * x))]) {
+      for (const end of [rim.map((x) => Number(x.toFixed(i < 5 ? 4 : 9))), lens.project(rim.map((x) => random.between(1, 1.3) * x))]) {
         const { status, points, length } = lens.shortestPath(middle, end);
         const [x, y, z] = points.slice(-3);
         const known = radius * Math.atan2(Math.hypot(x, y), bow + z);

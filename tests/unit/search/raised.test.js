@@ -15,32 +15,25 @@ const POINTS = 16383;
 /** Chords between so many are shorter than the path by this part at most; and where it turns within a thousandth of its length, what its places may be wrong by is this much curvature. */
 const DEMANDS = { lengthTolerance: 1e-3, tolerance: 1e-2 };
 
-for (const [name, least] of /** @type {const} */ ([
-  ['Rastrigin', 8],
-  ['Himmelblau', 8],
-  ['egg box', 8],
-])) {
-  test(`${name}'s function as it stands: ${least} of 8 paths converge, each a geodesic as long as finer elements say, seed 2`, () => {
+for (const name of /** @type {const} */ (['Rastrigin', 'Himmelblau', 'egg box'])) {
+  test(`${name}'s function as it stands: all of 5 paths converge, each a geodesic as long as finer elements say, seed 2`, () => {
     const { z, side } = STEEP[name];
     const definition = { kind: /** @type {const} */ ('parametric'), x: 'u', y: 'v', z, u: [-side, side], v: [-side, side] };
     const surface = surfpath.surface(/** @type {any} */ (definition));
     const random = createRandom(2);
     const place = () => [random.between(-side, side), random.between(-side, side)];
-    let count = 0;
-    for (let i = 0; i < 8; i++) {
+    for (let i = 0; i < 5; i++) {
       const [from, to] = [place(), place()];
       const path = surface.shortestPath(from, to, { points: POINTS });
-      if (!path.converged) continue;
+      assert.equal(path.status, 'converged', `${from} to ${to}`);
       const finer = surface.shortestPath(from, to, { start: path, points: POINTS, tolerance: 1e-12 });
       assert.ok(finer.iterations <= STEPS, `${from} to ${to}: ${finer.iterations} steps from many points of the path itself`);
       assert.ok(finer.converged && Math.abs(path.length / finer.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, ${finer.length}`);
       const wrong = verifyPath(/** @type {any} */ (definition), path, { from, to, ...DEMANDS });
       assert.deepEqual(wrong, [], `${from} to ${to}`);
       if (i === 0) assert.equal(surface.shortestPath(from, to).length, path.length, 'however many points are wanted');
-      count++;
     }
     surface.dispose();
-    assert.ok(count >= least, `${count} converge`);
   });
 }
 
