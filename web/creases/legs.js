@@ -5,7 +5,7 @@ import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
 import { listOf, sumOf } from '../vector.js';
-import { product } from './linear.js';
+import { product, scaled } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
@@ -28,7 +28,6 @@ import { product } from './linear.js';
 /** Legs while joints move: so exact, over so many points. */
 export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
 
-const NOWHERE = { place: null, along: [] };
 /** Steps of a leg that does not hold count so many times: they are those of the most elements. */
 const FAILING = 4;
 
@@ -79,15 +78,17 @@ export const slopeAlong = ({ pulls }, end, way) => product(way, pulls?.[end] ?? 
 export function changes(legs, places, ways, steps, moved, solve) {
   const slopes = ways.map(() => 0);
   const matrix = ways.map(() => ways.map(() => 0));
-  const there = steps.map((step, j) => moved(j, step));
+  const there = steps.map((step, j) => moved(j, step) ?? { place: null, along: [Number.NaN] });
   for (const [i, leg] of legs.entries()) {
-    const beside = [i - 1, i].filter((j) => ways[j]);
+    const beside = [i - 1, i].filter((j) => steps[j]);
     const slopeAt = (/** @type {Pulled} */ of, /** @type {number} */ j, way = ways[j]) => slopeAlong(of, Number(j === i), way);
     for (const j of beside) {
       slopes[j] += slopeAt(leg, j);
-      const { place, along } = there[j] ?? NOWHERE;
+      const { place, along } = there[j];
+      /* Which way a curve leads may be told by another of its coordinates there. */
+      const way = scaled(along, Math.sign(product(along, ways[j])));
       const other = (place && solve(i, j < i ? place : places[i], j < i ? places[i + 1] : place)) ?? {};
-      for (const k of beside) matrix[k][j] += (slopeAt(other, k, k === j ? along : ways[k]) - slopeAt(leg, k)) / steps[j];
+      for (const k of beside) matrix[k][j] += (slopeAt(other, k, k === j ? way : ways[k]) - slopeAt(leg, k)) / steps[j];
     }
   }
   return { slopes, matrix };

@@ -120,8 +120,7 @@ export class Heap extends Memory {
 
   /** Of the path just solved: how its length changes with u v or x y z of its first end, and of its last; NaN where that is not known. */
   pulls() {
-    const six = Array.from(this.doubles(this.#result + layout.sp_result_pull, 6));
-    return [six.slice(0, 3), six.slice(3)];
+    return [0, 24].map((offset) => Array.from(this.doubles(this.#result + layout.sp_result_pull + offset, 3)));
   }
 
   /**
