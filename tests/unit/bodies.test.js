@@ -303,14 +303,14 @@ for (const [form, half, r, bound] of ROUNDED)
     const body = surfpath.implicit({ f: FORMS[form](half, r), ...(bound ? { bounds: cube(bound) } : {}) });
     const random = createRandom(12);
     let exact = 0;
-    for (let pair = 0; pair < 10; pair++) {
+    for (let pair = 0; pair < 5; pair++) {
       const { from, to, over } = pickOver(half, r, random, 0.1);
       const { status, length } = body.shortestPath(from, to);
       assert.equal(status, 'converged', `${from} to ${to}`);
       assert.ok(length <= over * (1 + 1e-9), `${from} to ${to}: ${length}, over one edge ${over}`);
       if (length >= over * (1 - 1e-9)) exact++;
     }
-    if (r > 0) assert.ok(exact >= 5, `${exact} of 10 lead over one edge`);
+    if (r > 0) assert.ok(exact >= 2, `${exact} of 5 lead over one edge`);
     body.dispose();
   });
 

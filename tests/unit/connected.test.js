@@ -6,7 +6,7 @@ import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
 
 const surfpath = await load();
-const PAIRS = 10;
+const PAIRS = 5;
 
 /** @param {number[]} half sides from the middle @returns {[[number, number], [number, number], [number, number]]} */
 const box = ([x, y, z]) => [

@@ -123,7 +123,7 @@ test('as on the surface of revolution, by its angles', () => {
   const turned = surfpath.revolution({ r: 'cos(t)', z: 'sin(t)/100', t: ['-pi/2', 'pi/2'] });
   const random = createRandom(4);
   let compared = 0;
-  for (let i = 0; i < 12; i++) {
+  for (let i = 0; i < 6; i++) {
     const ends = [1, -1].map((side) => [random.between(0, 6), side * random.between(0.3, 1.2)]);
     const path = turned.shortestPath(ends[0], ends[1]);
     if (!path.converged) continue;
@@ -133,7 +133,7 @@ test('as on the surface of revolution, by its angles', () => {
     assert.ok(Math.abs(length / path.length - 1) < RIGHT, `${length} for ${path.length}`);
     compared++;
   }
-  assert.ok(compared > 5, String(compared));
+  assert.ok(compared > 2, String(compared));
 });
 
 describe('an ellipsoid that lies obliquely, 100:1', () => {

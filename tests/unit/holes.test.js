@@ -8,7 +8,7 @@ import { createRandom } from '../helpers/random.js';
 const surfpath = await load();
 /** The tolerance that is asked for by default. */
 const RIGHT = 1e-9;
-const PAIRS = 40;
+const PAIRS = 24;
 
 /** A unit sphere by colatitude and longitude. @param {number} least of the colatitude @param {number} most @param {number} around the longitude's range */
 const sphere = (least, most, around) =>

@@ -13,7 +13,7 @@ import { MOTION, mapPoint, transform } from '../helpers/space-map.js';
 /** @typedef {keyof typeof gallery} Name */
 
 const SEED = 31415;
-const PAIRS = 40;
+const PAIRS = 16;
 /** Newton's last full step leaves an error of the order of rounding; measured 1.2e-15 at most. */
 const ROUNDING = 1e-14;
 

@@ -17,6 +17,8 @@ import { cofactors, crossingsFrom, formOf, isSaddle, longest, SINGULAR, STEPS, s
 
 /** Of more nodes none is taken, as ways over them would be too many. */
 const MOST = 256;
+/** So many at which second derivatives are singular are no points: f is a square, or zero everywhere. */
+const MOST_FLAT = 4096;
 /** A node is the same as another up to this part of the box. */
 const SAME = 1e-6;
 /** Where the gradient vanishes like a power of these orders, steps shrink by the same part, 1 − 1/order, up to this, and in a row, up to that cosine. */
@@ -146,7 +148,7 @@ function findNodes(jets, box, grid) {
   /** @type {Crossing[]} */
   const crossings = [];
   for (let from = 0; from < places.length; from += slice) {
-    if (nodes.length > MOST) return { nodes: [], crossings };
+    if (nodes.length > MOST || flat.length > MOST_FLAT) return { nodes: [], crossings };
     const found = nodesFrom(jets, places.subarray(from, from + slice), cell, size);
     for (const crossing of crossingsFrom(jets, found.open, 2 * cell, size))
       if (crossing && crossings.every(({ place }) => gap(place, crossing.place) > cell)) crossings.push(crossing);

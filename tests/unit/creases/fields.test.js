@@ -45,14 +45,14 @@ test('of random pairs on a chessboard nearly all converge, no longer than throug
     }
   };
   let right = 0;
-  for (let i = 0; i < 24; i++) {
+  for (let i = 0; i < 8; i++) {
     const [from, to] = [white(), white()];
     const path = surface.shortestPath(from, to);
     const most = aroundWhite(from, to);
     if (path.converged && path.length <= most * (1 + 1e-9)) right++;
     assert.ok(!path.converged || path.length <= most * 1.005, `${from} to ${to}: ${path.length}, ${most}`);
   }
-  assert.ok(right >= 23, `${right} of 24`);
+  assert.ok(right >= 7, `${right} of 8`);
 });
 
 /** The shortest way over corners within white fields and along their edges. @param {number[]} from @param {number[]} to */

@@ -9,7 +9,7 @@ import { anything, close } from '../../helpers/refuses.js';
 /** @typedef {[number, number]} Range */
 
 const surfpath = await load();
-const PAIRS = 24;
+const PAIRS = 10;
 
 /** @param {number} size @returns {[Range, Range, Range]} */
 const within = (size) => [

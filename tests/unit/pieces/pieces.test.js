@@ -10,7 +10,7 @@ import { anything, close } from '../../helpers/refuses.js';
 
 const surfpath = await load();
 const TURN = 2 * Math.PI;
-const PAIRS = 30;
+const PAIRS = 12;
 
 /** @param {Record<string, unknown>} definition */
 const make = (definition) => surfpath.surface(anything({ kind: 'parametric', u: [0, '2pi'], ...definition }));

@@ -310,7 +310,7 @@ describe('hills of a density, which elements that are no path jump over', () => 
 
 test('walls of a density, two cells of the graph wide, with doors: no longer than any way through doors and walls, seed 1', () => {
   const random = createRandom(1);
-  for (let pair = 0; pair < 12; pair++) {
+  for (let pair = 0; pair < 5; pair++) {
     const walls = [0.25, 0.5, 0.75].map((at) => ({ at, door: random.between(0.1, 0.9) }));
     const wall = ({ at = 0, door = 0 }) => `exp(-(64*(u - ${at}))^4)*(1 - exp(-((v - ${door})/0.06)^4))`;
     const density = `1 + ${random.between(5, 15)}*(${walls.map(wall).join(' + ')})`;

@@ -12,7 +12,7 @@ import { verifyPath } from '../../helpers/verify-path.js';
 
 const surfpath = await load();
 const TURN = 2 * Math.PI;
-const PAIRS = 40;
+const PAIRS = 16;
 
 /** @param {string} x @param {string} y @param {string} z @param {[number, number]} v */
 const definitionOf = (x, y, z, v) => ({ kind: /** @type {const} */ ('parametric'), x, y, z, u: /** @type {const} */ ([0, '2pi']), v });
