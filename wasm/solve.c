@@ -123,12 +123,13 @@ static void pull(const struct sp_newton *newton, int32_t is_whole, struct sp_res
     const struct sp_system *system = &newton->system;
     const sp_pair *chart = system->line.nodes.charts;
     sp_pair by[3] = {sp_splat(not_a_number()), sp_splat(not_a_number())};
-    if (is_whole) sp_system_end_pull(system, by);
-    if (is_whole && system->line.surface->kind == SP_IMPLICIT)
-        sp_store(system->line.kind->components
-                     ? sp_add(sp_scale(sp_load(chart + SP_CHART_1), by[0]), sp_scale(sp_load(chart + SP_CHART_2), by[1]))
-                     : sp_elements_end_pull(&system->elements, chart),
-                 by);
+    int is_implicit = system->line.surface->kind == SP_IMPLICIT;
+    if (is_whole && is_implicit && system->line.kind->components == 0) {
+        sp_store(sp_elements_end_pull(&system->elements, chart), by);
+    } else if (is_whole) {
+        sp_system_end_pull(system, by);
+        if (is_implicit) sp_store(sp_add(sp_scale(sp_load(chart + SP_CHART_1), by[0]), sp_scale(sp_load(chart + SP_CHART_2), by[1])), by);
+    }
     for (int32_t end = 0; end < 2; end++)
         for (int j = 0; j < 3; j++)
             result->pull[end][j] = by[j][end != newton->reversed] * (system->elements.count / root(result->energy));

@@ -53,8 +53,8 @@ static void check_escape(void) {
     CHECK(result.status == SP_SADDLE && result.index == 1, "paper: status %d, index %d", result.status, result.index);
 }
 
-/* What pulls at the ends, along the surface, is the derivative of the length, which two more paths tell, too; a polyline does not know it.
- */
+/* What pulls at the ends, along the surface, is the derivative of the length, as two more paths tell, but for what is rounded of these over
+ * the step; a polyline does not know it. */
 static void check_pull(const struct sp_surface *surface, struct sp_request request, const double ways[2][3]) {
     static const double STEP = 1e-5;
     int dimension = surface->kind == SP_IMPLICIT ? 3 : 2;

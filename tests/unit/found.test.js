@@ -25,6 +25,8 @@ test('a length that is not true of what is handed over costs no memory', () => {
   const surface = surfpath.graph({ z: 0, x: [-1, 1], y: [-1, 1] });
   /* No list has a length that is no whole number. */
   refuses(() => surface.shortestPath(anything({ length: Infinity }), [0, 0]), TypeError, /from must be \[x, y\], not an object/);
+  for (const ask of [surface.evaluate, surface.lengths])
+    refuses(() => ask.call(surface, anything({ length: Infinity })), TypeError, /must be .*, not an object/);
   for (const length of [1e9, 2 ** 40]) {
     refuses(() => surface.shortestPath(anything({ length }), [0, 0]), RangeError, /2 numbers, not/);
     refuses(() => surface.evaluate(anything({ length })), TypeError, /it holds undefined/);

@@ -80,7 +80,7 @@ export function changes(legs, places, ways, steps, moved, solve) {
   const matrix = ways.map(() => ways.map(() => 0));
   const there = steps.map((step, j) => moved(j, step) ?? { place: null, along: [Number.NaN] });
   for (const [i, leg] of legs.entries()) {
-    const beside = [i - 1, i].filter((j) => steps[j]);
+    const beside = [i - 1, i].filter((j) => j in steps);
     const slopeAt = (/** @type {Pulled} */ of, /** @type {number} */ j, way = ways[j]) => slopeAlong(of, Number(j === i), way);
     for (const j of beside) {
       slopes[j] += slopeAt(leg, j);

@@ -170,20 +170,6 @@ function solveAll(field, ends, { joints, legs }) {
 const moved = ({ jets }, { place, along }, by, size) =>
   crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + AT_REST * size, size)[0];
 
-/** How the length changes with the joints. @param {Field} field @param {number[][]} ends @param {Route} route */
-function bend(field, ends, { joints, legs }) {
-  const size = gap(ends[0], ends[1]);
-  const steps = leastBeside(legs).map((least) => DIFFERENCE * least);
-  return changes(
-    legs,
-    placesOf({ ends }, joints),
-    joints.map(({ along }) => along),
-    steps,
-    (j, by) => moved(field, joints[j], by, size),
-    (i, from, to) => solveLeg(field, legs[i], from, to),
-  );
-}
-
 /** How long the shorter of the two legs beside each joint is. @param {Leg[]} legs */
 const leastBeside = (legs) => legs.slice(1).map(({ length }, j) => Math.min(legs[j].length, length));
 
@@ -203,7 +189,15 @@ function isPositive(matrix) {
 function balance(field, ends, route) {
   let now = route.joints.length > 0 ? solveAll(field, ends, route) : null;
   for (let move = 0; now && move < MOST_MOVES; move++) {
-    const { slopes, matrix } = bend(field, ends, now);
+    const { joints, legs } = now;
+    const { slopes, matrix } = changes(
+      legs,
+      placesOf({ ends }, joints),
+      joints.map(({ along }) => along),
+      leastBeside(legs).map((least) => DIFFERENCE * least),
+      (j, by) => moved(field, joints[j], by, gap(ends[0], ends[1])),
+      (i, from, to) => solveLeg(field, legs[i], from, to),
+    );
     const isBent = isPositive(matrix);
     if (slopes.every((slope) => Math.abs(slope) <= BALANCED)) return isBent ? now : null;
     const step = isBent ? solveLinear(matrix, slopes) : slopes;
