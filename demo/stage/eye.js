@@ -148,10 +148,18 @@ export class Eye {
 
   /** Looks at the whole surface from the side where a curve is. @param {ArrayLike<number>} curve x y z of each place @param {readonly number[]} [direction] to look from instead @param {readonly number[]} [view] of a reader who did so before */
   frame(curve, direction, view = []) {
+    this.#halt();
     const towards = direction ? new Vector3(...direction).normalize() : sideOf(curve, this.#bounds);
     this.#framed = tilted(towards, this.camera.up);
     this.#fit(this.#framed);
     if (view.length > 0) this.#look(view);
+  }
+
+  /** What is left of a turn that runs out would turn whatever is looked at next. */
+  #halt() {
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
   }
 
   /** @param {number} width in CSS pixels @param {number} height @param {Covered} covered */
