@@ -10,7 +10,7 @@ endif
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all test browsers check tidy bench bench-peers accuracy fuzz endurance golden golden-update site thumbnails demo format clean help tools
+.PHONY: all test samples browsers check tidy bench bench-peers accuracy fuzz endurance golden golden-update site thumbnails demo format clean help tools
 
 ENTRIES := index slim gallery pool
 VIEWS := three element
@@ -42,13 +42,13 @@ LINK := -sSTANDALONE_WASM --no-entry -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=1MB 
 # What each goal needs beyond Node and npm, as probe:package.
 needs = $(if $(filter $(1),$(MAKECMDGOALS)),$(2))
 TOOLS := emcc:emscripten wasm-opt:binaryen zopfli:zopfli \
-    $(call needs,test bench mutants tidy valgrind golden,gcc:gcc /usr/include/stdio.h:libc6-dev) \
+    $(call needs,test samples bench mutants tidy valgrind golden,gcc:gcc /usr/include/stdio.h:libc6-dev) \
     $(call needs,test check format,clang-format:clang-format) \
     $(call needs,test packages thumbnails coverage browsers golden,chromium:chromium) \
     $(call needs,browsers golden,firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb) \
     $(call needs,tidy valgrind,cppcheck:cppcheck clang-tidy:clang-tidy valgrind:valgrind) \
     $(call needs,coverage,llvm-cov:llvm) \
-    $(call needs,test fuzz golden coverage,clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev)
+    $(call needs,test samples fuzz golden coverage,clang:clang /usr/share/doc/libclang-rt-dev:libclang-rt-dev)
 
 # How long each fuzzer of `make fuzz` runs.
 SECONDS ?= 60
@@ -58,6 +58,9 @@ all: dist/surfpath.wasm $(ENTRIES:%=dist/%.js) dist/worker.js $(VIEWS:%=dist/%.j
 test: all site check $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## build, check, and run every test
 	@node --test --test-reporter=spec --test-timeout=300000 --test-concurrency=$(CORES) $$(find tests -name "*.test.js" ! -path "tests/browser/*" | sort)
 	@node --test --test-reporter=spec --test-timeout=300000 $$(find tests/browser -name "*.test.js" | sort)
+
+samples: all $(NATIVE_TESTS) build/native/core.o build/march/core.o build/named.wasm build/fuzz/core ## every test but those in browsers, all of it, where test has a sample (slow)
+	@EVERY_SAMPLE=1 node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=$(CORES) $$(find tests -name "*.test.js" ! -path "tests/browser/*" | sort)
 
 browsers: all site ## the page in Chromium, Firefox and WebKit: everything, where test has a sample (slow)
 	@EVERY_RELEASE=1 node --test --test-reporter=spec --test-timeout=600000 --test-concurrency=1 $$(find tests/browser tests/browsers -name "*.js" | sort)

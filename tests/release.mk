@@ -71,7 +71,7 @@ mutants: all $(NATIVE_TESTS) | tools ## put small mistakes into the sources and 
 
 # Those of the list that some makefile here defines.
 
-RELEASE := test tidy coverage golden packages browsers mutants accuracy endurance bench fuzz
+RELEASE := test samples tidy coverage golden packages browsers mutants accuracy endurance bench fuzz
 DEFINED := $(shell sed -n 's/^\([a-z]*\):.*/\1/p' Makefile tests/*.mk)
 
 release-check: ## run all of it, one after the other, and print one table

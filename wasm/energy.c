@@ -98,8 +98,7 @@ double sp_rows_gradient_squared(struct sp_fold fold, const struct sp_row *rows) 
     return sum;
 }
 
-/* Q between a pair and the next without the rows of coordinates held in this pair, the columns of those held in the next. */
-static void hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_mask next[2]) {
+void sp_row_hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_mask next[2]) {
     sp_pair zero = sp_splat(0.0);
     row->q11 = sp_select(here[0] | next[0], zero, row->q11), row->q12 = sp_select(here[0] | next[1], zero, row->q12);
     row->q21 = sp_select(here[1] | next[0], zero, row->q21), row->q22 = sp_select(here[1] | next[1], zero, row->q22);
@@ -113,8 +112,8 @@ static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_m
     sp_row_hold(rows + k, held);
     sp_mask mirrored[2] = {sp_swap_mask(held[0]), sp_swap_mask(held[1])};
     int meets_itself = !sp_fold_odd(line->fold) && k == sp_fold_both(line->fold); /* the last Q leads to the same pair, lanes exchanged */
-    hold_coupling(rows + k, held, meets_itself ? mirrored : none);
-    hold_coupling(rows + k - 1, none, held);
+    sp_row_hold_coupling(rows + k, held, meets_itself ? mirrored : none);
+    sp_row_hold_coupling(rows + k - 1, none, held);
     int32_t lanes = k > sp_fold_both(line->fold) ? 1 : 2, count = 0;
     for (int lane = 0; lane < lanes; lane++)
         count += (held[0][lane] != 0) + (held[1][lane] != 0);

@@ -31,6 +31,9 @@ int sp_row_find_held(const struct sp_surface *surface, const sp_pair *place, con
 /* Makes held coordinates those of the identity: they do not move. */
 void sp_row_hold(struct sp_row *row, const sp_mask held[2]);
 
+/* Q between a pair and the next without the rows of coordinates held in this pair, the columns of those held in the next. */
+void sp_row_hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_mask next[2]);
+
 /* Sum of squares of the scaled gradient. */
 double sp_rows_gradient_squared(struct sp_fold fold, const struct sp_row *rows);
 

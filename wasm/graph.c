@@ -34,12 +34,14 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
     clean.resolution = clamp(clean.resolution, 8, SP_GRAPH_MAX_RESOLUTION);
     arena->used = 0;
     *graph = (struct sp_graph){.kind = surface->kind, .width = sp_graph_width(surface)};
+    graph->stretch = surface->metric == SP_INDUCED ? 1 : sp_graph_has_positions(surface) ? __builtin_inf() : 0;
     int sides = surface->kind == SP_IMPLICIT ? 3 : 2;
     for (int j = 0; j < sides; j++) {
         double side = clean.box[2 * j + 1] - clean.box[2 * j];
         if (!(side > 0 || clean.cell > 0) || !is_finite(side)) return SP_NOT_FINITE;
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
+    if (!is_finite(graph->stretch)) graph->stretch = 0;
     graph->resolved = status == SP_CONVERGED && graph->vertex_count > FIRST_CELLS && sp_builder_resolves(&builder);
     return status;
 }
@@ -93,11 +95,21 @@ int sp_builder_turn(struct sp_builder *builder, int32_t vertex) {
     return 1;
 }
 
+/* Of an edge under a metric; in space all are longer than their chords. */
+static void note_stretch(const struct sp_builder *builder, int32_t vertex, int32_t to, double length) {
+    struct sp_graph *graph = builder->graph;
+    if (builder->surface->metric == SP_INDUCED || !(graph->stretch > 0)) return;
+    const double *samples = graph->samples;
+    double chord = distance_between(samples + (ptrdiff_t)graph->width * vertex, samples + (ptrdiff_t)graph->width * to);
+    if (length < graph->stretch * chord) graph->stretch = length / chord;
+}
+
 int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, double length, double chord) {
     struct sp_graph *graph = builder->graph;
     if (!is_finite(length)) return 1;
     if (!is_room(builder, 1)) return 0;
     builder->bent += 2 * !(absolute(length - chord) <= BENT * chord);
+    note_stretch(builder, vertex, to, length);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
     graph->first[vertex + 1] = graph->edge_count;
     int32_t i = builder->spare;

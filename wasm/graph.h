@@ -51,6 +51,7 @@ struct sp_graph {
                          implicit, of a box, smooth: sheets end in it where what is thinner than cells was not seen, or many
                          cells that share a sheet are not joined */
     double form[3];   /* parametric: e, f, g of the surface, on an average over the vertices at which they are finite */
+    double stretch;   /* no edge is shorter than its chord times this: 1 in space, 0 where samples have no positions */
 };
 
 /* What a search found. */

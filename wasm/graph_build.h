@@ -69,6 +69,9 @@ double sp_block_get(const struct sp_block *block, int32_t i, int32_t j);
  * and, with a density, rho^2; with a tensor, its six numbers. */
 enum { SP_GRAPH_WIDTH = 9 };
 
+/* Whether samples begin with x y z. */
+int sp_graph_has_positions(const struct sp_surface *surface);
+
 /* Numbers of a sample. */
 int32_t sp_graph_width(const struct sp_surface *surface);
 

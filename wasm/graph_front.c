@@ -6,9 +6,6 @@
  * where a surface is large beside them: led by that, a search would come back for ever. */
 enum { CLOSED = -2 };
 
-/* Of a chord: edges are rounded to 24 bits, and none is shorter than what is left of its chord. */
-static const double BELOW = 1 - 1e-6;
-
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
     *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf(), .flat = -2};
@@ -54,7 +51,7 @@ void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, doub
     front->distance[vertex] = distance;
     front->before[vertex] = before;
     const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
-    struct sp_queued queued = {front->target ? distance + BELOW * distance_between(sample, front->target) : distance, vertex};
+    struct sp_queued queued = {front->target ? distance + front->stretch * distance_between(sample, front->target) : distance, vertex};
     rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
 }
 

@@ -9,12 +9,9 @@ static const double LEAST_COSINE = 0.3, LARGEST_SINE = 0.6;
 static const double UNEVEN = 0.1;
 enum { PIECES = 16 };
 
-/* Numbers of positions in a sample. */
-static int32_t position_numbers(const struct sp_surface *surface) {
-    return surface->kind == SP_PARAMETRIC && surface->metric == SP_TENSOR ? 0 : 3;
-}
+int sp_graph_has_positions(const struct sp_surface *surface) { return surface->kind != SP_PARAMETRIC || surface->metric != SP_TENSOR; }
 
-int32_t sp_graph_width(const struct sp_surface *surface) { return position_numbers(surface) + sp_kind_of(surface)->components; }
+int32_t sp_graph_width(const struct sp_surface *surface) { return 3 * sp_graph_has_positions(surface) + sp_kind_of(surface)->components; }
 
 void sp_block_open(struct sp_block *block, const struct sp_surface *surface, int metric) {
     static const int32_t JETS[2][3] = {{0, SP_PARAMETRIC_DENSITY_JET, SP_PARAMETRIC_TENSOR_JET},

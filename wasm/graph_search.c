@@ -10,6 +10,9 @@
 static const double LONGEST = 1.25, LONGEST_IN_SPACE = 1.12, LONGEST_RESOLVED = 1.06, APART[] = {0.2, 0.1, 0.05}, GROWTH = 1.05,
                     ROUNDING = 1e-6, FLAT = 0.8;
 
+/* Of a chord: edges are rounded to 24 bits, and none is shorter than what is left of its chord. */
+static const double BELOW = 1 - 1e-6;
+
 /* At first, and where the graph does not resolve the surface. */
 enum { ROUNDS = 2, WAYS = 16, MOST_ROUNDS = sizeof(APART) / sizeof(APART[0]), MOST_WAYS = SP_GRAPH_MAX_CANDIDATES };
 
@@ -36,12 +39,24 @@ static void leave_out(struct search *search, double most) {
         if (!(search->front[0].distance[i] + search->front[1].distance[i] <= most)) search->taken.distance[i] = -__builtin_inf();
 }
 
-/* Distances from both ends as far as ways of interest go. In space no way is shorter than its chord. */
+/* No way to the second end is shorter than its chord times this: neither edges are, nor what joins the end to them. */
+static double least_stretch(const struct search *search) {
+    const struct sp_graph *graph = search->graph;
+    const struct sp_attachment *attached = search->attached + 1;
+    double least = graph->stretch;
+    for (int32_t i = 0; i < attached->count && search->surface->metric != SP_INDUCED; i++) {
+        double chord = distance_between(graph->samples + (ptrdiff_t)graph->width * attached->vertex[i], search->target);
+        if (attached->length[i] < least * chord) least = attached->length[i] / chord;
+    }
+    return BELOW * least;
+}
+
+/* Distances from both ends as far as ways of interest go. */
 static enum sp_status measure(struct search *search) {
     struct sp_front *front = search->front;
-    if (search->surface->metric == SP_INDUCED) {
+    if (search->graph->stretch > 0) {
         sp_graph_sample(search->surface, search->ends[1], search->target);
-        front->target = search->target;
+        front->target = search->target, front->stretch = least_stretch(search);
     }
     for (int end = 0; end < 2; end++)
         for (int32_t i = 0; i < search->attached[end].count; i++)

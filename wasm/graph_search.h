@@ -49,9 +49,10 @@ struct sp_front {
     struct sp_queued *heap; /* least key first */
     int32_t *slot;          /* where a vertex is in the heap; -1: not in it */
     int32_t count;
-    /* The sample to which ways lead, where no way is shorter than its chord: a key is the distance and the chord from there (A*). NULL: the
-     * distance alone. */
+    /* The sample to which ways lead, where none is shorter than its chord times `stretch`: a key is the distance and so much from there
+     * (A*). NULL: the distance alone. */
     const double *target;
+    double stretch;
     /* Distances from where ways lead. Where they and those from the seeds add up to more than `most`, none is visited. NULL: all are. */
     const double *other;
     double most, farthest; /* nor are those that are as far as `farthest` */

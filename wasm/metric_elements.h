@@ -23,9 +23,7 @@ struct sp_metric_element {
     struct sp_vector velocity[SP_MAX_DEGREE + 1], momentum[SP_MAX_DEGREE + 1], pull[2][SP_MAX_DEGREE + 1];
 };
 
-/* Reads element pair e: all but its pulls, which only derivatives need; or all. */
-void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, const struct sp_nodes *nodes, int32_t e,
-                    struct sp_metric_element *element);
+/* Reads element pair e. */
 void sp_metric_open_whole(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, struct sp_metric_element *element);
 
 /* Writes the 2 x 2 block of H between nodes i != j of a whole element, row by row; zero in coordinates that are held (`held`: two masks a

@@ -20,10 +20,12 @@ test('there are benchmarks', () => {
   assert.deepEqual(names.sort(), [
     'batch',
     'cold',
+    'creases',
     'field',
     'fig2',
     'fig3',
     'iteration',
+    'metrics',
     'solves',
     'speed',
     'starts',
@@ -72,8 +74,9 @@ describe('their figures', () => {
       assert.ok(Number(row['largest true error']) <= Math.max(Number(row.tolerance), 1e-12), `${row.surface}, ${row.tolerance}`);
   });
 
-  test('a path near an earlier one converges, of however many points that is', () => {
-    for (const row of rowsOf('starts')) assert.equal(row.converged, true, String(row.surface));
+  test('a path near an earlier one converges, of however many points that is; so do those under metrics, and across creases', () => {
+    for (const name of ['starts', 'metrics', 'creases'])
+      for (const row of rowsOf(name)) assert.equal(row.converged, true, String(row.surface));
   });
 
   /* Chords are too short by an error of second order: four times the points, a sixteenth of it. */

@@ -46,5 +46,18 @@ export const scenePage = (three, more = '') => `<!doctype html>
     const { left, top, width, height } = canvas.getBoundingClientRect();
     return { x: left + (width / 2) * (seen.x + 1), y: top + (height / 2) * (1 - seen.y) };
   };
-  window.view = { THREE, draw, gallery, surfpath: await load(), renderer, camera, controls, scene, render, place };
+  // Pictures are compared here: a million numbers take seconds on their way out of a browser.
+  const pictures = [];
+  const takePicture = () => {
+    const drawing = new OffscreenCanvas(640, 480).getContext('2d', { willReadFrequently: true });
+    drawing.drawImage(canvas, 0, 0);
+    pictures.push(drawing.getImageData(0, 0, 640, 480).data);
+  };
+  // How many pixels of the last two pictures differ clearly, and how many of the last one do from its corner.
+  const comparePictures = () => {
+    const [before, last] = pictures.splice(0).slice(-2);
+    const count = (isOther) => last.filter(isOther).length / 4;
+    return { differ: count((x, i) => Math.abs(x - before[i]) > 24), lit: count((x, i) => Math.abs(x - last[i % 4]) > 24) };
+  };
+  window.view = { THREE, draw, gallery, surfpath: await load(), renderer, camera, controls, scene, render, place, pictures, takePicture, comparePictures };
 </script>`;

@@ -40,6 +40,20 @@ static void striped_jet(int32_t count, const sp_pair *in, sp_pair *out) {
     }
 }
 
+/* A plane with a density between a half and two and a half, written without derivatives. */
+static void uneven_jet(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 2, out += SP_PARAMETRIC_DENSITY_JET) {
+        sp_pair cosine, other, density = 1.5 + sp_sincos(5.0 * in[0], &cosine) * sp_sincos(4.0 * in[1], &other);
+        for (int j = 0; j < SP_PARAMETRIC_DENSITY_JET; j++)
+            out[j] = j < 2 ? in[j] : j == 3 ? density * density : sp_splat(j == 4 || j == 9);
+    }
+}
+
+static void uneven_value(int32_t count, const sp_pair *in, sp_pair *out) {
+    for (; count > 0; count--, in += 2, out += 3)
+        out[0] = in[0], out[1] = in[1], out[2] = sp_splat(0.0);
+}
+
 COMPILED(cylinder, SP_PARAMETRIC_JET, SP_PARAMETRIC_VALUES)
 
 #define WRAPPED -INFINITY
@@ -48,6 +62,8 @@ static const struct sp_surface cut_cylinder = {cylinder_jet, cylinder_value, SP_
 static const struct sp_surface two_spheres = {NULL, two_spheres_value, SP_IMPLICIT, 0, {0, 0}, {0, 0}, 7};
 
 static const struct sp_surface striped = {striped_jet, NULL, SP_PARAMETRIC, SP_TENSOR, {-1, -1}, {1, 1}, 0};
+
+static const struct sp_surface uneven = {uneven_jet, uneven_value, SP_PARAMETRIC, SP_DENSITY, {-1, -1}, {1, 1}, 0};
 
 static const struct sp_graph_options round_box = {{0, 6.28318530717958647692, -1, 1}, 0, 64, 0, 0, 0};
 static const struct sp_graph_options square_box = {{-1, 1, -1, 1}, 0, 64, 0, 0, 0};
@@ -146,6 +162,31 @@ static void test_resolved(void) {
         CHECK(fixture.graph.resolved == !fine, "%g stripes: %d", stripes, fixture.graph.resolved);
         drop(&fixture);
     }
+}
+
+/* A search that is led to its end finds what one that is not does. */
+static void test_led(void) {
+    struct fixture fixture = make(&uneven, &square_box);
+    double stretch = fixture.graph.stretch;
+    CHECK(stretch >= 0.5 && stretch < 0.6, "no edge is shorter than its chord times %g", stretch);
+    for (int k = 0; k < 8; k++) {
+        double from[3] = {-0.9, 0.2 * k - 0.85, 0}, to[3] = {0.83 - 0.1 * k, 0.9 - 0.21 * k, 0};
+        fixture.graph.stretch = stretch;
+        int32_t status = search(&fixture, from, to), count = fixture.answer.candidate_count;
+        double distance = fixture.answer.distance;
+        fixture.graph.stretch = 0;
+        CHECK(status == SP_CONVERGED && search(&fixture, from, to) == status, "pair %d: status %d", k, status);
+        CHECK(fabs(fixture.answer.distance / distance - 1) < 1e-14, "pair %d: %.17g, not %.17g", k, distance, fixture.answer.distance);
+        CHECK(fixture.answer.candidate_count == count, "pair %d: %d ways, not %d", k, count, fixture.answer.candidate_count);
+    }
+    drop(&fixture);
+    fixture = make(&saddle_surface, &saddle_box);
+    CHECK(fixture.graph.stretch == 1, "in space: %g", fixture.graph.stretch);
+    drop(&fixture);
+    stripes = 1;
+    fixture = make(&striped, &square_box);
+    CHECK(fixture.graph.stretch == 0, "without positions: %g", fixture.graph.stretch);
+    drop(&fixture);
 }
 
 static void test_seam(void) {
@@ -274,6 +315,7 @@ static void test_tiny_arenas(void) {
 int main(void) {
     test_plane_like();
     test_resolved();
+    test_led();
     test_seam();
     test_poles();
     test_cusp();

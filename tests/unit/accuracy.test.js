@@ -7,9 +7,10 @@ import { askAcross, randomCreases, SURFACES } from '../accuracy/measure/creases.
 import { askAbout } from '../accuracy/measure/random-pairs.js';
 import { pointSource, randomPairs } from '../bench/pairs.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 
 const SEED = 31;
-const PAIRS = 6;
+const PAIRS = ofAll(4, 6);
 
 /** @type {import('../../web/instance.js').Surfpath} */
 let surfpath;

@@ -5,6 +5,7 @@ import { load } from '../../web/index.js';
 import { Heap } from '../../web/runtime/heap.js';
 import { FORMS, pickOver } from '../accuracy/measure/rounded.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 
 /** @typedef {[number, number]} Range */
 
@@ -303,14 +304,15 @@ for (const [form, half, r, bound] of ROUNDED)
     const body = surfpath.implicit({ f: FORMS[form](half, r), ...(bound ? { bounds: cube(bound) } : {}) });
     const random = createRandom(12);
     let exact = 0;
-    for (let pair = 0; pair < 5; pair++) {
+    const pairs = ofAll(3, 5);
+    for (let pair = 0; pair < pairs; pair++) {
       const { from, to, over } = pickOver(half, r, random, 0.1);
       const { status, length } = body.shortestPath(from, to);
       assert.equal(status, 'converged', `${from} to ${to}`);
       assert.ok(length <= over * (1 + 1e-9), `${from} to ${to}: ${length}, over one edge ${over}`);
       if (length >= over * (1 - 1e-9)) exact++;
     }
-    if (r > 0) assert.ok(exact >= 3, `${exact} of 5 lead over one edge`);
+    if (r > 0) assert.ok(exact >= 0.6 * pairs, `${exact} of ${pairs} lead over one edge`);
     body.dispose();
   });
 

@@ -6,6 +6,7 @@ import { load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
 import { loadCases } from '../helpers/cases.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 import { MOTION, mapPoint, transform } from '../helpers/space-map.js';
 
 /** @typedef {import('../../web/index.js').Path} Path */
@@ -13,7 +14,7 @@ import { MOTION, mapPoint, transform } from '../helpers/space-map.js';
 /** @typedef {keyof typeof gallery} Name */
 
 const SEED = 27182;
-const PAIRS = 10;
+const PAIRS = ofAll(6, 10);
 /** Of two lengths, each right to the default tolerance. */
 const TWO_TOLERANCES = 2e-9;
 

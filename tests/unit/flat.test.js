@@ -5,6 +5,7 @@ import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { boxOf, findExtent, flatnessOf, isCrossed } from '../../web/manifold/extent.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
@@ -98,7 +99,7 @@ for (const { title, f, half, euler, area } of BODIES) {
     test('paths from side to side converge, within whatever bounds and without, both ways', () => {
       const own = surfpath.implicit({ f, bounds: within(half.map((x) => EVERYWHERE * x)) });
       const others = [surfpath.implicit({ f, bounds: cubes }), surfpath.implicit({ f })];
-      const places = randomPlaces(own, half, 7, 12);
+      const places = randomPlaces(own, half, 7, ofAll(6, 12));
       let converged = 0;
       for (let i = 0; i < places.length; i += 2) {
         const path = own.shortestPath(places[i], places[i + 1]);
@@ -112,7 +113,9 @@ for (const { title, f, half, euler, area } of BODIES) {
           assert.ok(Math.abs(length / path.length - 1) < right, `pair ${i / 2}: ${length} for ${path.length}`);
         }
       }
-      assert.ok(converged >= 15, `${converged} of 18`);
+      const solved = (3 * places.length) / 2;
+      // All but those of one pair.
+      assert.ok(converged >= solved - 3, `${converged} of ${solved}`);
       for (const surface of [own, ...others]) surface.dispose();
     });
   });
@@ -123,7 +126,7 @@ test('as on the surface of revolution, by its angles', () => {
   const turned = surfpath.revolution({ r: 'cos(t)', z: 'sin(t)/100', t: ['-pi/2', 'pi/2'] });
   const random = createRandom(4);
   let compared = 0;
-  for (let i = 0; i < 6; i++) {
+  for (let i = 0; i < ofAll(3, 6); i++) {
     const ends = [1, -1].map((side) => [random.between(0, 6), side * random.between(0.3, 1.2)]);
     const path = turned.shortestPath(ends[0], ends[1]);
     if (!path.converged) continue;
@@ -133,7 +136,7 @@ test('as on the surface of revolution, by its angles', () => {
     assert.ok(Math.abs(length / path.length - 1) < RIGHT, `${length} for ${path.length}`);
     compared++;
   }
-  assert.ok(compared > 2, String(compared));
+  assert.ok(compared >= ofAll(2, 3), String(compared));
 });
 
 describe('an ellipsoid that lies obliquely, 100:1', () => {
@@ -150,7 +153,7 @@ describe('an ellipsoid that lies obliquely, 100:1', () => {
     const { open, euler, area } = measure(oblique.mesh());
     assert.deepEqual([open, euler], [0, 2]);
     assert.ok(Math.abs(area / areaOfEllipsoid(0.01) - 1) < 1e-3);
-    const places = randomPlaces(straight, [1, 1, 0.01], 11, 10);
+    const places = randomPlaces(straight, [1, 1, 0.01], 11, ofAll(6, 10));
     for (let i = 0; i < places.length; i += 2) {
       const [path, other] = [straight.shortestPath(places[i], places[i + 1]), oblique.shortestPath(turn(places[i]), turn(places[i + 1]))];
       assert.equal(other.status, 'converged');

@@ -93,7 +93,7 @@ export const slopeOf = (sides, measured, crease) => sides.scale.map((_, j) => me
 /** f and ∇f of a side; of a parametric surface nothing. @param {Sides} sides @param {On} on @param {number[]} at @returns {[number, number[]][]} */
 function implicit(sides, { signs }, at) {
   if (at.length === 2) return [];
-  const [[f, x, y, z]] = sides.on(signs)?.jets(at) ?? [NOWHERE];
+  const [f, x, y, z] = sides.on(signs)?.values(at) ?? NOWHERE;
   return [[f, [x, y, z]]];
 }
 

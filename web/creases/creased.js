@@ -5,14 +5,14 @@
 
 import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
-import { drawLine, findWays, measureLine, poseNear, settleEnd } from '../search/routes.js';
+import { drawLine, findWays, poseNear, settleEnd } from '../search/routes.js';
 import { gap } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, lineOf, placesOf } from './legs.js';
 import { followPinned } from './pinned.js';
 import { writeShore } from './shores.js';
-import { isBeside, measureLength, roundingsOf, sketch } from './sketches.js';
+import { isBeside, measureLength, measureLine, roundingsOf, sketch } from './sketches.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -84,7 +84,7 @@ function findRoute(question, { ways, distance }, start) {
   const isBody = field.isPlain && !field.domain;
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
-    .map((line) => ({ line, measured: measureLine(field, ends, line) }))
+    .map((line) => ({ line, measured: measureLine(field, line) }))
     .filter(({ measured }) => measured >= 0);
   /** @type {Way | null} */
   let least = measured.reduce(shortestOf, null);

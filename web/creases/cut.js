@@ -98,7 +98,7 @@ export class Survey {
 }
 
 /** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
-function divide(line, width, parts) {
+export function divide(line, width, parts) {
   const places = new Float64Array((line.length - width) * parts + width);
   for (let i = 0; i + width < line.length; i += width)
     for (let part = 0; part < parts; part++)
@@ -245,8 +245,9 @@ function closeToEnds(line, width) {
     return Array.from({ length: width }, (_, j) => weights.reduce((sum, weight, k) => sum + weight * line[width * (first + k) + j], 0));
   };
   const near = Array.from({ length: HALVINGS }, (_, k) => 0.5 ** (HALVINGS - k));
-  const inner = Array.from({ length: count - 1 }, (_, k) => k + 1);
-  return Float64Array.from([0, ...near, ...inner, ...near.map((x) => count - x).reverse(), count].flatMap(nodeAt));
+  const [first, last] = [near, near.map((x) => count - x).reverse()].map((all) => all.flatMap(nodeAt));
+  const [begin, end] = [width, line.length - width];
+  return Float64Array.from([...line.subarray(0, begin), ...first, ...line.subarray(begin, end), ...last, ...line.subarray(end)]);
 }
 
 /**

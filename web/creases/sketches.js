@@ -3,9 +3,10 @@
 import { stepBy } from '../manifold/extent.js';
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
-import { measureLine, relax } from '../search/routes.js';
-import { gap } from '../vector.js';
+import { relax } from '../search/routes.js';
+import { gap, sumOf } from '../vector.js';
 import { beyond, slopeOf } from './crease.js';
+import { divide } from './cut.js';
 import { nodesOf, span } from './legs.js';
 import { sizeOf, steepnessBy } from './linear.js';
 
@@ -25,6 +26,8 @@ const ROUNDINGS = [
   { within: 0.01, points: SKETCH_POINTS, dearer: 0.15, shores: [0.04, 0.01, 0] },
   { within: 0.0025, points: 255, dearer: 0.04, shores: [0.01, 0.04, 0] },
 ];
+/** In so many parts a polyline in the rectangle is measured, at least. */
+const MEASURED = 1000;
 /** A chord laid onto an implicit surface is straight there if its middle moves by this part of it; else it is halved, until it is this part of the length, at most so often. */
 const [FLAT, SHORT, MOST_HALVINGS] = [1e-3, 2e-4, 16];
 /** Where nothing is left of a thin wall creases are rounded so many times less, down to the second part. */
@@ -51,11 +54,17 @@ export function sketch(field, sides, ends, ways, { within, points }) {
   const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
       const line = path.parameters ?? path.points;
-      return { line, length: field.domain ? measureLine(field, ends, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
+      return { line, length: field.chords ? measureLine(field, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
     })
     .filter(({ length }) => length >= 0);
   const leaping = drawn.filter(({ path }) => !field.domain && !(path.length >= 0));
   return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, sides.scale), isAtRest: false, isRelaxed: false }))];
+}
+
+/** How long a polyline in the rectangle is on the surface as it is; NaN: that is not known. @param {Field} field @param {Float64Array} line */
+export function measureLine({ chords }, line) {
+  const parts = Math.ceil(MEASURED / (line.length / 2 - 1));
+  return chords ? sumOf(Array.from(chords(divide(line, 2, parts)))) : Number.NaN;
 }
 
 /**

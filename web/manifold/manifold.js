@@ -7,6 +7,7 @@ import { checkBounds, checkParameters, checkPeriodic, readNumbers } from '../def
 import { Creases } from '../expression/creases.js';
 import { diagonalOf } from '../vector.js';
 import { Bodies } from './bodies.js';
+import { chordLengths } from './chords.js';
 import { enterDomain, findDomain } from './domain.js';
 import { Graphs } from './graphs.js';
 import { Installation, writeRecords } from './installation.js';
@@ -152,6 +153,7 @@ export class Manifold {
       ...this.#fieldOf(this.domain, 0, false),
       own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
+      chords: this.domain ? (places) => this.#measureChords(places) : null,
       jumps: this.#compiled.isCreased || this.#compiled.hasFloors ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
       lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
@@ -324,6 +326,16 @@ export class Manifold {
     this.#wake();
     const jets = this.#solver.evaluate(/** @type {Installed} */ (this.#installation.metric).call.jet, points, 2, count);
     return Array.from({ length: points.length / 2 }, (_, i) => jets.subarray(count * i, count * i + count / 2));
+  }
+
+  /** How long chords between places u v one after the other are: the mean of what is measured at both ends. @param {ArrayLike<number>} places */
+  #measureChords(places) {
+    const { metric } = this.#compiled;
+    this.#wake();
+    const { call } = metric ? /** @type {Installed} */ (this.#installation.metric) : this.#shaped;
+    const width = metric ? metric.compiled.jet.length / 6 : 3;
+    const isForm = this.kind === 'metric' || metric?.code === METRIC.tensor;
+    return chordLengths(places, this.#solver.evaluate(call.value, places, 2, width), isForm ? 'form' : metric ? 'density' : 'space');
   }
 
   /** E, F and G at points, then their derivatives, where they measure length. @returns {((points: number[]) => ArrayLike<number>[]) | null} */

@@ -30,6 +30,7 @@ import { compileShape } from './shapes.js';
  * @property {<T>(call: import('../search/routes.js').Call<T>) => T} run
  * @property {number[]} groups of the numbers of a jet that have the same unit: 0, 1, 2 of the shape, by the order of derivatives, 3, 4, 5 of what measures length
  * @property {(places: ArrayLike<number>) => number[][]} jets of the shape and of what measures length, with their first and second derivatives, one list a place
+ * @property {(places: ArrayLike<number>) => Float64Array} values of the shape at places, one after the other: x y z, or f and ∇f
  * @property {(jet: number[]) => Product} productOf what measures tangent vectors at a place, by its jets
  * @property {(places: ArrayLike<number>) => number[][]} measure as {@link Sides.measure}, of what vanishes on the creases as it is written on these sides
  */
@@ -184,6 +185,7 @@ export class Sides {
         );
         return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
       },
+      values: (places) => solver.evaluate(installed[0].call.value, places, variables.length, SHAPE[kind].value),
       productOf: (jet) => productOf(kind, metric?.code ?? METRIC.induced, jet),
       measure: (places) => {
         if (this.count === 1) return this.measure(places);

@@ -31,6 +31,7 @@ import { findStarts } from './starts.js';
  * @property {import('../manifold/domain.js').Domain | null} domain
  * @property {(() => Field | null) | null} [own] a parametric surface as measured by its E, F and G, over u and v alone, where space measures it; null: there is no room for them
  * @property {(() => import('../manifold/sides.js').Sides | null) | null} [sides] of its creases; null: it has none, or is a part of another, or there is no room for them
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} [chords] of a rectangle: how long chords between places u v one after the other are
  * @property {(() => import('../manifold/sides.js').Sides | null) | null} [jumps] the same, also where formulas have only floors, which no side tells apart
  * @property {(() => import('../manifold/bodies.js').Bodies) | null} [bodies] what boxes hold of an implicit surface; null: it has a metric, or is no such surface
  * @property {(() => import('./raised.js').Lowered | null) | null} [lowered] a surface over x and y with lower heights; null: it is no such surface, or not smooth
