@@ -199,6 +199,8 @@ export class View {
     // Without the extension nobody knows when they are ready: drawing waits for them.
     if (this.#renderer.getContext().getExtension('KHR_parallel_shader_compile')) {
       this.#isCompiling = true;
+      // In a task of its own: what is new has taken long enough.
+      await new Promise((resolve) => setTimeout(resolve));
       await this.#renderer.compileAsync(this.#scene, this.camera);
       this.#isCompiling = false;
     } else this.#renderer.compile(this.#scene, this.camera);

@@ -69,9 +69,9 @@ test('there are no run-time dependencies', () => {
   assert.deepEqual(required, []);
 });
 
-test('surfpath/three is at most 14 KB gzipped, the element 8.3 KB on top of it', () => {
+test('surfpath/three is at most 14.1 KB gzipped, the element 8.3 KB on top of it', () => {
   for (const [name, kilobytes] of /** @type {const} */ ([
-    ['three', 14],
+    ['three', 14.1],
     ['element', 8.3],
   ])) {
     const bytes = gzipSync(readFileSync(`${root}/dist/${name}.js`), { level: 9 }).length;

@@ -74,27 +74,33 @@ export function tilted(towards, up) {
 export function fitView(points, center, towards, up, slopes) {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const axes = [right, new Vector3().crossVectors(towards, right)];
-  const target = center.clone();
-  const stride = strideOf(points);
-  const point = new Vector3();
+  const [depths, ...across] = [towards, ...axes].map((axis) => placesAlong(points, center, axis));
+  const shift = axes.map(() => 0);
   let distance = 0;
   for (let round = 0; round < ROUNDS; round++) {
     distance = 0;
-    for (let i = 0; i < points.count; i += stride) {
-      point.fromBufferAttribute(points, i).sub(target);
-      const depth = point.dot(towards);
-      for (const [k, axis] of axes.entries()) distance = Math.max(distance, depth + Math.abs(point.dot(axis)) / slopes[k]);
-    }
-    const ranges = axes.map(() => [Infinity, -Infinity]);
-    for (let i = 0; i < points.count; i += stride) {
-      point.fromBufferAttribute(points, i).sub(target);
-      const scale = distance / (distance - point.dot(towards));
-      for (const [k, axis] of axes.entries()) {
-        const seen = point.dot(axis) * scale;
-        ranges[k] = [Math.min(ranges[k][0], seen), Math.max(ranges[k][1], seen)];
+    for (const [k, places] of across.entries())
+      for (let i = 0; i < places.length; i++) distance = Math.max(distance, depths[i] + Math.abs(places[i] - shift[k]) / slopes[k]);
+    for (const [k, places] of across.entries()) {
+      let [low, high] = [Infinity, -Infinity];
+      for (let i = 0; i < places.length; i++) {
+        const seen = ((places[i] - shift[k]) * distance) / (distance - depths[i]);
+        low = Math.min(low, seen);
+        high = Math.max(high, seen);
       }
+      shift[k] += (low + high) / 2;
     }
-    for (const [k, axis] of axes.entries()) target.addScaledVector(axis, (ranges[k][0] + ranges[k][1]) / 2);
   }
+  const target = center.clone();
+  for (const [k, axis] of axes.entries()) target.addScaledVector(axis, shift[k]);
   return { target, distance };
+}
+
+/** How far points lie from a place along a direction: of many, of enough. Plain loops: this is done while a page opens. @param {Points} points @param {Vector3} from @param {Vector3} along unit length */
+function placesAlong(points, from, { x, y, z }) {
+  const stride = strideOf(points);
+  const places = new Float64Array(Math.ceil(points.count / stride));
+  for (let i = 0, k = 0; i < points.count; i += stride, k++)
+    places[k] = x * (points.getX(i) - from.x) + y * (points.getY(i) - from.y) + z * (points.getZ(i) - from.z);
+  return places;
 }

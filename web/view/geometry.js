@@ -1,6 +1,6 @@
 /** A surface as three.js geometry: its mesh with exact normals, texture coordinates, and colours that show a quantity. */
 
-import { BufferAttribute, BufferGeometry } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import { checkOptions, refuse, refuseName } from '../arguments.js';
 import { checkDrawable } from './check.js';
 import { bandScale, colourVertices, contourLevels, curvatureScale } from './colouring.js';
@@ -26,18 +26,21 @@ import { originOf } from './origin.js';
 
 /** Cells between parameter lines along the surface's longer side. */
 const CELLS = 22;
+/** So many lines tell how long they are: of all this would take long while a page opens. */
+const LINES = 12;
 const NAMES = ['resolution', 'colour', 'from', 'exact'];
 
-/** How long the lines of a grid are on average, between vertices a step apart. @param {Float64Array} positions @param {number} side vertices a side @param {number} step @param {number} across */
+/** How long some of the lines of a grid are, between vertices a step apart. @param {Float64Array} positions @param {number} side vertices a side @param {number} step @param {number} across */
 function gridLength(positions, side, step, across) {
+  const stride = Math.ceil(side / LINES);
   let sum = 0;
-  for (let line = 0; line < side; line++)
+  for (let line = 0; line < side; line += stride)
     for (let i = 1; i < side; i++) {
       const [a, b] = [3 * (line * across + (i - 1) * step), 3 * (line * across + i * step)];
       const length = Math.hypot(positions[b] - positions[a], positions[b + 1] - positions[a + 1], positions[b + 2] - positions[a + 2]);
       if (Number.isFinite(length)) sum += length;
     }
-  return sum / side;
+  return sum;
 }
 
 /** Vertices a side of a mesh that begins with a square grid. @param {Float64Array} parameters */
@@ -53,7 +56,7 @@ function countCells(positions, side) {
 /** The parameters as shares of their ranges. @param {Float64Array} parameters of a square grid @param {number} side */
 function textureCoordinates(parameters, side) {
   const [low, high] = [parameters.subarray(0, 2), parameters.subarray(2 * side * side - 2)];
-  return Float32Array.from(parameters, (x, i) => (x - low[i & 1]) / (high[i & 1] - low[i & 1]));
+  return new Float32Array(parameters.map((x, i) => (x - low[i & 1]) / (high[i & 1] - low[i & 1])));
 }
 
 /** The numbers that colours are to show, and their scale. @param {Surface} surface @param {SurfaceMesh} mesh @param {Float64Array | undefined} distances @param {GeometryOptions['colour']} colour @param {number} size */
@@ -75,6 +78,16 @@ function measure(surface, mesh, distances, colour, size) {
   return { values, scale: bandScale('values', values) };
 }
 
+/** What `computeBoundingSphere` finds, about the middle of the box, without a call a number: that takes long while a page opens. @param {ArrayLike<number>} positions x y z of each vertex */
+function sphereAround(positions) {
+  const center = new Box3().setFromArray(/** @type {number[]} */ (positions)).getCenter(new Vector3());
+  const { x, y, z } = center;
+  let squared = 0;
+  for (let i = 0; i < positions.length; i += 3)
+    squared = Math.max(squared, (positions[i] - x) ** 2 + (positions[i + 1] - y) ** 2 + (positions[i + 2] - z) ** 2);
+  return new Sphere(center, Math.sqrt(squared));
+}
+
 /** A mesh as geometry, without colours. @param {SurfaceMesh} mesh */
 export function bareGeometry(mesh) {
   const isFar = originOf(mesh.positions).some((x) => x !== 0);
@@ -82,7 +95,7 @@ export function bareGeometry(mesh) {
   if (!isFar) geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(mesh.normals), 3));
   geometry.setIndex(new BufferAttribute(mesh.indices, 1));
-  geometry.computeBoundingSphere();
+  geometry.boundingSphere = sphereAround(isFar ? mesh.positions : geometry.getAttribute('position').array);
   geometry.userData.isOneSided = mesh.isOneSided === true;
   if (!mesh.parameters) return geometry;
   const side = sideOf(mesh.parameters);

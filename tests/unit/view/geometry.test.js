@@ -57,6 +57,9 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.deepEqual([...geometry.attributes.uv.array.slice(0, 2), ...geometry.attributes.uv.array.slice(-2)], [0, 0, 1, 1]);
       assert.equal(geometry.attributes.color, undefined);
       const size = geometry.boundingSphere?.radius ?? 0;
+      const known = geometry.boundingSphere?.clone();
+      geometry.computeBoundingSphere();
+      assert.ok(known?.equals(/** @type {any} */ (geometry.boundingSphere)), 'the bounding sphere is that of three.js');
       assert.ok(size >= R && size < 1.05 * Math.hypot(R + a, a));
     });
 
