@@ -2,12 +2,13 @@
 
 import { largest } from '../vector.js';
 import { isShortest, rest, surveyAll } from './balance.js';
-import { beyond } from './crease.js';
+import { beyond, directions } from './crease.js';
 import { cut } from './cut.js';
 import { pastCorner } from './held.js';
-import { lengthOf, lineOf } from './legs.js';
+import { lengthOf, lineOf, middleOf } from './legs.js';
 import { join, landed, recut, withoutLeast, withoutPassed } from './parts.js';
 import { refract } from './refract.js';
+import { speedOn } from './tangent.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -20,6 +21,8 @@ const LEADS = [1 / 8, 1 / 64];
 const MOST_PASSED = 3;
 /** So often what a path is put together from is changed. */
 const MOST_CUTS = 12;
+/** What is shorter than this part of what is usual has no length. */
+const FREE = 1e-9;
 /** Routes at rest are the same to so many digits. */
 const SAME = 6;
 /** The surface is torn where its sides are farther apart than this part of how large coordinates are. */
@@ -56,6 +59,7 @@ function comeToRest(question, line, near, most) {
     if (places === tried) break;
     tried = places;
     const pieces = first && landed(question, first);
+    if (pieces && hasFreeJoint(question, pieces)) return null;
     route = pieces && join(question, pieces);
   }
   if (!route || isTornAnywhere(question, route)) return null;
@@ -93,6 +97,15 @@ function comeToRest(question, line, near, most) {
     }
   }
   return null;
+}
+
+/** Whether a joint is where a crease has no length, as where a density is zero along it: what leads there comes to no rest, however long it is solved. @param {Question} question @param {import('./parts.js').Piece[]} pieces */
+function hasFreeJoint(question, pieces) {
+  const width = question.sides.scale.length;
+  const speedAt = (/** @type {import('./crease.js').On} */ on, /** @type {number[]} */ place) =>
+    speedOn(question, on.signs, place, directions(question.sides, on, place).along);
+  const usual = largest(pieces.map(({ on, signs, line }) => speedAt({ ...on, signs }, middleOf(line, width))));
+  return pieces.slice(1).some(({ on, line }) => speedAt(on, line.slice(0, width)) <= FREE * usual);
 }
 
 /** What tells a route at rest from others. @param {Route} route */

@@ -1,7 +1,9 @@
 // How the length of legs changes with the joints between them: against derivatives of straight ones.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changes } from '../../../web/creases/legs.js';
+import { changes, LEG, solveLeg } from '../../../web/creases/legs.js';
+import { emptyPath } from '../../../web/runtime/result.js';
+import { ITERATION_LIMIT } from '../../../web/runtime/status.js';
 
 /** A straight leg, which pulls at its ends along itself. @param {number[]} from @param {number[]} to */
 function straight(from, to) {
@@ -68,3 +70,31 @@ test('where a joint cannot move, or a leg does not hold, second derivatives are 
 });
 
 const straightOf = (/** @type {number} */ _, /** @type {number[]} */ from, /** @type {number[]} */ to) => straight(from, to);
+
+test('a leg that ran out of steps four times is asked for no more, whatever its polyline; one to elsewhere, or on another side, is', () => {
+  let solved = 0;
+  const heap = {
+    pulls: () => [],
+    solve: () => {
+      solved++;
+      return { ...emptyPath(ITERATION_LIMIT), iterations: LEG.maxIterations };
+    },
+  };
+  const run = (/** @type {any} */ call) => call(heap, 0);
+  const question = /** @type {any} */ ({
+    field: { kind: 1, domain: null, run },
+    sides: { on: () => ({ run }) },
+    budget: { steps: 1e6, vain: new Map() },
+  });
+  const ask = (/** @type {number} */ x, sign = 1) => {
+    const line = Float64Array.of(0, 0, 0, 0.1 * solved, 0, 0, x, 0, 0);
+    assert.equal(solveLeg(question, { signs: [sign], line, length: 0, shore: null }, [0, 0, 0], [x, 0, 0], LEG), null);
+    return solved;
+  };
+  assert.deepEqual(
+    [1, 1, 1, 1, 1, 1].map((x) => ask(x)),
+    [1, 2, 3, 4, 4, 4],
+  );
+  assert.equal(ask(2), 5);
+  assert.equal(ask(1, -1), 6);
+});
