@@ -4,12 +4,13 @@ import { describe, test } from 'node:test';
 import { load } from '../../../web/index.js';
 import { distancesAlong } from '../../helpers/mesh-distances.js';
 import { createRandom } from '../../helpers/random.js';
+import { ofAll } from '../../helpers/sample.js';
 import { anything, close } from '../../helpers/refuses.js';
 
 /** @typedef {[number, number]} Range */
 
 const surfpath = await load();
-const PAIRS = 10;
+const PAIRS = ofAll(6, 10);
 
 /** @param {number} size @returns {[Range, Range, Range]} */
 const within = (size) => [
