@@ -180,7 +180,7 @@ static void fill_metric_couplings(const struct sp_elements *elements, const stru
                                   sp_pair *matrix) {
     int32_t p = elements->reference.degree, order = sp_elements_order(p);
     struct sp_metric_element element;
-    sp_metric_open_whole(elements, line, e, &element);
+    sp_metric_open(elements, line, e, &element);
     for (int32_t rank = 0; rank <= p; rank++)
         for (int32_t other = 0; other < rank; other++) {
             sp_pair block[4], *row = matrix + 2 * rank * order + 2 * other;

@@ -68,8 +68,7 @@ static void open_element(const struct sp_elements *elements, const struct sp_pol
     }
 }
 
-void sp_metric_open_whole(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e,
-                          struct sp_metric_element *element) {
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, struct sp_metric_element *element) {
     open_element(elements, line, &line->nodes, e, element);
     for (int32_t q = 0; q <= element->reference->degree; q++)
         for (int a = 0; a < 2; a++)
@@ -211,7 +210,7 @@ struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const st
     sp_pair terms[TERMS] = {{0}}, squares = sp_splat(0.0);
     for (int32_t e = 0; e < pairs; e++) {
         sp_pair once = {1, 2 * e + 1 < count_of(reference, line)};
-        sp_metric_open_whole(elements, line, e, &element);
+        sp_metric_open(elements, line, e, &element);
         for (int32_t q = 0; q <= p; q++)
             squares += element.factor * (reference->weight[q] * once) * sp_dot(element.momentum[q], element.velocity[q]);
         for (int32_t i = 0; i <= p; i++) {
@@ -242,7 +241,7 @@ struct sp_energy sp_metric_assemble(const struct sp_elements *elements, const st
 void sp_metric_end_pull(const struct sp_elements *elements, const struct sp_polyline *line, sp_pair pull[2]) {
     struct sp_metric_element element;
     sp_pair terms[TERMS] = {{0}};
-    sp_metric_open_whole(elements, line, 0, &element);
+    sp_metric_open(elements, line, 0, &element);
     add_terms(&element, 0, terms);
     pull[0] = terms[FORCE], pull[1] = terms[FORCE + 1];
 }

@@ -24,7 +24,7 @@ struct sp_metric_element {
 };
 
 /* Reads element pair e. */
-void sp_metric_open_whole(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, struct sp_metric_element *element);
+void sp_metric_open(const struct sp_elements *elements, const struct sp_polyline *line, int32_t e, struct sp_metric_element *element);
 
 /* Writes the 2 x 2 block of H between nodes i != j of a whole element, row by row; zero in coordinates that are held (`held`: two masks a
  * pair, from its first node). */

@@ -78,9 +78,9 @@ export function checkBoolean(caller, name, value) {
   if (typeof value !== 'boolean') refuse(`${caller}: options.${name}`, 'true or false', value);
 }
 
-/** @param {string} name function and argument @param {ArrayLike<number>} numbers each of which must be finite @returns {number[]} a copy */
-export function readFinite(name, numbers) {
+/** @param {string} caller @param {string} name of the argument @param {ArrayLike<number>} numbers each of which must be finite @returns {number[]} a copy */
+export function readFinite(caller, name, numbers) {
   const copy = Array.from(numbers);
-  for (let i = 0; i < copy.length; i++) if (!Number.isFinite(copy[i])) refuseNumber(`${name}[${i}]`, 'a finite number', copy[i]);
+  for (let i = 0; i < copy.length; i++) if (!Number.isFinite(copy[i])) refuseNumber(`${caller}: ${name}[${i}]`, 'a finite number', copy[i]);
   return copy;
 }

@@ -26,7 +26,7 @@ export function readPairNumbers(caller, pairs, variables) {
 function enter(point, domain) {
   if (!domain) return point;
   try {
-    return enterDomain(domain, point, '', []);
+    return enterDomain(domain, point, '', '', []);
   } catch (error) {
     if (error instanceof RangeError) return null;
     throw error;

@@ -173,8 +173,10 @@ export function checkBounds(caller, bounds) {
 
 /** @param {string} caller @param {string} name @param {unknown} given @param {string[]} variables one a number @returns {number[]} */
 export function readNumbers(caller, name, given, variables) {
-  const [what, count] = [`[${variables.join(', ')}]`, variables.length];
-  if (!isList(given)) refuse(`${caller}: ${name}`, what, given);
-  if (given.length !== count) throw new RangeError(`${caller}: ${name} must be ${what}, ${count} numbers, not ${given.length}`);
-  return readFinite(`${caller}: ${name}`, given);
+  /* Messages are put together only where one is needed: every question reads two points. */
+  const what = () => `[${variables.join(', ')}]`;
+  const count = variables.length;
+  if (!isList(given)) refuse(`${caller}: ${name}`, what(), given);
+  if (given.length !== count) throw new RangeError(`${caller}: ${name} must be ${what()}, ${count} numbers, not ${given.length}`);
+  return readFinite(caller, name, given);
 }

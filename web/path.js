@@ -121,7 +121,7 @@ export function readStart(caller, start, domain) {
     throw new TypeError(`${caller}: options.start must be a flat array of ${what}, not one of arrays; write points.flat()`);
   if (numbers.length % dimension || numbers.length < 2 * dimension || numbers.length > dimension * 1e6)
     throw new RangeError(`${caller}: options.start must be a flat array of ${what}, 2 to 1,000,000 points, not ${numbers.length} numbers`);
-  const line = Float64Array.from(readFinite(`${caller}: options.start`, numbers));
+  const line = Float64Array.from(readFinite(caller, 'options.start', numbers));
   return domain ? confine(domain, line) : line;
 }
 

@@ -279,7 +279,8 @@ export class Surface {
 
   /** Options as they are where length is that of space. @param {import('./runtime/heap.js').SolveOptions} options */
   #inSpace(options) {
-    return { ...options, gradientTolerance: options.gradientTolerance / this.#manifold.factor ** 2 };
+    const { factor } = this.#manifold;
+    return factor === 1 ? options : { ...options, gradientTolerance: options.gradientTolerance / factor ** 2 };
   }
 
   /** @param {Path} path where length is that of space */

@@ -109,18 +109,18 @@ export function confine({ lower, upper, periodic }, places) {
 
 /**
  * A point of the rectangle: inside it up to rounding, anywhere in a periodic direction, as far as numbers tell one place of a turn from the next.
- * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} name for messages @param {string[]} variables of a point
+ * @param {Pick<Domain, 'lower' | 'upper' | 'periodic'>} domain @param {number[]} point @param {string} caller @param {string} name of the point @param {string[]} variables of a point
  */
-export function enterDomain(domain, point, name, variables) {
+export function enterDomain(domain, point, caller, name, variables) {
   const { lower, upper, periodic } = domain;
-  point.forEach((x, j) => {
+  for (const j of [0, 1]) {
     const [low, high] = [lower[j], upper[j]];
     const slack = (periodic[j] ? MOST_TURNS : 1e-12) * (high - low);
-    if (x < low - slack || x > high + slack)
+    if (point[j] < low - slack || point[j] > high + slack)
       throw new RangeError(
-        `${name}[${j}] = ${x} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${variables[j]}, [${low}, ${high}]`,
+        `${caller}: ${name}[${j}] = ${point[j]} lies ${periodic[j] ? 'over 1e9 turns ' : ''}outside the range of ${variables[j]}, [${low}, ${high}]`,
       );
-  });
+  }
   return confine(domain, [...point]);
 }
 

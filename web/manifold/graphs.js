@@ -53,26 +53,28 @@ export class Graphs {
    * @returns {Graph | null}
    */
   find(heap, record, where, level) {
+    const graph = this.#graphs[level] ?? this.#make(heap, record, where, level);
+    if (!graph) return null;
+    if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
+    /* The last one is only for what stays apart without it. */
+    /** @type {Graph | null} */
+    const finer = graph.coarse && this.#resolutions[level + 2] ? this.find(heap, record, where, level + 1) : null;
+    return finer?.status === CONVERGED ? finer : usable(graph);
+  }
+
+  /** @param {Heap} heap @param {number} record @param {Parameters<Graphs['find']>[2]} where @param {number} level @returns {Graph | null} null: there is none so fine */
+  #make(heap, record, where, level) {
     const { domain } = where;
-    const box = domain ? domain.lower.flatMap((x, j) => [x, domain.upper[j]]) : where.box;
     const resolutions = this.#resolutions;
+    const box = domain ? domain.lower.flatMap((x, j) => [x, domain.upper[j]]) : where.box;
     const resolution = Math.round(resolutions[level] * Math.sqrt(domain?.turn?.folds ?? 1));
     if (!box || !resolution) return null;
     const loose = resolutions[level + 1] ? this.#creases : ANYHOW;
     const build = (/** @type {number} */ cells) => heap.buildGraph(record, this.#kind, { box, cell: 0, resolution: cells, loose, level });
-    let graph = this.#graphs[level];
-    if (!graph) {
-      graph = build(resolution);
-      if (graph.coarse && !resolutions[level + 2] && graph.vertices < FEW) {
-        heap.releaseGraph(graph);
-        graph = build(FINEST);
-      }
-    }
-    if (graph.status !== OUT_OF_MEMORY) this.#graphs[level] = graph;
-    /* The last one is only for what stays apart without it. */
-    /** @type {Graph | null} */
-    const finer = graph.coarse && resolutions[level + 2] ? this.find(heap, record, where, level + 1) : null;
-    return finer?.status === CONVERGED ? finer : usable(graph);
+    const graph = build(resolution);
+    if (!graph.coarse || resolutions[level + 2] || graph.vertices >= FEW) return graph;
+    heap.releaseGraph(graph);
+    return build(FINEST);
   }
 
   /**

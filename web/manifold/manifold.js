@@ -46,6 +46,7 @@ export class Manifold {
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
   /** Its like with lower heights, once somebody asks. @type {Manifold | null} */ #low = null;
+  /** What questions need of it, once one is asked. @type {import('../search/routes.js').Field | null} */ #field = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/projection.js').Coarse | null} */ coarse =
     null;
 
@@ -120,7 +121,7 @@ export class Manifold {
   /** @param {string} caller @param {string} name @param {unknown} point @returns {number[]} */
   readPoint(caller, name, point) {
     const numbers = readNumbers(caller, name, point, this.variables);
-    return this.domain ? enterDomain(this.domain, numbers, `${caller}: ${name}`, this.variables) : numbers;
+    return this.domain ? enterDomain(this.domain, numbers, caller, name, this.variables) : numbers;
   }
 
   /** @param {'jet' | 'value'} what @param {ArrayLike<number>} points */
@@ -146,18 +147,21 @@ export class Manifold {
     return this.#solver.run(() => call(this.#solver.heap, measured.record, shape));
   }
 
-  /** What a question needs of this surface. @returns {import('../search/routes.js').Field} */
+  /** What a question needs of this surface: for the life of its parameters the same. @returns {import('../search/routes.js').Field} */
   field() {
-    const own = () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null);
-    return {
+    this.#field ??= {
       ...this.#fieldOf(this.domain, 0, false),
-      own: this.kind === 'parametric' && !this.#measure.metric ? own : null,
+      own:
+        this.kind === 'parametric' && !this.#measure.metric
+          ? () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null)
+          : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
       chords: this.domain ? (places) => this.#measureChords(places) : null,
       jumps: this.#compiled.isCreased || this.#compiled.hasFloors ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
       lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
     };
+    return this.#field;
   }
 
   /** It with lower heights, and how steep it is; null: it is no steep one over x and y. @returns {import('../search/raised.js').Lowered | null} */
@@ -372,9 +376,9 @@ export class Manifold {
     this.#writeRecord();
   }
 
-  /** Frees the graphs, and the mesh: they are those of other parameters, or no longer needed. */
+  /** Frees the graphs, and what else was made of the surface: they are those of other parameters, or no longer needed. */
   #dropGraphs() {
-    this.coarse = null;
+    this.coarse = this.#field = null;
     this.#sides?.drop();
     this.#sides = null;
     const heap = this.#installation.isPresent ? this.#solver.heap : null;

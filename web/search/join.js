@@ -138,7 +138,8 @@ export function thinned(path, count) {
 /** @param {Float64Array} numbers @param {number} width so many a point */
 export function turned(numbers, width) {
   const result = new Float64Array(numbers.length);
-  for (let i = 0; i < numbers.length; i += width) result.set(numbers.subarray(i, i + width), numbers.length - width - i);
+  const last = numbers.length - width;
+  for (let i = 0; i <= last; i += width) for (let j = 0; j < width; j++) result[last - i + j] = numbers[i + j];
   return result;
 }
 

@@ -190,7 +190,6 @@ function pose(field, [from, to], find) {
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const branches = branchesOf(field);
-  const legs = { ...field, isLeg: true };
   let exhausted = false;
   /** What did not fit might have been the shortest. @template {{ status: number } | null} T @param {T} answer */
   const watch = (answer) => {
@@ -216,8 +215,9 @@ function pose(field, [from, to], find) {
       branches,
       isLeg: !!field.isLeg,
       isBrief: !!field.isBrief,
-      leg: (places, asked) => remember(graphs.legs, JSON.stringify([places, asked]), () => findGlobal(legs, places, asked, 1)[0]),
-      near: (places, asked, start) => solveNear(legs, places, asked, start),
+      leg: (places, asked) =>
+        remember(graphs.legs, JSON.stringify([places, asked]), () => findGlobal({ ...field, isLeg: true }, places, asked, 1)[0]),
+      near: (places, asked, start) => solveNear({ ...field, isLeg: true }, places, asked, start),
       graph: (level) => watch(graphs.find(heap, record, field, level)),
       flood: (level, length, wide) => watch(graphs.flood(heap, record, first, last, level, length, wide)),
       search: (graph, points, isAll) =>
