@@ -525,6 +525,7 @@ for (const [title, name] of TESTED)
       });
 
       test('refuses a place that is none, and a line what is no number', async () => {
+        await begin([0, 1]);
         const messages = await page.evaluate(() => {
           const { view } = /** @type {any} */ (window);
           const { draw, gallery, surfpath, camera, renderer } = view;

@@ -304,7 +304,7 @@ for (const [form, half, r, bound] of ROUNDED)
     const body = surfpath.implicit({ f: FORMS[form](half, r), ...(bound ? { bounds: cube(bound) } : {}) });
     const random = createRandom(12);
     let exact = 0;
-    const pairs = ofAll(3, 5);
+    const pairs = ofAll(2, 5);
     for (let pair = 0; pair < pairs; pair++) {
       const { from, to, over } = pickOver(half, r, random, 0.1);
       const { status, length } = body.shortestPath(from, to);

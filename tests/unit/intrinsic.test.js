@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 
 /** @typedef {import('../../web/definition.js').ParametricDefinition} ParametricDefinition */
 
@@ -14,6 +15,8 @@ const RIGHT = 2e-9;
 const LANDED = 1e-3;
 /** So much of the range, from its edges, is left free of ends. */
 const MARGIN = 0.02;
+/** Random pairs on a surface. */
+const PAIRS = ofAll(10, 20);
 
 /** @param {import('../../web/surface.js').Surface} surface @param {number} seed @param {number} count @returns {number[][][]} */
 function randomPairs(surface, seed, count) {
@@ -29,25 +32,25 @@ function slopeOf({ parameters }) {
   return [0, 1].map((j) => -25 * at[j] + 48 * at[j + 2] - 36 * at[j + 4] + 16 * at[j + 6] - 3 * at[j + 8]);
 }
 
-/** Pinch points, from which double lines begin, with E, F and G by hand. @type {{ title: string, surface: ParametricDefinition, metric: { E: string, F: string, G: string }, least: number }[]} */
+/** Pinch points, from which double lines begin, with E, F and G by hand; least: the part of paths that converge. @type {{ title: string, surface: ParametricDefinition, metric: { E: string, F: string, G: string }, least: number }[]} */
 const PINCHED = [
   {
     title: "Whitney's umbrella",
     surface: { x: 'u*v', y: 'u', z: 'v^2', u: [-1, 1], v: [-1, 1] },
     metric: { E: 'v^2 + 1', F: 'u*v', G: 'u^2 + 4v^2' },
-    least: 20,
+    least: 1,
   },
   {
     title: "Plücker's conoid",
     surface: { x: 'v*cos(u)', y: 'v*sin(u)', z: 'sin(2u)', u: [0, '2pi'], v: [-1, 1] },
     metric: { E: 'v^2 + 4cos(2u)^2', F: '0', G: '1' },
-    least: 19,
+    least: 0.95,
   },
   {
     title: 'the sine surface',
     surface: { x: 'sin(u)', y: 'sin(v)', z: 'sin(u + v)', u: [0, '2pi'], v: [0, '2pi'] },
     metric: { E: 'cos(u)^2 + cos(u + v)^2', F: 'cos(u + v)^2', G: 'cos(v)^2 + cos(u + v)^2' },
-    least: 18,
+    least: 0.9,
   },
 ];
 
@@ -56,7 +59,7 @@ for (const { title, surface: definition, metric, least } of PINCHED)
     const surface = surfpath.parametric(definition);
     const { periodic } = /** @type {NonNullable<typeof surface.domain>} */ (surface.domain);
     const abstract = surfpath.metric({ ...metric, u: definition.u, v: definition.v, periodic });
-    const pairs = randomPairs(surface, 81, 20);
+    const pairs = randomPairs(surface, 81, PAIRS);
     const paths = pairs.map(([from, to]) => surface.shortestPath(from, to));
 
     test('nearly all paths converge, are geodesics, and as long as E, F and G say', () => {
@@ -79,7 +82,7 @@ for (const { title, surface: definition, metric, least } of PINCHED)
         }
         count++;
       }
-      assert.ok(count >= least, `${count} of ${paths.length}`);
+      assert.ok(count >= least * paths.length, `${count} of ${paths.length}`);
     });
 
     test('the same both ways, in bulk, and with however many points', () => {
@@ -119,7 +122,7 @@ describe('a sheet with waves that are steeper than chords can follow', () => {
   /** @param {import('../../web/surface.js').Surface} surface @param {number} k @param {number} seed */
   const check = (surface, k, seed) => {
     let count = 0;
-    for (const [from, to] of randomPairs(surface, seed, 12)) {
+    for (const [from, to] of randomPairs(surface, seed, ofAll(6, 12))) {
       const path = surface.shortestPath(from, to);
       if (!path.converged) continue;
       const wanted = Math.hypot(unroll(from[0], to[0], k), to[1] - from[1]);
@@ -131,9 +134,9 @@ describe('a sheet with waves that are steeper than chords can follow', () => {
 
   test('as long as unrolled, also after a parameter has changed', () => {
     const surface = surfpath.parametric(definition);
-    assert.ok(check(surface, waves, 82) >= 10);
+    assert.ok(check(surface, waves, 82) >= ofAll(5, 10));
     surface.set({ k: 25 });
-    assert.ok(check(surface, 25, 83) >= 10);
+    assert.ok(check(surface, 25, 83) >= ofAll(5, 10));
     surface.dispose();
   });
 });
@@ -146,7 +149,7 @@ test('a hollow cylinder whose walls are 0.04 apart: all paths converge, none thr
     u: [0, '2pi'],
     v: [0, '2pi'],
   });
-  for (const [from, to] of randomPairs(surface, 84, 20)) {
+  for (const [from, to] of randomPairs(surface, 84, PAIRS)) {
     const path = surface.shortestPath(from, to, { points: 500 });
     assert.equal(path.status, 'converged', `${from} to ${to}`);
     const { points } = path;
@@ -163,13 +166,13 @@ test('with a density: as E, F and G with it', () => {
   const factor = '(1 + v^2*cos(u)^2)^2';
   const abstract = surfpath.metric({ E: `(v^2 + 4cos(2u)^2)*${factor}`, F: 0, G: factor, ...range, periodic: { u: true } });
   let count = 0;
-  for (const [from, to] of randomPairs(surface, 85, 6)) {
+  for (const [from, to] of randomPairs(surface, 85, ofAll(4, 6))) {
     const [path, other] = [surface, abstract].map((one) => one.shortestPath(from, to));
     if (!path.converged || !other.converged) continue;
     assert.ok(Math.abs(path.length / other.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${other.length}`);
     count++;
   }
-  assert.ok(count >= 5, `${count} converged`);
+  assert.ok(count >= ofAll(3, 5), `${count} converged`);
 });
 
 test('through a coin of 1:100: no chord of the body, but a path around its rim, with its error', () => {
