@@ -51,7 +51,7 @@ export function readTraceOptions(caller, given) {
  */
 export function traceFrom(manifold, caller, start, asked, wanted) {
   const field = manifold.field();
-  const { domain, place } = placeIn(field, start);
+  const { domain, place } = placeIn(field, start, asked.direction);
   /* Around a pole a coordinate says nothing, and has no derivative: a trace leaves it along the meridian, from beside it. */
   const along = freeCoordinate(domain, place);
   const across = 1 - along;

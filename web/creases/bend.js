@@ -11,18 +11,10 @@ import { frameOn } from './tangent.js';
 
 /** Squares of sines that are less graze the crease. */
 const GRAZING = 1e-10;
-/** Sides fit together where they are no farther apart than this part of the coordinates, and cosines of what is along the crease on both. */
-const TORN = 1e-9;
+/** Sides fit together where cosines of what is along the crease on both differ from 1 by no more. */
+const TURNED = 1e-9;
 /** The curvature of a crease is told by places so far apart, in parts of the coordinates. */
 const BESIDE = 1e-4;
-
-/** Whether two sides are not joined at a place: the surface jumps. @param {Tracing} tracing @param {number[]} before @param {number[]} after @param {number[]} place */
-export function isTorn({ field, sides, size }, before, after, place) {
-  const [[one], [other]] = [before, after].map((signs) => sides.on(signs)?.jets(place) ?? [[Number.NaN]]);
-  if (!field.domain) return !(Math.abs(other[0]) <= TORN * size * sizeOf(other.slice(1, 4)));
-  if (!field.positions) return false;
-  return ![0, 1, 2].every((j) => Math.abs(one[j] - other[j]) <= TORN * Math.max(size, sizeOf(one.slice(0, 3))));
-}
 
 /**
  * Where a geodesic leads that comes to a crease: beyond it or, where what it would change by along the crease is more than the length there is, back.
@@ -33,7 +25,7 @@ export function bend(tracing, crease, before, after, place, velocity, spread) {
   const { scale } = tracing.sides;
   const [on, beyond] = [before, after].map((signs) => ({ crease, signs }));
   const [here, there] = [on, beyond].map((side) => directions(tracing.sides, side, place));
-  if (!(Math.abs(inner(here.along, there.along, scale)) >= 1 - TORN)) return null;
+  if (!(Math.abs(inner(here.along, there.along, scale)) >= 1 - TURNED)) return null;
   const one = frameOn(tracing, before, place, here.along, here.across);
   const other = frameOn(tracing, after, place, here.along, there.across);
   const y = inner(velocity, here.across, scale);

@@ -19,12 +19,28 @@ const SAME = 1e-9;
 /** The first step along a crease, in parts of how far away the other joint is. */
 const STRIDE = 1 / 16;
 
+/** A surface is torn where its sides are farther apart than this part of how large coordinates are. */
+const TORN = 1e-9;
+
 /** On a side that there is no room for. */
 const NOWHERE = new Array(4).fill(Number.NaN);
 
 /** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {On} on @param {number[]} place */
 export function settle(sides, on, place) {
   return approach(sides, place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
+}
+
+/**
+ * Whether sides are in different places in space, or not where this place is: what leads over a step, or from sheet to sheet, is no path.
+ * @param {{ field: import('../search/routes.js').Field, sides: Sides }} question @param {number[][]} all signs of the sides @param {number[]} place @param {number} [size] of coordinates
+ */
+export function isTorn({ field, sides }, all, place, size = largest(place)) {
+  /* E, F and G, and a density, may jump. */
+  if (field.domain && !field.positions) return false;
+  const jets = all.map((signs) => sides.on(signs)?.jets(place)[0] ?? NOWHERE);
+  if (!field.domain) return jets.some(([f, ...derivatives]) => !(Math.abs(f) <= TORN * size * largest(derivatives.slice(0, 3))));
+  const [one, other] = jets.map((jet) => jet.slice(0, 3));
+  return !one.every((x, i) => Math.abs(x - other[i]) <= TORN * Math.max(size, largest(one)));
 }
 
 /** The place on a crease that is so far along the chord between two on it, in parts of that. @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} part */

@@ -2,7 +2,7 @@
 
 import { largest } from '../vector.js';
 import { isShortest, rest, surveyAll } from './balance.js';
-import { beyond, directions } from './crease.js';
+import { beyond, directions, isTorn } from './crease.js';
 import { cut } from './cut.js';
 import { pastCorner } from './held.js';
 import { lengthOf, lineOf, middleOf } from './legs.js';
@@ -25,8 +25,6 @@ const MOST_CUTS = 12;
 const FREE = 1e-9;
 /** Routes at rest are the same to so many digits. */
 const SAME = 6;
-/** The surface is torn where its sides are farther apart than this part of how large coordinates are. */
-const TORN = 1e-9;
 
 /**
  * The path that a polyline leads to; null: none that holds.
@@ -129,11 +127,14 @@ function settleJoints(question, route) {
 function isTornAnywhere(question, { legs, joints }) {
   const [from, to] = question.ends;
   const isLoose = isOff(question, legs[0], from) || isOff(question, legs[legs.length - 1], to);
-  return isLoose || joints.some((joint, j) => isTorn(question, joint, legs.slice(j, j + 2)));
+  /* In a rectangle a shore parts the sides of its crease. */
+  const beside = (/** @type {Joint} */ { crease, signs }, /** @type {Leg} */ before, /** @type {Leg} */ next) =>
+    question.field.domain ? [signs, next.shore ? beyond(signs, crease) : next.signs] : [before.signs, next.signs];
+  return isLoose || joints.some((joint, j) => isTorn(question, beside(joint, legs[j], legs[j + 1]), joint.place));
 }
 
 /** Whether a place is beside the implicit surface that a leg's side is. @param {Question} question @param {Leg} leg @param {number[]} place */
-const isOff = ({ field, sides }, { signs }, place) => !field.domain && isBeside(sides.on(signs)?.jets(place)[0] ?? [], place);
+const isOff = (question, { signs }, place) => !question.field.domain && isTorn(question, [signs], place);
 
 /** @param {Question} question @param {Route} route at rest @returns {Route | null} */
 function finish(question, route) {
@@ -142,18 +143,3 @@ function finish(question, route) {
   if (!hasShores(route)) return route;
   return isShortest(question, route) ? surveyAll(question, route) : null;
 }
-
-/** Whether the sides of a crease are in different places in space: what leads over a step, or from sheet to sheet, is no path. @param {Question} question @param {Joint} joint @param {Leg[]} beside it, before and after */
-function isTorn(question, { crease, signs, place }, [before, next]) {
-  const { field, sides } = question;
-  /* E, F and G, and a density, may jump. */
-  if (field.domain && !field.positions) return false;
-  if (!field.domain) return [before, next].some((leg) => isOff(question, leg, place));
-  const jetOn = (/** @type {number[]} */ of) => sides.on(of)?.jets(place)[0] ?? [];
-  const [one, other] = [jetOn(signs), jetOn(next.shore ? beyond(signs, crease) : next.signs)];
-  const size = largest([...place, ...one.slice(0, 3)]);
-  return one.slice(0, 3).some((x, i) => Math.abs(x - other[i]) > TORN * size);
-}
-
-/** Whether a place is beside an implicit surface. @param {number[]} jet f, then its gradient @param {number[]} place */
-const isBeside = ([f, ...derivatives], place) => !(Math.abs(f) <= TORN * largest(place) * largest(derivatives.slice(0, 3)));

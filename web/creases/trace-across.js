@@ -3,8 +3,8 @@
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
 import { diagonalOf, minus, sumOf } from '../vector.js';
-import { bend, isTorn } from './bend.js';
-import { beyond, directions, settle, slopeOf } from './crease.js';
+import { bend } from './bend.js';
+import { beyond, directions, isTorn, settle, slopeOf } from './crease.js';
 import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
 import { endOf, look, vanishes } from './meeting.js';
 import { isSame } from './same.js';
@@ -180,7 +180,7 @@ function cross(tracing, { place: end, velocity, signs }, crease, spread) {
   const after = settled(tracing, flipped, on, place);
   const others = on.filter((k) => !alike.get(k));
   if (!others.every((k) => [signs, after].every((side) => isSame(sides, side, beyond(side, k), place)))) return null;
-  if (isTorn(tracing, signs, after, place)) return null;
+  if (isTorn(tracing, [signs, after], place, tracing.size)) return null;
   const bent = isSame(sides, signs, after, place)
     ? { velocity, isReflected: false, spread }
     : bend(tracing, crease, signs, after, place, velocity, spread);

@@ -163,15 +163,24 @@ function waysBetween({ domain, pieces }, [from, to]) {
 }
 
 /**
- * Where a place is solved from that has no other end: in the first piece that holds it, if there are pieces.
- * @param {Field} field @param {number[]} place @returns {{ domain: Domain | null, place: number[] }}
+ * Where a place is left from in a direction: if there are pieces, in the one that holds it; from a point between two in that which the direction leads into.
+ * @param {Field} field @param {number[]} place @param {number[]} direction @returns {{ domain: Domain | null, place: number[] }}
  */
-export function placeIn({ domain, pieces }, place) {
+export function placeIn({ domain, pieces }, place, direction) {
+  const pinches = /** @type {Pinches} */ (domain?.pinches);
+  let held = { domain, place };
   for (const piece of pieces) {
-    const lifted = into(/** @type {Pinches} */ (domain?.pinches), piece, place);
-    if (lifted) return { domain: piece.domain, place: lifted };
+    const lifted = into(pinches, piece, place);
+    if (lifted && (held.place === place || leadsInto(piece, pinches.across, lifted, direction)))
+      held = { domain: piece.domain, place: lifted };
   }
-  return { domain, place };
+  return held;
+}
+
+/** Whether a direction leads from a place towards the middle of a piece. @param {Field} piece @param {number} across @param {number[]} place @param {number[]} direction */
+function leadsInto({ domain }, across, place, direction) {
+  const { lower, upper } = /** @type {Domain} */ (domain);
+  return direction[across] * (lower[across] + upper[across] - 2 * place[across]) > 0;
 }
 
 /**

@@ -136,6 +136,16 @@ describe('a double cone', () => {
     assert.ok(parameters[0] === 1 && parameters[1] === -0.5 && parameters.every((v, i) => i % 2 === 0 || v < 0));
   });
 
+  test('from the apex a trace leads into the half that its direction points to', () => {
+    for (const way of [1, -1]) {
+      const path = surface.trace([1, 0], [0, way], slant(0.5));
+      assert.equal(path.status, 'converged');
+      const [u, v] = /** @type {Float64Array} */ (path.parameters).slice(-2);
+      assert.equal(u, 1);
+      close(v, way * 0.5);
+    }
+  });
+
   test('set moves the apex', () => {
     const moved = make({ x: '(v - a) cos(u)', y: '(v - a) sin(u)', z: 'v', v: [-1, 1], parameters: { a: 0 } });
     close(moved.shortestPath([0, -0.5], [3, 0.5]).length, slant(1));
