@@ -35,7 +35,7 @@ export class Bodies {
   stretchedIn(box) {
     const body = this.#find(box);
     if (body.stretched === undefined) body.stretched = this.#stretch(body.extent);
-    return body.stretched;
+    return body.stretched ?? null;
   }
 
   /** The body around two ends, stretched; null: none is flat that ends near them. @param {number[][]} ends */
@@ -79,14 +79,14 @@ export class Bodies {
     return body;
   }
 
-  /** @param {Extent | null} extent */
+  /** null: there is nothing to stretch; undefined: no room for it now. @param {Extent | null} extent */
   #stretch(extent) {
     if (!extent || !(flatnessOf(extent) > FLAT) || this.#given.measure.metric) return null;
     try {
       return new Stretched(this.#given, extent);
     } catch {
-      /* No memory, or more than a module may hold: it goes without. */
-      return null;
+      /* No memory, or more than a module may hold: it goes without, this time. */
+      return undefined;
     }
   }
 }
