@@ -34,8 +34,8 @@ export class Bodies {
   /** What a box holds, stretched; null: it is not flat, or there is no room. @param {number[]} box @returns {Stretched | null} */
   stretchedIn(box) {
     const body = this.#find(box);
-    if (body.stretched === undefined) body.stretched = this.#stretch(body.extent);
-    return body.stretched ?? null;
+    body.stretched ??= this.#stretch(body.extent);
+    return body.stretched;
   }
 
   /** The body around two ends, stretched; null: none is flat that ends near them. @param {number[][]} ends */
@@ -79,14 +79,14 @@ export class Bodies {
     return body;
   }
 
-  /** null: there is nothing to stretch; undefined: no room for it now. @param {Extent | null} extent */
+  /** @param {Extent | null} extent */
   #stretch(extent) {
     if (!extent || !(flatnessOf(extent) > FLAT) || this.#given.measure.metric) return null;
     try {
       return new Stretched(this.#given, extent);
     } catch {
       /* No memory, or more than a module may hold: it goes without, this time. */
-      return undefined;
+      return null;
     }
   }
 }
