@@ -5,7 +5,13 @@ import { makeCompile, makeLoad } from './instance.js';
 export { ExpressionError } from './expression/error.js';
 export * from './types.js';
 
-const compile = makeCompile(() => new URL('./surfpath.wasm', import.meta.url));
+const compile = makeCompile(() => {
+  try {
+    return new URL('./surfpath.wasm', import.meta.url);
+  } catch {
+    throw new TypeError('surfpath/slim: no import.meta.url here; pass load({ wasm })');
+  }
+});
 
 /**
  * The solver's module, compiled: it can be posted to a worker, and loaded there by `load({ wasm: module })`. Cached.

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { build } from 'esbuild';
 import inlined from '../../dist/wasm.js';
 import { unpack } from '../../web/runtime/unpack.js';
 
@@ -60,6 +61,23 @@ test('the core calls no library function but memcpy, memmove and memset, so no l
 test('bundlers keep what is imported for its effect alone: the element, and the script of the workers', () => {
   const { sideEffects, exports } = JSON.parse(readFileSync(`${root}/package.json`, 'utf8'));
   for (const entry of ['./element', './worker.js']) assert.ok(sideEffects.includes(exports[entry].default), entry);
+});
+
+test('in a CommonJS bundle, which does not know where it lies, slim and the pool say what to pass', async () => {
+  const contents = "export { load } from './dist/slim.js'; export { createPool } from './dist/pool.js';";
+  const stdin = { contents, resolveDir: root };
+  const { outputFiles } = await build({ stdin, bundle: true, format: 'cjs', platform: 'node', write: false, logLevel: 'silent' });
+  /** @type {any} */ const bundle = { exports: {} };
+  new Function('module', outputFiles[0].text)(bundle);
+  const { load, createPool } = bundle.exports;
+  await assert.rejects(load(), /^TypeError: surfpath\/slim: no import\.meta\.url here; pass load\(\{ wasm \}\)/);
+  const plane = { kind: 'graph', z: 0, x: [0, 3], y: [0, 4] };
+  const ask = (/** @type {any} */ asked) => asked.shortestPath(plane, [0, 0], [3, 4]);
+  await assert.rejects(ask(createPool()), /^TypeError: surfpath\/pool: no import\.meta\.url here; pass createPool\(\{ worker \}\)/);
+  const pool = createPool({ worker: new URL('../../dist/worker.js', import.meta.url) });
+  assert.equal((await ask(pool)).status, 'converged');
+  await pool.dispose();
+  assert.equal((await load({ wasm })).surface(plane).kind, 'parametric');
 });
 
 test('there are no run-time dependencies', () => {

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { gallery } from '../../web/gallery.js';
 import { load } from '../../web/index.js';
+import { anything } from '../helpers/refuses.js';
 import { limitMemory, loadRefusing, loadWatched } from '../helpers/watched.js';
 import { ofAll } from '../helpers/sample.js';
 
@@ -98,6 +99,24 @@ describe('every allocation refused in turn', () => {
           assert.deepEqual(left, reference.left, `held after allocation ${first}`);
         }
     });
+});
+
+test('a flat body for which there is no room stretched goes without once, not from then on', async () => {
+  const flat = { f: 'x^2 + y^2 + 2500z^2 - 1', bounds: anything(Array(3).fill([-1.2, 1.2])) };
+  const ask = (/** @type {Surface} */ surface) =>
+    surface.shortestPath([0.9, 0.1, 0.0085], [0.9, -0.1, -0.0085], { start: 'straight', tolerance: 0.1 });
+  const reference = ask((await load()).implicit(flat));
+  assert.ok(reference.converged);
+  for (let first = 0; ; first++) {
+    const { surfpath, refuse, allow } = await loadRefusing();
+    const surface = surfpath.implicit(flat);
+    refuse(first, 1);
+    const { value } = outcomeOf(() => ask(surface));
+    assert.ok(allow(), 'it always finds room');
+    if (value?.status !== 'iteration-limit') continue;
+    assert.deepEqual(ask(surface), reference);
+    break;
+  }
 });
 
 describe('memory that does not grow', () => {

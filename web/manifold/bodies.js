@@ -34,7 +34,7 @@ export class Bodies {
   /** What a box holds, stretched; null: it is not flat, or there is no room. @param {number[]} box @returns {Stretched | null} */
   stretchedIn(box) {
     const body = this.#find(box);
-    if (body.stretched === undefined) body.stretched = this.#stretch(body.extent);
+    body.stretched ??= this.#stretch(body.extent);
     return body.stretched;
   }
 
@@ -85,7 +85,7 @@ export class Bodies {
     try {
       return new Stretched(this.#given, extent);
     } catch {
-      /* No memory, or more than a module may hold: it goes without. */
+      /* No memory, or more than a module may hold: it goes without, this time. */
       return null;
     }
   }

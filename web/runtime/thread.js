@@ -31,9 +31,17 @@ export function countProcessors() {
  * @returns {Thread}
  */
 export function startThread(script, listener) {
-  // Bundlers find the file by exactly this expression, and copy it as it is: within `new Worker(…)` they would bundle it again, once for each kind of worker.
-  const place = script ?? new URL('./worker.js', import.meta.url);
+  const place = script ?? findScript();
   return getModule ? startNodeThread(getModule('node:worker_threads').Worker, place, listener) : startPageWorker(place, listener);
+}
+
+function findScript() {
+  try {
+    // Bundlers find the file by exactly this expression, and copy it as it is: within `new Worker(…)` they would bundle it again, once for each kind of worker.
+    return new URL('./worker.js', import.meta.url);
+  } catch {
+    throw new TypeError('surfpath/pool: no import.meta.url here; pass createPool({ worker })');
+  }
 }
 
 /** @param {URL} script @param {Listener} listener @returns {Thread} */
