@@ -31,7 +31,8 @@ const BESIDE = 1e-15;
  * @returns {{ direction: number[], length: number }}
  */
 export function readTrace(caller, direction, length, variables) {
-  const numbers = readNumbers(caller, 'direction', direction, variables);
+  const names = variables.length === 2 ? variables.map((x) => `d${x}`) : variables;
+  const numbers = readNumbers(caller, 'direction', direction, names);
   if (numbers.every((x) => x === 0)) throw new RangeError(`${caller}: direction must not be zero`);
   if (typeof length !== 'number' || !(length >= 0 && length < Infinity))
     refuseNumber(`${caller}: length`, 'a finite number that is not negative', length);

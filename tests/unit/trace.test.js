@@ -274,7 +274,7 @@ test('mistakes throw, and say which', () => {
   /** @type {[any[], ErrorConstructor, RegExp][]} */
   const mistakes = [
     [[[0, 0], [0, 0], 1], RangeError, /^trace: direction must not be zero/],
-    [[[0, 0], [1, 0, 0], 1], RangeError, /^trace: direction must be \[u, v\]/],
+    [[[0, 0], [1, 0, 0], 1], RangeError, /^trace: direction must be \[du, dv\]/],
     [[[0, 0], [1, Number.NaN], 1], RangeError, /^trace: direction\[1\] must be a finite number/],
     [[[0, 0], 'north', 1], TypeError, /^trace: direction must be/],
     [[[2, 0], [1, 0], 1], RangeError, /^trace: from\[0\] = 2 lies outside/],
