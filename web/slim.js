@@ -9,7 +9,7 @@ const compile = makeCompile(() => {
   try {
     return new URL('./surfpath.wasm', import.meta.url);
   } catch {
-    throw new TypeError('surfpath/slim: no import.meta.url here; pass load({ wasm })');
+    throw new TypeError('surfpath/slim: no import.meta.url here; pass { wasm }');
   }
 });
 

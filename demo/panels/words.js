@@ -34,7 +34,7 @@ const OUTCOMES = {
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': [
     'No path',
-    'The formula has no value somewhere on the way, or one too large to compute with: narrow its ranges, move the ends or change it.',
+    'The formula has no value somewhere on the way, or one too large: narrow its ranges, move the ends or change it.',
   ],
   'out-of-memory': ['No path', 'There was not enough memory: choose fewer points.'],
 };

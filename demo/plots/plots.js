@@ -15,7 +15,7 @@ const PLOTS = {
   convergence: {
     across: { label: 'Newton step' },
     up: { label: '‖∇E‖, norm of the gradient', log: true },
-    words: 'From the straight start. A quadratic method doubles the digits in each step.',
+    words: 'From the straight start. A quadratic method doubles the digits each step.',
   },
   error: {
     across: { label: 'points K', log: true },
@@ -30,7 +30,7 @@ const PLOTS = {
   curvature: {
     across: { label: 'length from A', zero: true },
     up: { label: 'curvature', zero: true },
-    words: 'How much the path bends in space: all of it is the surface’s, a geodesic does not turn on its own.',
+    words: 'How much the path bends in space: all of it is the surface’s, a geodesic has none of its own.',
   },
 };
 

@@ -128,9 +128,9 @@ function isTornAnywhere(question, { legs, joints }) {
   const [from, to] = question.ends;
   const isLoose = isOff(question, legs[0], from) || isOff(question, legs[legs.length - 1], to);
   /* In a rectangle a shore parts the sides of its crease. */
-  const beside = (/** @type {Joint} */ { crease, signs }, /** @type {Leg} */ before, /** @type {Leg} */ next) =>
-    question.field.domain ? [signs, next.shore ? beyond(signs, crease) : next.signs] : [before.signs, next.signs];
-  return isLoose || joints.some((joint, j) => isTorn(question, beside(joint, legs[j], legs[j + 1]), joint.place));
+  const beside = (/** @type {Joint} */ { crease, signs }, /** @type {Leg} */ next) =>
+    next.shore && question.field.domain ? beyond(signs, crease) : next.signs;
+  return isLoose || joints.some((joint, j) => isTorn(question, [joint.signs, beside(joint, legs[j + 1])], joint.place));
 }
 
 /** Whether a place is beside the implicit surface that a leg's side is. @param {Question} question @param {Leg} leg @param {number[]} place */

@@ -40,7 +40,7 @@ function findScript() {
     // Bundlers find the file by exactly this expression, and copy it as it is: within `new Worker(…)` they would bundle it again, once for each kind of worker.
     return new URL('./worker.js', import.meta.url);
   } catch {
-    throw new TypeError('surfpath/pool: no import.meta.url here; pass createPool({ worker })');
+    throw new TypeError('createPool: no import.meta.url here; pass { worker }');
   }
 }
 
