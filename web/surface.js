@@ -98,12 +98,13 @@ export class Surface {
     const caller = Surface.#enter(this, 'shortestPath');
     const [first, last] = [this.#manifold.readPoint(caller, 'from', from), this.#manifold.readPoint(caller, 'to', to)];
     const { solve, start, via } = readOptions(caller, options, ['via']);
-    const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
-    const places = [first, ...stops, last];
     const asked = this.#inSpace(solve);
     const field = this.#manifold.field();
-    if (stops.length > 0) return this.#scaled(passThrough(field, caller, places, asked, start));
-    return this.#scaled(findPath(field, places, asked, start === 'global' ? start : readStart(caller, start, field.domain)));
+    if (via.length > 0) {
+      const stops = Array.from(via, (point, i) => this.#manifold.readPoint(caller, `options.via[${i}]`, point));
+      return this.#scaled(passThrough(field, caller, [first, ...stops, last], asked, start));
+    }
+    return this.#scaled(findPath(field, [first, last], asked, start === 'global' ? start : readStart(caller, start, field.domain)));
   }
 
   /**

@@ -147,7 +147,7 @@ export function moveOnto(glued, parameters, to) {
     turns,
     [0, 1].map((j) => (glued.periodic[j] ? to[j] - first[j] : 0)),
   );
-  parameters.set(to);
+  [parameters[0], parameters[1]] = to;
 }
 
 /** Moves u v pairs so that the first of them comes to lie next to a place. @param {Glued} glued @param {Float64Array} parameters @param {ArrayLike<number>} near u v */
