@@ -41,7 +41,7 @@ function makeView() {
     return view;
   } catch {
     removePoster();
-    say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below are computed.');
+    say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below need none.');
     return null;
   }
 }

@@ -26,7 +26,7 @@ describe('load', () => {
       name: 'TypeError',
       message: 'load: http://localhost/surfpath.wasm is not surfpath.wasm',
     });
-    await assert.rejects(load({ wasm: page }), { message: 'load: http://localhost/surfpath.wasm was read before' });
+    await assert.rejects(load({ wasm: page }), { message: 'load: http://localhost/surfpath.wasm was read before; pass the bytes' });
   });
 
   test('takes the module as bytes, a file: URL, or compiled', async () => {

@@ -30,7 +30,7 @@ export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS
 
 /** Steps of a leg that does not hold count so many times: they are those of the most elements. */
 const FAILING = 4;
-/** A leg that ran out of steps so often, from whatever polyline, is asked for no more: from the zero of a density along a crease each takes a second. */
+/** A leg that ran out of steps so often, from whatever polyline, is asked for no more: from the zero of a density along a crease none ever holds. */
 const MOST_VAIN = 4;
 
 /** All legs, over these joints, but those that follow a crease; null: one does not hold. @param {Question} question @param {Route} route @param {SolveOptions} [options] @returns {Leg[] | null} */
@@ -52,21 +52,16 @@ export const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }
 /** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
 export function solveLeg({ field, sides, budget }, leg, from, to, options) {
   const side = sides.on(leg.signs);
-  const key = budget.vain?.size ? keyOf(leg, from, to) : '';
-  if ((budget.vain?.get(key) ?? 0) >= MOST_VAIN) return null;
+  const key = `${from} ${to} ${leg.signs}`;
+  const failed = budget.vain?.get(key) ?? 0;
+  if (failed >= MOST_VAIN) return null;
   if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
   const { path, pulls } = solvePulled({ ...field, run: side.run }, [from, to], leg.line, options);
   const isHeld = holds({ path });
   budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
-  if (!isHeld && path.iterations >= LEG.maxIterations) {
-    const vain = key || keyOf(leg, from, to);
-    budget.vain?.set(vain, (budget.vain.get(vain) ?? 0) + 1);
-  }
+  if (!isHeld && path.iterations >= LEG.maxIterations) budget.vain?.set(key, failed + 1);
   return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points, pulls } : null;
 }
-
-/** @param {Leg} leg @param {number[]} from @param {number[]} to */
-const keyOf = ({ signs }, from, to) => `${from} ${to} ${signs}`;
 
 /** The path near a line, and how its length changes with where it begins, and ends. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {SolveOptions} options */
 export function solvePulled(field, ends, line, options) {

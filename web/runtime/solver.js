@@ -65,7 +65,7 @@ export async function compileSolver(caller, find) {
     throw new TypeError(`${caller}: options.wasm must be a URL, a string, a Response, bytes or a WebAssembly.Module`);
   const name = `${caller}: ${found.url || 'options.wasm'}`;
   if (!found.ok) throw new Error(`${name} answered ${found.status}; it should be the file surfpath.wasm`);
-  if (found.bodyUsed) throw new TypeError(`${name} was read before`);
+  if (found.bodyUsed) throw new TypeError(`${name} was read before; pass the bytes`);
   return compile(await found.arrayBuffer(), name);
 }
 
