@@ -10,6 +10,8 @@ import { isSame } from './same.js';
 
 /** A place is on a crease to this part of how large coordinates are. */
 export const ROUNDING = 1e-13;
+/** Rounding moves a place on a crease by less than this part of how large coordinates are. */
+const ROUNDED = 1e-15;
 /** So many steps of Newton lead onto a crease. */
 const MOST_ROUNDS = 20;
 /** Steps along a crease are as long as the next place is off its tangent by between these parts of them; so many lead from one joint to the next. */
@@ -20,14 +22,20 @@ const SAME = 1e-9;
 const STRIDE = 1 / 16;
 
 /** A surface is torn where its sides are farther apart than this part of how large coordinates are. */
-const TORN = 1e-9;
+const TORN = 1e-7;
 
 /** On a side that there is no room for. */
 const NOWHERE = new Array(4).fill(Number.NaN);
 
-/** Moves a place onto a crease, and on an implicit surface onto this side of it. @param {Sides} sides @param {On} on @param {number[]} place */
+/**
+ * Moves a place onto a crease, and on an implicit surface onto this side of it. In the rectangle it is where both sides have derivatives: beyond the crease, by rounding, a root has none.
+ * @param {Sides} sides @param {On} on @param {number[]} place
+ */
 export function settle(sides, on, place) {
-  return approach(sides, place, (at) => [vanishing(sides, on, at), ...implicit(sides, on, at)]);
+  const at = approach(sides, place, (there) => [vanishing(sides, on, there), ...implicit(sides, on, there)]);
+  if (at.length > 2) return at;
+  const steep = [on.signs, beyond(on.signs, on.crease)].find((signs) => !sides.on(signs)?.jets(at)[0].every(Number.isFinite));
+  return steep ? ahead(at, directions(sides, on, at).across, steep[on.crease] * ROUNDED * largest(at)) : at;
 }
 
 /**

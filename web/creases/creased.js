@@ -6,7 +6,7 @@
 import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, poseNear, settleEnd } from '../search/routes.js';
-import { gap } from '../vector.js';
+import { gap, largest } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, lineOf, placesOf } from './legs.js';
@@ -37,6 +37,8 @@ const NEARLY = 1.003;
 const UNTOLD = 1.01;
 /** A graph whose way is longer than a path by this sees too little. */
 const BLIND = 1.05;
+/** Joints are where they should be to this part of how large coordinates are. */
+const ROUNDED = 4e-15;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 /** Polylines lead the same way that are nowhere farther apart than this part of their length, or than the second if they cross the same creases. */
@@ -204,5 +206,10 @@ function write(question, { legs, joints }, options) {
     return finish(solveLeg(asked));
   };
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, field.domain);
-  return { ...path, touchesBoundary: path.touchesBoundary || places.slice(1, -1).some((place) => isOnEdge(question, place)) };
+  for (const [j, { place }] of joints.entries()) {
+    /* What rounding of a joint makes of the length, as where the surface stands upright on a crease. */
+    path.lengthError += ROUNDED * largest(place) * largest(legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? 0));
+    path.touchesBoundary ||= isOnEdge(question, place);
+  }
+  return path;
 }

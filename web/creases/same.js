@@ -25,5 +25,5 @@ export function differ(groups, one, other, part, ofAll) {
   const sizes = new Float64Array(6);
   for (const [i, group] of groups.entries()) sizes[group] = Math.max(sizes[group], Math.abs(one[i]), Math.abs(other[i]));
   const least = [sizes.subarray(0, 3), sizes.subarray(3)].map((orders) => ofAll * Math.max(...orders));
-  return one.some((x, i) => Math.abs(x - other[i]) > Math.max(part * sizes[groups[i]], least[Math.trunc(groups[i] / 3)]));
+  return !one.every((x, i) => Math.abs(x - other[i]) <= Math.max(part * sizes[groups[i]], least[Math.trunc(groups[i] / 3)]));
 }

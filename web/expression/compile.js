@@ -140,7 +140,7 @@ function refuseVariable(name) {
 /** @param {string} name @param {number} value @param {number} index @param {Map<string, Meaning>} scope */
 function checkParameter(name, value, index, scope) {
   if (index >= LARGEST_PARAMETER_COUNT)
-    refuseParameter(name, `there are more than ${LARGEST_PARAMETER_COUNT} parameters; write constants into the expressions`);
+    refuseParameter(name, `there are more than ${LARGEST_PARAMETER_COUNT} parameters; write some as numbers`);
   if (!isName(name)) refuseParameter(name, `${JSON.stringify(name)} cannot name a parameter; write a letter, then letters and digits`);
   if (functions.has(name)) refuseParameter(name, `${name} is a function; give the parameter another name`);
   if (scope.has(name)) refuseVariable(name);

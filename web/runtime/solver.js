@@ -13,14 +13,14 @@ const SIMD_PROBE = new Uint8Array([
 ]);
 
 /** What is said where the memory has run out, after who says it. */
-export const EXHAUSTED = 'WebAssembly memory is exhausted; dispose() surfaces that are no longer needed';
+export const EXHAUSTED = 'WebAssembly memory is exhausted; dispose() surfaces you no longer need';
 
 /** @typedef {URL | string | Response | BufferSource | WebAssembly.Module} WasmSource */
 
 /** Throws, in words, where the solver cannot run. */
 function checkEngine() {
-  if (typeof WebAssembly !== 'object') throw new Error('surfpath needs WebAssembly, which this browser does not have or a policy forbids');
-  if (!WebAssembly.validate(SIMD_PROBE)) throw new Error('surfpath needs WebAssembly SIMD: use a browser or Node.js of 2022 or later');
+  if (typeof WebAssembly !== 'object') throw new Error('surfpath needs WebAssembly; this browser has none, or a policy forbids it');
+  if (!WebAssembly.validate(SIMD_PROBE)) throw new Error('surfpath needs WebAssembly SIMD: use a browser or Node of 2022 or later');
 }
 
 /**
