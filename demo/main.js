@@ -27,7 +27,7 @@ const player = new Player((moment) => {
 /** The picture of the first scene, which stands in for it until there is something to see. */
 const removePoster = () => document.getElementById('poster')?.remove();
 
-const LOST = 'The browser has stopped 3D graphics: the picture comes back with them, or when the page is loaded anew.';
+const LOST = 'The browser has stopped 3D graphics: the picture comes back with them, or when it is reloaded.';
 
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {

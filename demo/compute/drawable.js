@@ -66,8 +66,8 @@ function hasArea({ positions, indices }) {
 function whyNothing({ positions }) {
   const hasPlaces = positions.some((_, i) => i % 3 === 0 && positions.subarray(i, i + 3).every(Number.isFinite));
   return hasPlaces
-    ? 'the formulas give a point or a curve in these ranges, or what is too large to draw, not a surface: change them'
-    : 'the formula has no value anywhere in these ranges, as where a number is divided by 0: change it or the ranges';
+    ? 'the formulas give a point or a curve here, or what is too large to draw: change them'
+    : 'the formula has no value anywhere in these ranges, as where it divides by 0: change it or the ranges';
 }
 
 /** Why no part of f = 0 was found in a box. @param {Surface} surface @param {number[][]} bounds */
@@ -77,8 +77,8 @@ function whyNowhere(surface, bounds) {
   );
   const values = surface.evaluate(places.flat());
   return places.some((_, i) => Number.isFinite(values[4 * i]))
-    ? 'no place was found inside these bounds where f changes its sign, as it does across a surface: widen them or change the formula'
-    : 'the formula has no value anywhere inside these bounds, as where a number is divided by 0: change it or the bounds';
+    ? 'f changes its sign nowhere inside these bounds, as it does across a surface: widen them or change the formula'
+    : 'the formula has no value anywhere inside these bounds, as where it divides by 0: change it or the bounds';
 }
 
 /** The mesh of an implicit surface in another box. @param {import('surfpath').Surfpath} surfpath @param {any} definition @param {number} [resolution] @returns {SurfaceMesh} */

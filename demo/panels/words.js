@@ -29,7 +29,7 @@ const OUTCOMES = {
   'singular-metric': ['No path', ''],
   'sheet-jump': [
     'No path',
-    'The straight start jumps to another part of the surface: start from a global search, or move the ends nearer to each other.',
+    'The straight start jumps to another part of the surface: start from a global search, or bring the ends closer.',
   ],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': [
@@ -73,7 +73,7 @@ const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
 const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
 
-const WAVY = 'Between the ends the surface is too steep or too wavy to follow: move them nearer to each other, or change the formula.';
+const WAVY = 'Between the ends the surface is too steep or too wavy to follow: bring them closer, or change the formula.';
 /** Without any of these a formula has a value everywhere, and is smooth: divisions, powers but those of whole numbers, and functions but these. */
 const BROKEN = /\/|\^(?!\s*\d+(?![.\d]))|(?<![\p{L}\d_])(?!(?:sin|cos|exp|sinh|cosh|tanh|atan|asinh)\s*\()[\p{L}_][\p{L}\d_]*\s*\(/u;
 

@@ -30,7 +30,7 @@ const PLOTS = {
   curvature: {
     across: { label: 'length from A', zero: true },
     up: { label: 'curvature', zero: true },
-    words: 'How much the path bends in space: all of it is the surface’s, a geodesic has none of its own.',
+    words: 'How much the path bends in space: a geodesic only as its surface does.',
   },
 };
 
