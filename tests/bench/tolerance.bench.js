@@ -79,6 +79,9 @@ function measure(name) {
   };
 }
 
-report('tolerance', `Microseconds a path to 1e-9, mean of ${PAIRS} random pairs`, names.map(measure), [
-  'wanted: warm in at most 300 µs; of the pairs on one surface some are harder than most',
-]);
+report(
+  'tolerance',
+  `Microseconds a path to 1e-9, mean of ${PAIRS} random pairs`,
+  names.filter((_, i) => !quick || i % 4 === 0).map(measure),
+  ['wanted: warm in at most 300 µs; of the pairs on one surface some are harder than most'],
+);

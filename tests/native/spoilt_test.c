@@ -109,11 +109,12 @@ static void check_mesh(void) {
 static void check_surface(const struct sp_surface *sound, const double from[3], const double to[3]) {
     const double by[][2] = {{NAN, 0}, {INFINITY, 0}, {0, 0}, {1e200, 0}, {-1, 1}, {1e-180, 1}, {1e150, 1}, {3, 1}};
     struct sp_surface surface = *sound;
+    int step = getenv("EVERY_SAMPLE") ? 2 : 4;
     surface.jet = spoilt_jet, surface.value = spoilt_value, spoilt.sound = sound;
     for (int i = 0; i < 8; i++)
         for (spoilt.manner = 0; spoilt.manner < MANNERS; spoilt.manner++)
-            /* Every other one of the places, in turn: each with half of the numbers and manners. */
-            for (int part = -1 + ((i + spoilt.manner) & 1); part < 6; part += 2) {
+            /* Every other one of the places, or every fourth, in turn: each with so much of the numbers and manners. */
+            for (int part = -1 + (i + spoilt.manner) % step; part < 6; part += step) {
                 spoilt.beyond = from[0] + (to[0] - from[0]) * part / 5 + 1e-3, spoilt.by = by[i][0], spoilt.is_factor = by[i][1] != 0;
                 for (int32_t algorithm = SP_ELEMENTS; algorithm <= SP_PAPER; algorithm++)
                     check_solve(&surface, from, to, algorithm), check_solve(&surface, to, from, algorithm);

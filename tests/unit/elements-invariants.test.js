@@ -14,7 +14,7 @@ import { MOTION, mapPoint, transform } from '../helpers/space-map.js';
 /** @typedef {keyof typeof gallery} Name */
 
 const SEED = 27182;
-const PAIRS = ofAll(6, 10);
+const PAIRS = ofAll(3, 10);
 /** Of two lengths, each right to the default tolerance. */
 const TWO_TOLERANCES = 2e-9;
 

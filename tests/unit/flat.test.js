@@ -22,10 +22,11 @@ const NEARLY = ['tolerance-not-met', 'ill-conditioned', 'iteration-limit'];
 /** @param {number[]} half @returns {Bounds} */
 const within = (half) => /** @type {any} */ (half.map((x) => [-x, x]));
 
-/** What is of each body: f, half extents, Euler characteristic and area, if it is known. */
+/** What is of each body: f, half extents, Euler characteristic, area, if it is known, and of how many ends paths are few. */
 const BODIES = [
   { title: 'an ellipsoid, 30:1', f: 'x^2 + y^2 + 900z^2 - 1', half: [1, 1, 1 / 30], euler: 2, area: areaOfEllipsoid(1 / 30) },
-  { title: 'an ellipsoid, 100:1', f: 'x^2 + y^2 + 10000z^2 - 1', half: [1, 1, 0.01], euler: 2, area: areaOfEllipsoid(0.01) },
+  /* Its second pair, nearly opposite, takes seconds; that of the coin is as hard. */
+  { title: 'an ellipsoid, 100:1', f: 'x^2 + y^2 + 10000z^2 - 1', half: [1, 1, 0.01], euler: 2, area: areaOfEllipsoid(0.01), few: 2 },
   { title: 'a coin, 100:1', f: '(x^2 + y^2)^4 + 10000z^2 - 1', half: [1, 1, 0.01], euler: 2 },
   { title: 'a plate, 120:1', f: '(x/2)^8 + (y/2)^8 + (60z)^2 - 1', half: [2, 2, 1 / 60], euler: 2 },
   { title: 'a flat ring', f: '(sqrt(x^2 + y^2) - 1)^2/0.09 + (50z/0.3)^2 - 1', half: [1.3, 1.3, 0.006], euler: 0 },
@@ -72,7 +73,7 @@ function randomPlaces(surface, half, seed, count) {
   return places;
 }
 
-for (const { title, f, half, euler, area } of BODIES) {
+for (const { title, f, half, euler, area, few = 4 } of BODIES) {
   describe(title, () => {
     const [longest] = half;
     const cubes = within([longest, longest, longest].map((x) => EVERYWHERE * x));
@@ -99,7 +100,7 @@ for (const { title, f, half, euler, area } of BODIES) {
     test('paths from side to side converge, within whatever bounds and without, both ways', () => {
       const own = surfpath.implicit({ f, bounds: within(half.map((x) => EVERYWHERE * x)) });
       const others = [surfpath.implicit({ f, bounds: cubes }), surfpath.implicit({ f })];
-      const places = randomPlaces(own, half, 7, ofAll(6, 12));
+      const places = randomPlaces(own, half, 7, ofAll(few, 12));
       let converged = 0;
       for (let i = 0; i < places.length; i += 2) {
         const path = own.shortestPath(places[i], places[i + 1]);
@@ -114,8 +115,8 @@ for (const { title, f, half, euler, area } of BODIES) {
         }
       }
       const solved = (3 * places.length) / 2;
-      // All but those of one pair.
-      assert.ok(converged >= solved - 3, `${converged} of ${solved}`);
+      // All but those of one pair; of one pair all.
+      assert.ok(converged >= Math.max(solved - 3, 3), `${converged} of ${solved}`);
       for (const surface of [own, ...others]) surface.dispose();
     });
   });
@@ -153,7 +154,7 @@ describe('an ellipsoid that lies obliquely, 100:1', () => {
     const { open, euler, area } = measure(oblique.mesh());
     assert.deepEqual([open, euler], [0, 2]);
     assert.ok(Math.abs(area / areaOfEllipsoid(0.01) - 1) < 1e-3);
-    const places = randomPlaces(straight, [1, 1, 0.01], 11, ofAll(6, 10));
+    const places = randomPlaces(straight, [1, 1, 0.01], 11, ofAll(4, 10));
     for (let i = 0; i < places.length; i += 2) {
       const [path, other] = [straight.shortestPath(places[i], places[i + 1]), oblique.shortestPath(turn(places[i]), turn(places[i + 1]))];
       assert.equal(other.status, 'converged');
@@ -189,7 +190,8 @@ test('under a density of 2 paths are twice as long; a parameter that changes mak
     [0.6307, 0.704, -1],
     [-0.3066, -0.1419, 1],
   ];
-  for (const k of [100, 80]) {
+  /* The flatter, the slower. */
+  for (const k of ofAll([30, 25], [30, 25, 100, 80])) {
     for (const surface of [body, dense]) surface.set({ k });
     const [from, to] = ends.map(([x, y, side]) => [x, y, (side * Math.sqrt(1 - x * x - y * y)) / k]);
     const [path, twice] = [body, dense].map((surface) => surface.shortestPath(from, to));

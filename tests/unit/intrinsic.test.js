@@ -16,7 +16,7 @@ const LANDED = 1e-3;
 /** So much of the range, from its edges, is left free of ends. */
 const MARGIN = 0.02;
 /** Random pairs on a surface. */
-const PAIRS = ofAll(10, 20);
+const PAIRS = ofAll(5, 20);
 
 /** @param {import('../../web/surface.js').Surface} surface @param {number} seed @param {number} count @returns {number[][][]} */
 function randomPairs(surface, seed, count) {
@@ -122,7 +122,7 @@ describe('a sheet with waves that are steeper than chords can follow', () => {
   /** @param {import('../../web/surface.js').Surface} surface @param {number} k @param {number} seed */
   const check = (surface, k, seed) => {
     let count = 0;
-    for (const [from, to] of randomPairs(surface, seed, ofAll(6, 12))) {
+    for (const [from, to] of randomPairs(surface, seed, ofAll(3, 12))) {
       const path = surface.shortestPath(from, to);
       if (!path.converged) continue;
       const wanted = Math.hypot(unroll(from[0], to[0], k), to[1] - from[1]);
@@ -134,9 +134,9 @@ describe('a sheet with waves that are steeper than chords can follow', () => {
 
   test('as long as unrolled, also after a parameter has changed', () => {
     const surface = surfpath.parametric(definition);
-    assert.ok(check(surface, waves, 82) >= ofAll(5, 10));
+    assert.ok(check(surface, waves, 82) >= ofAll(3, 10));
     surface.set({ k: 25 });
-    assert.ok(check(surface, 25, 83) >= ofAll(5, 10));
+    assert.ok(check(surface, 25, 83) >= ofAll(3, 10));
     surface.dispose();
   });
 });
@@ -166,13 +166,13 @@ test('with a density: as E, F and G with it', () => {
   const factor = '(1 + v^2*cos(u)^2)^2';
   const abstract = surfpath.metric({ E: `(v^2 + 4cos(2u)^2)*${factor}`, F: 0, G: factor, ...range, periodic: { u: true } });
   let count = 0;
-  for (const [from, to] of randomPairs(surface, 85, ofAll(4, 6))) {
+  for (const [from, to] of randomPairs(surface, 85, ofAll(3, 6))) {
     const [path, other] = [surface, abstract].map((one) => one.shortestPath(from, to));
     if (!path.converged || !other.converged) continue;
     assert.ok(Math.abs(path.length / other.length - 1) < RIGHT, `${from} to ${to}: ${path.length}, not ${other.length}`);
     count++;
   }
-  assert.ok(count >= ofAll(3, 5), `${count} converged`);
+  assert.ok(count >= ofAll(2, 5), `${count} converged`);
 });
 
 test('through a coin of 1:100: no chord of the body, but a path around its rim, with its error', () => {
@@ -228,7 +228,7 @@ test('over a strip folded many times: as unfolded, whatever chords stall on', ()
     }
     return sum;
   };
-  for (const [from, to] of randomPairs(surface, 86, 8)) {
+  for (const [from, to] of randomPairs(surface, 86, ofAll(3, 8))) {
     const path = surface.shortestPath(from, to);
     const truth = Math.hypot(between(from[0], to[0]), to[1] - from[1]);
     assert.notEqual(path.status, 'stalled', `${from} to ${to}`);

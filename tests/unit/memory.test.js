@@ -8,12 +8,16 @@ import { ExpressionError, load } from '../../web/index.js';
 import { randomPairs } from '../bench/pairs.js';
 import { STRAIGHT } from '../helpers/options.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 import { footprint, loadWatched } from '../helpers/watched.js';
 import { measureGrowth } from '../endurance/memory.js';
 
 /** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
 
 const SEED = 424242;
+const SOLVES = ofAll(20_000, 100_000);
+const GLOBAL_SOLVES = ofAll(500, 1500);
+const SURFACES = ofAll(1000, 3000);
 
 /** Two footprints are the same, but for a few blocks that differ in how free memory is cut up. @param {ReturnType<typeof footprint>} after @param {ReturnType<typeof footprint>} before */
 function assertSame(after, before) {
@@ -44,15 +48,15 @@ async function footprintAfter(work) {
 }
 
 describe('memory', () => {
-  test(`100,000 solves leave it as it was, seed ${SEED}`, async () => {
+  test(`${SOLVES} solves leave it as it was, seed ${SEED}`, async () => {
     const work = (/** @type {number} */ solves) => (/** @type {Surfpath} */ surfpath) => {
       for (const entry of [gallery.saddle, gallery.parametricTorus, gallery.torus, gallery.threeTori])
         assert.ok(solveMany(surfpath.surface(entry), solves, 16) > 0);
     };
-    assertSame(await footprintAfter(work(25_000)), await footprintAfter(work(500)));
+    assertSame(await footprintAfter(work(SOLVES / 4)), await footprintAfter(work(500)));
   });
 
-  test(`1,500 solves with the default options too, once the graphs are built, seed ${SEED}`, async () => {
+  test(`${GLOBAL_SOLVES} solves with the default options too, once the graphs are built, seed ${SEED}`, async () => {
     const work = (/** @type {number} */ solves) => (/** @type {Surfpath} */ surfpath) => {
       for (const entry of [gallery.saddle, gallery.parametricTorus, gallery.torus]) {
         const surface = surfpath.surface(entry);
@@ -61,10 +65,10 @@ describe('memory', () => {
           assert.ok(surface.shortestPath(from, to, { points: 16 }).length > 0);
       }
     };
-    assertSame(await footprintAfter(work(500)), await footprintAfter(work(20)));
+    assertSame(await footprintAfter(work(Math.floor(GLOBAL_SOLVES / 3))), await footprintAfter(work(20)));
   });
 
-  test('3,000 surfaces made and disposed of leave it as it was, and their table slots are used again', async () => {
+  test(`${SURFACES} surfaces made and disposed of leave it as it was, and their table slots are used again`, async () => {
     const work = (/** @type {number} */ count) => (/** @type {Surfpath} */ surfpath) => {
       for (let i = 0; i < count; i++) {
         const surface = surfpath.surface(i % 2 ? gallery.saddle : gallery.sphere);
@@ -72,7 +76,7 @@ describe('memory', () => {
         surface.dispose();
       }
     };
-    assertSame(await footprintAfter(work(3000)), await footprintAfter(work(2)));
+    assertSame(await footprintAfter(work(SURFACES)), await footprintAfter(work(2)));
   });
 
   test('surfaces that are refused leave it as it was', async () => {
@@ -97,15 +101,15 @@ describe('memory', () => {
         assert.throws(() => surfpath.tube({ centreline: [1, 2, 3], radius: 1, t: [0, 1] }), /centreline stands still/);
       }
     };
-    assertSame(await footprintAfter(work(500)), await footprintAfter(work(2)));
+    assertSame(await footprintAfter(work(ofAll(150, 500))), await footprintAfter(work(2)));
   });
 
   // How large the process stays is for `make endurance`: over so few operations the engine's own growth is more than what could be lost.
   test('no page of memory more in a process of its own: solves, surfaces, instances', async () => {
     for (const [what, count] of /** @type {const} */ ([
-      ['solves', 10_000],
-      ['surfaces', 300],
-      ['instances', 100],
+      ['solves', ofAll(3_000, 10_000)],
+      ['surfaces', ofAll(100, 300)],
+      ['instances', ofAll(30, 100)],
     ]))
       assert.equal((await measureGrowth(what, count)).pages, 0, what);
   });

@@ -6,6 +6,7 @@ import { Heap } from '../../web/runtime/heap.js';
 import { STALLED } from '../../web/runtime/status.js';
 import { ELEMENTS } from '../../web/search/candidates.js';
 import { createRandom } from '../helpers/random.js';
+import { ofAll } from '../helpers/sample.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
@@ -62,7 +63,7 @@ for (const [name, z, x] of /** @type {const} */ ([
     const random = createRandom(3);
     const [low, high] = x;
     const point = () => [random.between(low, high), random.between(low, high)];
-    for (let i = 0; i < 16; i++) {
+    for (let i = 0; i < ofAll(5, 16); i++) {
       const [from, to] = [point(), point()];
       const path = surface.shortestPath(from, to);
       assert.equal(path.status, 'converged', `${from} to ${to}`);
@@ -256,7 +257,7 @@ test('a torus whose density has waves: paths that speed up and slow down along t
   const surface = surfpath.parametric({ x, y, z: 'sin(v)', u: [0, '2pi'], v: [0, '2pi'], density });
   const random = createRandom(3);
   const point = () => [random.between(0, 6), random.between(0, 6)];
-  for (let i = 0; i < 12; i++) {
+  for (let i = 0; i < ofAll(4, 12); i++) {
     const [from, to] = [point(), point()];
     const path = surface.shortestPath(from, to);
     assert.equal(path.status, 'converged', `${from} to ${to}`);
@@ -356,7 +357,7 @@ for (const height of [0.2, 0.1])
     });
     const random = createRandom(2);
     let around = 0;
-    for (let i = 0; i < 24; i++) {
+    for (let i = 0; i < ofAll(12, 24); i++) {
       const ends = [0, 1].map(() => [random.between(0, 2 * Math.PI), Math.acos(random.between(-1, 1))]);
       const [from, to] = ends.map((end) => Array.from(chart.evaluate(end).subarray(0, 3)));
       const path = body.shortestPath(from, to);
@@ -369,7 +370,7 @@ for (const height of [0.2, 0.1])
       );
       if (from[2] * to[2] < 0) around++;
     }
-    assert.ok(around >= 8, `${around} around the rim`);
+    assert.ok(around >= ofAll(4, 8), `${around} around the rim`);
   });
 
 test('a body of which every edge is sharp: its path is a geodesic', () => {
@@ -440,7 +441,7 @@ test('corrugated iron, 26 waves with slopes of 4: every path is as long as unrol
     return (sum * (to - from)) / (3 * parts);
   };
   const random = createRandom(5);
-  for (let i = 0; i < 30; i++) {
+  for (let i = 0; i < ofAll(10, 30); i++) {
     const [a, b, c, d] = Array.from({ length: 4 }, () => random.between(-2, 2));
     const path = surface.shortestPath([a, b], [c, d]);
     assert.equal(path.status, 'converged', `${[a, b]} to ${[c, d]}`);
@@ -487,7 +488,7 @@ test('a twisted tube of half axes 2 and 0.2: what rough chords lead to in too ma
 test('waves with slopes of 8: no path is longer than what the straight line leads to, seed 6', () => {
   const random = createRandom(6);
   const pairs = [{ z: '0.999*sin(10.72x+2.81)*cos(12.71y)', from: [0.612, -0.72], to: [0.26, -0.13] }];
-  while (pairs.length < 16) {
+  while (pairs.length < ofAll(6, 16)) {
     const [k, l] = [random.between(4, 13), random.between(4, 13)];
     const place = () => [random.between(-1, 1), random.between(-1, 1)];
     pairs.push({ z: `${8 / Math.max(k, l)}*sin(${k}x + ${random.between(0, 6)})*cos(${l}y)`, from: place(), to: place() });

@@ -628,7 +628,7 @@ test('two valleys of cost that cross: paths along one through the crossing, and 
     const [sharp, rounded] = [valleys((of) => `abs(${of})`), valleys((of) => `hypot(${of}, 1e-3)`)];
     const random = createRandom(5);
     let converged = 0;
-    for (let i = 0; i < ofAll(6, 12); i++) {
+    for (let i = 0; i < ofAll(3, 12); i++) {
       const [a, b] = [1, 2].map(() => [random.between(-2, 2), random.between(-2, 2)]);
       const path = sharp.shortestPath(a, b);
       if (!path.converged) continue;
@@ -636,6 +636,6 @@ test('two valleys of cost that cross: paths along one through the crossing, and 
       const above = rounded.shortestPath(a, b, { start: path });
       assert.ok(!above.converged || path.length <= above.length * (1 + RIGHT), `${z} ${a} ${b}: ${path.length}, ${above.length}`);
     }
-    assert.ok(converged >= ofAll(5, 10), `${converged}`);
+    assert.ok(converged >= ofAll(3, 10), `${converged}`);
   }
 });

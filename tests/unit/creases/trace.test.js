@@ -205,7 +205,7 @@ test('a density that is continuous: density times the cosine along its crease is
   plane.dispose();
 });
 
-/** @type {[string, () => Surface, number][]} */
+/** Of 60 traces so many converge. @type {[string, () => Surface, number][]} */
 const SURFACES = [
   ['a hip roof', () => surfpath.graph({ z: '2 - max(abs(x), abs(y))', ...SQUARE }), 60],
   ['a clamped hill', () => surfpath.graph({ z: 'max(0, 0.5 - x^2 - y^2)', ...SQUARE }), 60],
@@ -220,6 +220,8 @@ const SURFACES = [
   ],
 ];
 
+const TRACES = ofAll(20, 60);
+
 for (const [name, make, least] of SURFACES)
   test(`${name}: no shortest path to the end is longer, and the way back returns, seed 6`, () => {
     const surface = make();
@@ -227,7 +229,7 @@ for (const [name, make, least] of SURFACES)
     const isImplicit = surface.kind === 'implicit';
     const numbers = (/** @type {number} */ most) => [0, 1, 2].slice(0, isImplicit ? 3 : 2).map(() => random.between(-most, most));
     let converged = 0;
-    for (let i = 0; i < 60; i++) {
+    for (let i = 0; i < TRACES; i++) {
       const [place, direction] = [numbers(1.4), numbers(1)];
       const from = isImplicit ? surface.project(/** @type {any} */ (place)) : place;
       const path = surface.trace(from, direction, 1.2, { points: 4000 });
@@ -246,7 +248,7 @@ for (const [name, make, least] of SURFACES)
       const miss = Math.hypot(...subtract(placeOf(returned, -1), placeOf(path, 0)));
       assert.ok(miss < 1e-9, `${from} ${direction}: the way back misses by ${miss}`);
     }
-    assert.ok(converged >= least, `${converged} of 60`);
+    assert.ok(60 * converged >= least * TRACES, `${converged} of ${TRACES}`);
     surface.dispose();
   });
 

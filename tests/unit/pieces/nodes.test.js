@@ -130,7 +130,7 @@ describe('a double cone', () => {
   test('distances from a point of one half reach the other', () => {
     const from = onCone(1, 0);
     for (const exact of [false, true]) {
-      const { mesh, distances } = surface.distanceField(from, { resolution: ofAll(8, 12), exact });
+      const { mesh, distances } = surface.distanceField(from, { resolution: ofAll(4, 12), exact });
       for (const [i, distance] of distances.entries()) {
         const at = mesh.positions.subarray(3 * i, 3 * i + 3);
         const truth = norm(from) + norm(at);
@@ -294,10 +294,10 @@ for (const { name, definition, nodes, places } of [
     const random = createRandom(57);
     const count = mesh.positions.length / 3;
     const at = (/** @type {number} */ i) => Array.from(mesh.positions.subarray(3 * i, 3 * i + 3));
-    for (let i = 0; i < 3; i++) {
+    for (let i = 0; i < ofAll(1, 3); i++) {
       const from = random.integer(count);
       const along = distancesAlong(mesh, from, found, cell);
-      for (let k = 0; k < PAIRS / 3; k++) {
+      for (let k = 0; k < ofAll(3, 4); k++) {
         const to = random.integer(count);
         const path = surface.shortestPath(at(from), at(to));
         if (along[to] === Infinity) assert.equal(path.status, 'disconnected');

@@ -3,6 +3,7 @@ import { after, before, describe, test } from 'node:test';
 import { load } from '../../../web/index.js';
 import { SIDE, shortestBeside } from '../../accuracy/measure/waves.js';
 import { createRandom } from '../../helpers/random.js';
+import { ofAll } from '../../helpers/sample.js';
 import { verifyPath } from '../../helpers/verify-path.js';
 
 /** Heights, ends, and the length of a path between them that was found by bending others aside at random: a graph alone leads to longer ones, by 4e-6 to 7e-3. @type {[string, number[], number[], number][]} */
@@ -152,7 +153,7 @@ describe('past bumps', () => {
     const waves = surfpath.graph({ z: '0.25*sin(12x + 3y)*cos(9y - 2x)', x: [-SIDE, SIDE], y: [-SIDE, SIDE] });
     const random = createRandom(1);
     const place = () => [random.between(-SIDE, SIDE), random.between(-SIDE, SIDE)];
-    for (let i = 0; i < 12; i++) {
+    for (let i = 0; i < ofAll(4, 12); i++) {
       const path = waves.shortestPath(place(), place());
       assert.ok(path.length < shortestBeside(waves, path, random, 30).length * (1 + DIGITS), `${path.length}`);
     }

@@ -5,6 +5,7 @@ import { gallery } from '../../../web/gallery.js';
 import { load } from '../../../web/index.js';
 import { allowance } from '../../helpers/allowance.js';
 import { createRandom } from '../../helpers/random.js';
+import { ofAll } from '../../helpers/sample.js';
 
 const surfpath = await load();
 const make = (/** @type {any} */ definition) => surfpath.surface(definition);
@@ -183,8 +184,10 @@ describe('metrics around a pole, by distance and angle', () => {
   for (const [name, definition, distance] of planes) {
     const surface = make(definition);
     const { u } = /** @type {{ u: number[] }} */ (surface.domain);
-    const random = createRandom(17);
-    const place = () => [u[0] + (u[1] - u[0]) * random.between(0.02, 0.98), random.between(0, 6.28)];
+    const place = (/** @type {ReturnType<typeof createRandom>} */ random) => [
+      u[0] + (u[1] - u[0]) * random.between(0.02, 0.98),
+      random.between(0, 6.28),
+    ];
     const check = (/** @type {number[]} */ from, /** @type {number[]} */ to, /** @type {object} */ options) => {
       const path = surface.shortestPath(from, to, options);
       assert.equal(path.status, 'converged', `${from} to ${to}`);
@@ -194,8 +197,9 @@ describe('metrics around a pole, by distance and angle', () => {
     };
 
     test(`${name}: the shortest path, past the pole as near as can be`, () => {
-      for (let i = 0; i < 60; i++) {
-        const [from, to] = [place(), place()];
+      const random = createRandom(17);
+      for (let i = 0; i < ofAll(20, 60); i++) {
+        const [from, to] = [place(random), place(random)];
         if (i % 2) to[1] = (from[1] + Math.PI + 10 ** -random.between(0, 9)) % 6.28;
         const path = check(from, to, {});
         assert.equal(check(to, from, {}).length, path.length);
@@ -203,7 +207,7 @@ describe('metrics around a pole, by distance and angle', () => {
     });
 
     test(`${name}: an end dragged around the pole, each path the start of the next`, () => {
-      const from = place();
+      const from = place(createRandom(18));
       let start;
       for (let frame = 0; frame < 120; frame++) {
         const [x, y] = [0.1 + 0.8 * Math.cos(frame / 19), 0.5 * Math.sin(frame / 19)];
@@ -256,7 +260,7 @@ for (const [name, definition, from, to, length] of rapid)
 test('a density of foam: the shortest path is the shortest of the geodesics, seed 63', () => {
   const foam = make({ kind: 'graph', z: 0, x: [-2, 2], y: [-2, 2], density: '1 + 0.9sin(11x + 2y)*cos(12y - 3x)' });
   const random = createRandom(63);
-  for (let pair = 0; pair < 4; pair++) {
+  for (let pair = 0; pair < ofAll(2, 4); pair++) {
     const [from, to] = [1, 2].map(() => [random.between(-2, 2), random.between(-2, 2)]);
     const [path, [first]] = [foam.shortestPath(from, to), foam.geodesics(from, to)];
     assert.ok(path.converged && path.length <= first.length * (1 + 1e-9), `${from} to ${to}: ${path.length}, ${first.length}`);
@@ -310,7 +314,7 @@ describe('hills of a density, which elements that are no path jump over', () => 
 
 test('walls of a density, two cells of the graph wide, with doors: no longer than any way through doors and walls, seed 1', () => {
   const random = createRandom(1);
-  for (let pair = 0; pair < 5; pair++) {
+  for (let pair = 0; pair < ofAll(2, 5); pair++) {
     const walls = [0.25, 0.5, 0.75].map((at) => ({ at, door: random.between(0.1, 0.9) }));
     const wall = ({ at = 0, door = 0 }) => `exp(-(64*(u - ${at}))^4)*(1 - exp(-((v - ${door})/0.06)^4))`;
     const density = `1 + ${random.between(5, 15)}*(${walls.map(wall).join(' + ')})`;
