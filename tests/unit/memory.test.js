@@ -15,7 +15,7 @@ import { measureGrowth } from '../endurance/memory.js';
 /** @typedef {import('../../web/instance.js').Surfpath} Surfpath */
 
 const SEED = 424242;
-const SOLVES = ofAll(20_000, 100_000);
+const SOLVES = 100_000;
 const GLOBAL_SOLVES = ofAll(500, 1500);
 const SURFACES = ofAll(1000, 3000);
 
