@@ -204,7 +204,7 @@ BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--ext
 SHORTER = --module --ecma 2022 --compress passes=3,inline=1,unsafe_arrows --mangle
 SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@
 
-# What is named as isPlain is belongs to no object that a caller, a worker or another entry gets: such names get short.
+# Properties with names as isPlain are of no object that a caller, a worker or another entry gets: their names get short.
 dist/index.js dist/slim.js: SHORTER += --mangle-props regex=/^is[A-Z]/
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.

@@ -37,7 +37,7 @@ const NEARLY = 1.003;
 const UNTOLD = 1.01;
 /** A graph whose way is longer than a path by this sees too little. */
 const BLIND = 1.05;
-/** Joints are where they should be to this part of how large coordinates are. */
+/** Joints are where they should be to a fourth of this part of how large coordinates are; the height above an upright crease is twice what first derivatives say. */
 const ROUNDED = 4e-15;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
