@@ -27,7 +27,7 @@ const player = new Player((moment) => {
 /** The picture of the first scene, which stands in for it until there is something to see. */
 const removePoster = () => document.getElementById('poster')?.remove();
 
-const LOST = 'The browser has stopped 3D graphics: the picture comes back with them, or when it is reloaded.';
+const LOST = 'The browser has stopped 3D graphics: the picture comes back with them.';
 
 /** The 3D view, or null with a notice where there is no WebGL. */
 function makeView() {
@@ -41,7 +41,7 @@ function makeView() {
     return view;
   } catch {
     removePoster();
-    say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers below need none.');
+    say(find('notice'), 'No 3D graphics here: switch WebGL on, or use another browser. The numbers need none.');
     return null;
   }
 }

@@ -1,6 +1,6 @@
 /** Polylines as flat arrays x y z …: their length, a smooth curve through them for drawing, and what lies between two of them. */
 
-/** Chords of which a curve is drawn, at least: in one that turns once each is bent by less than 2 degrees. */
+/** Chords of which a curve is drawn, about: in one that turns once each is bent by 2 degrees. */
 const DRAWN = 200;
 /** Distance at which two curves are no longer the same, in parts of their length. */
 const APART = 0.02;

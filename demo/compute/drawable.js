@@ -77,7 +77,7 @@ function whyNowhere(surface, bounds) {
   );
   const values = surface.evaluate(places.flat());
   return places.some((_, i) => Number.isFinite(values[4 * i]))
-    ? 'f changes its sign nowhere inside these bounds, as it does across a surface: widen them or change the formula'
+    ? 'f changes its sign nowhere inside these bounds: widen them or change the formula'
     : 'the formula has no value anywhere inside these bounds, as where it divides by 0: change it or the bounds';
 }
 

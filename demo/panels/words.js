@@ -27,10 +27,7 @@ const OUTCOMES = {
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
   'singular-metric': ['No path', ''],
-  'sheet-jump': [
-    'No path',
-    'The straight start jumps to another part of the surface: start from a global search, or bring the ends closer.',
-  ],
+  'sheet-jump': ['No path', 'The straight start leaves the surface: search globally, or bring the ends closer.'],
   'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
   'not-finite': [
     'No path',

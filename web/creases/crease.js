@@ -11,7 +11,9 @@ import { isSame } from './same.js';
 /** A place is on a crease to this part of how large coordinates are. */
 export const ROUNDING = 1e-13;
 /** Rounding moves a place on a crease by less than this part of how large coordinates are. */
-const ROUNDED = 1e-15;
+export const ROUNDED = 1e-15;
+/** A root that stands upright on a crease is less than this part high there, for all rounding: twice what first derivatives say. */
+const UPRIGHT = 1e-7;
 /** So many steps of Newton lead onto a crease. */
 const MOST_ROUNDS = 20;
 /** Steps along a crease are as long as the next place is off its tangent by between these parts of them; so many lead from one joint to the next. */
@@ -22,7 +24,7 @@ const SAME = 1e-9;
 const STRIDE = 1 / 16;
 
 /** A surface is torn where its sides are farther apart than this part of how large coordinates are. */
-const TORN = 1e-7;
+const TORN = 1e-9;
 
 /** On a side that there is no room for. */
 const NOWHERE = new Array(4).fill(Number.NaN);
@@ -34,7 +36,7 @@ const NOWHERE = new Array(4).fill(Number.NaN);
 export function settle(sides, on, place) {
   const at = approach(sides, place, (there) => [vanishing(sides, on, there), ...implicit(sides, on, there)]);
   if (at.length > 2) return at;
-  const steep = [on.signs, beyond(on.signs, on.crease)].find((signs) => !sides.on(signs)?.jets(at)[0].every(Number.isFinite));
+  const steep = [on.signs, beyond(on.signs, on.crease)].find((signs) => sides.on(signs)?.jets(at)[0].every(Number.isFinite) === false);
   return steep ? ahead(at, directions(sides, on, at).across, steep[on.crease] * ROUNDED * largest(at)) : at;
 }
 
@@ -48,7 +50,9 @@ export function isTorn({ field, sides }, all, place, size = largest(place)) {
   const jets = all.map((signs) => sides.on(signs)?.jets(place)[0] ?? NOWHERE);
   if (!field.domain) return jets.some(([f, ...derivatives]) => !(Math.abs(f) <= TORN * size * largest(derivatives.slice(0, 3))));
   const [one, other] = jets.map((jet) => jet.slice(0, 3));
-  return !one.every((x, i) => Math.abs(x - other[i]) <= TORN * Math.max(size, largest(one)));
+  const steep = largest(jets.flatMap((jet) => jet.slice(3, 9)));
+  const part = Math.max(TORN, Math.min(UPRIGHT, 4 * ROUNDED * steep));
+  return !one.every((x, i) => Math.abs(x - other[i]) <= part * Math.max(size, largest(one)));
 }
 
 /** The place on a crease that is so far along the chord between two on it, in parts of that. @param {Sides} sides @param {On} on @param {number[]} from @param {number[]} to @param {number} part */

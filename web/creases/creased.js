@@ -7,6 +7,7 @@ import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, poseNear, settleEnd } from '../search/routes.js';
 import { gap, largest } from '../vector.js';
+import { ROUNDED } from './crease.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, lineOf, placesOf } from './legs.js';
@@ -37,8 +38,6 @@ const NEARLY = 1.003;
 const UNTOLD = 1.01;
 /** A graph whose way is longer than a path by this sees too little. */
 const BLIND = 1.05;
-/** Joints are where they should be to a fourth of this part of how large coordinates are; the height above an upright crease is twice what first derivatives say. */
-const ROUNDED = 4e-15;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
 /** Polylines lead the same way that are nowhere farther apart than this part of their length, or than the second if they cross the same creases. */
@@ -207,8 +206,9 @@ function write(question, { legs, joints }, options) {
   };
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, field.domain);
   for (const [j, { place }] of joints.entries()) {
-    /* What rounding of a joint makes of the length, as where the surface stands upright on a crease. */
-    path.lengthError += ROUNDED * largest(place) * largest(legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? 0));
+    /* What rounding of a joint makes of the length, as where the surface stands upright on a crease; where that is known by no derivatives, at a corner of two, nothing. */
+    const pulls = legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? []);
+    path.lengthError += 4 * ROUNDED * largest(place) * largest([0, ...pulls.filter(Number.isFinite)]);
     path.touchesBoundary ||= isOnEdge(question, place);
   }
   return path;

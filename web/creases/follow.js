@@ -128,9 +128,13 @@ function isTornAnywhere(question, { legs, joints }) {
   const [from, to] = question.ends;
   const isLoose = isOff(question, legs[0], from) || isOff(question, legs[legs.length - 1], to);
   /* In a rectangle a shore parts the sides of its crease. */
-  const beside = (/** @type {Joint} */ { crease, signs }, /** @type {Leg} */ next) =>
-    next.shore && question.field.domain ? beyond(signs, crease) : next.signs;
-  return isLoose || joints.some((joint, j) => isTorn(question, [joint.signs, beside(joint, legs[j + 1])], joint.place));
+  const beside = (/** @type {Leg} */ leg, /** @type {number[]} */ ofShore) => (leg.shore && question.field.domain ? ofShore : leg.signs);
+  return (
+    isLoose ||
+    joints.some(({ crease, signs, place }, j) =>
+      isTorn(question, [beside(legs[j], signs), beside(legs[j + 1], beyond(signs, crease))], place),
+    )
+  );
 }
 
 /** Whether a place is beside the implicit surface that a leg's side is. @param {Question} question @param {Leg} leg @param {number[]} place */

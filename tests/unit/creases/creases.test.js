@@ -85,66 +85,6 @@ test('where curvature alone jumps there is no crease: the path is right', () => 
   joined.dispose();
 });
 
-test('on the ground beside a dome that stands upright on it, a root of what is 0 there, paths are straight', () => {
-  const dome = surfpath.graph({ z: 'sqrt(max(0, 1 - x^2 - y^2))', x: [-1.2, 1.2], y: [-1.2, 1.2] });
-  assert.deepEqual([...dome.evaluate([1.1, 1.1])], [1.1, 1.1, 0, 0, 0, 1]);
-  const path = dome.shortestPath([-0.349, 1.2], [-1.187, 1.192]);
-  assert.equal(path.status, 'converged');
-  assert.ok(Math.abs(path.length - Math.hypot(0.838, 0.008)) <= 1e-12);
-  dome.dispose();
-});
-
-test('over the upright rim of a half cylinder that lies on the ground: as long as unrolled, seed 8', () => {
-  const radius = 0.5;
-  const half = surfpath.graph({ z: `sqrt(max(0, ${radius ** 2} - x^2))`, x: [-1, 1], y: [-1, 1] });
-  const unrolled = (/** @type {number} */ x) =>
-    Math.sign(x) * (radius * Math.asin(Math.min(1, Math.abs(x) / radius)) + Math.max(0, Math.abs(x) - radius));
-  const random = createRandom(8);
-  for (let i = 0; i < 8; i++) {
-    const [from, to] = [0, 1].map(() => [random.between(-1, 1), random.between(-1, 1)]);
-    const exact = Math.hypot(unrolled(to[0]) - unrolled(from[0]), to[1] - from[1]);
-    const path = half.shortestPath(from, to);
-    assert.equal(path.status, 'converged', `${from} to ${to}`);
-    assert.ok(
-      Math.abs(path.length - exact) <= Math.min(path.lengthError + RIGHT * exact, 1e-6),
-      `${from} to ${to}: ${path.length}, exact ${exact}`,
-    );
-  }
-  half.dispose();
-});
-
-test('over the upright rim of a dome, and around it: as long as on the body that is half space and ellipsoid, seed 7', () => {
-  const [radius, height] = [0.6, 0.5];
-  const rise = (/** @type {number[]} */ [x, y]) => height * Math.sqrt(Math.max(0, 1 - (x * x + y * y) / radius ** 2));
-  const dome = surfpath.graph({ z: `${height}*sqrt(max(0, 1 - (x^2 + y^2)/${radius ** 2}))`, x: [-1, 1], y: [-1, 1] });
-  const body = surfpath.implicit({
-    f: `min(z, (x^2 + y^2)/${radius ** 2} + z^2/${height ** 2} - 1)`,
-    bounds: [
-      [-1.1, 1.1],
-      [-1.1, 1.1],
-      [-0.3, 0.8],
-    ],
-  });
-  const random = createRandom(7);
-  const pairs = ofAll(8, 30);
-  let converged = 0;
-  for (let i = 0; i < pairs; i++) {
-    const [from, to] = [0, 1].map(() => [random.between(-1, 1), random.between(-1, 1)]);
-    const path = dome.shortestPath(from, to);
-    const other = body.shortestPath([...from, rise(from)], [...to, rise(to)]);
-    if (!path.converged) continue;
-    converged++;
-    assert.equal(other.status, 'converged', `${from} to ${to}`);
-    assert.ok(
-      Math.abs(path.length - other.length) <= path.lengthError + RIGHT * path.length,
-      `${from} to ${to}: ${path.length}, not ${other.length}`,
-    );
-  }
-  /* Where a path touches the rim for a moment it may come to no rest. */
-  assert.ok(converged >= 0.9 * pairs, `${converged} of ${pairs}`);
-  for (const surface of [dome, body]) surface.dispose();
-});
-
 test('a superellipsoid of powers 1.5, curved infinitely along six lines: rungs that wander end, with an error that covers what 16,000 chords extrapolate to', () => {
   const power = (/** @type {string} */ value) => `sign(${value})*abs(${value})^1.5`;
   const surface = surfpath.parametric({
