@@ -120,8 +120,7 @@ export function describeMoved(before, now, wereFar = false) {
 export const areFar = (places, seen) => !places.every((place) => isWithin(place, seen));
 
 /** That an end cannot be seen; null: all can. @param {number[][]} places of the ends @param {number[][]} seen from and to along each axis */
-export const describeFar = (places, seen) =>
-  areFar(places, seen) ? 'An end lies far outside what is seen: change it.' : null;
+export const describeFar = (places, seen) => (areFar(places, seen) ? 'An end lies far outside what is seen: change it.' : null);
 
 /**
  * Two points of the surface at random, not too near to each other, that a path was found between, unless twenty pairs have none.
