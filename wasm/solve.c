@@ -106,14 +106,12 @@ static double size_of(const struct sp_polyline *line) {
     return size[0] > size[1] ? size[0] : size[1];
 }
 
-static void fill(const struct sp_refined *refined, const struct sp_newton *newton, const struct sp_options *options,
-                 struct sp_result *result) {
+static void fill(const struct sp_refined *refined, const struct sp_newton *newton, struct sp_result *result) {
     const struct sp_outcome *outcome = &refined->outcome;
     result->length = refined->length, result->length_error = result->rounding = sp_check_rounding(refined->length, newton->size);
     if (!(refined->length_error < result->rounding)) result->length_error = refined->length_error; /* that of an edge may be 0 */
     result->energy = outcome->energy, result->gradient_norm = outcome->gradient_norm;
-    result->iterations = options->max_iterations - newton->steps_left, result->index = outcome->index,
-    result->touches_boundary = outcome->active;
+    result->index = outcome->index, result->touches_boundary = outcome->active;
     result->history = newton->history, result->history_count = newton->history_count, result->record = newton->record;
 }
 
@@ -308,12 +306,13 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         refined.outcome = sp_newton_run(&newton, options);
         status = refined.outcome.status;
     }
+    result->iterations = options->max_iterations - newton.steps_left;
     if (status < 0) return status;
     status = arcs.count == 0 ? sp_check_chords(&newton.system, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
     if (status < 0) return status;
     if (!elements) result->crosses_singularity = 0, measure(&refined, &newton, &sums);
-    fill(&refined, &newton, options, result);
+    fill(&refined, &newton, result);
     pull(&newton, newton.system.elements.reference.degree > 1 && arcs.count == 0, result);
     enum sp_status written = write_points(&newton, &arcs, options->point_count, arena, result);
     /* The ends as they are given: at a pole the path may have turned them. */
@@ -341,6 +340,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);
     if (is_polar && status >= 0) sp_polar_return(&polar, request, clean.point_count + 2, result->parameters);
     none.crosses_singularity = status == SP_SINGULAR_METRIC && result->crosses_singularity;
+    none.iterations = result->iterations;
     if (status < 0) *result = none;
     result->status = status;
     return status;

@@ -79,7 +79,7 @@ struct sp_result {
     struct sp_iterate *history; /* history_count entries */
     double *record;             /* history_count polylines of 3 (K + 2), or NULL */
     int32_t status;             /* enum sp_status */
-    int32_t iterations;         /* Newton steps taken */
+    int32_t iterations;         /* Newton steps taken, whatever the status */
     int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
     int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
     int32_t history_count;

@@ -20,7 +20,7 @@ import { STATUS } from './runtime/status.js';
  * @property {number} lengthError estimate of |length − length of the geodesic| (traced: of the error of the end's position), same unit
  * @property {Float64Array} points x y z of the K + 2 points, end points included; empty without a path, and on surfaces without positions
  * @property {Float64Array | null} parameters u v of the K + 2 points, continuous across seams; null for implicit surfaces, and without a path
- * @property {number} iterations Newton steps (traced: steps of the integrator that were taken; a try that is too long is none, but one of the 200,000 after which a trace ends)
+ * @property {number} iterations Newton steps, also those that led to no path (traced: steps of the integrator that were taken; a try that is too long is none, but one of the 200,000 after which a trace ends)
  * @property {number} energy E = (K + 1) Σ |chord|², unit length²; 'elements': ∫ |X′|² over a unit of time, in which the arcs of a path share as their lengths do; NaN
  *   if traced, as gradientNorm
  * @property {number} gradientNorm Euclidean norm over all unknowns of ∇E

@@ -219,6 +219,16 @@ describe('options', () => {
 });
 
 describe('statuses', () => {
+  test('steps that led to no path are counted', () => {
+    const vanishing = surfpath.parametric({ x: 'u', y: 'v', z: 0, u: [-2, 2], v: [-2, 2], density: 'u^2' });
+    for (const most of [0, 5, 20]) {
+      const path = vanishing.shortestPath([0, 0], [1, 1], { algorithm: 'polyline', start: 'straight', maxIterations: most });
+      assertNoPath(path, 'singular-metric');
+      assert.equal(path.iterations, most);
+    }
+    vanishing.dispose();
+  });
+
   test('singular-metric: a constant surface, a curve, no surface at all, a cuspidal edge between the ends', () => {
     const constant = surfpath.parametric({ x: 1, y: 2, z: 3, u: [0, 1], v: [0, 1] });
     const curve = surfpath.parametric({ x: 'u', y: 'u^2', z: 0, u: [0, 1], v: [0, 1] });
