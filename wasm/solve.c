@@ -302,9 +302,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         status = start_elements(&newton, request, options, ends, arena, &arcs, result, &refined);
     } else {
         status = start_points(&newton, request, options, ends, arena, result);
-        if (status != SP_CONVERGED) return status;
-        refined.outcome = sp_newton_run(&newton, options);
-        status = refined.outcome.status;
+        if (status == SP_CONVERGED) refined.outcome = sp_newton_run(&newton, options), status = refined.outcome.status;
     }
     result->iterations = options->max_iterations - newton.steps_left;
     if (status < 0) return status;
