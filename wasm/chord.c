@@ -57,21 +57,28 @@ static void towards_crease(const struct chord *chord, double place[3]) {
         place[j] = chord->at[0][j] + apart[j] + (is_far ? 0 : offset[j]);
 }
 
-static int spans_creases(const struct sp_surface *surface, struct chord chord, double scale, int most) {
-    double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale, place[3];
-    for (int i = 0; i < BISECTIONS && !(distance_between(chord.at[0], chord.at[1]) <= near); i++) {
-        struct chord halves[2] = {chord, chord};
-        towards_crease(&chord, place);
-        if (!sp_implicit_halve(surface, place, place, scale, halves[0].at[1], halves[0].normal[1])) return 0;
-        for (int j = 0; j < 3; j++)
-            halves[1].at[0][j] = halves[0].at[1][j], halves[1].normal[0][j] = halves[0].normal[1][j];
-        int second = cosine_of(halves + 1) < cosine_of(halves);
-        int is_one = cosine_of(halves + !second) >= SP_CHORD_COSINE;
-        if (!is_one && (most == 1 || !spans_creases(surface, halves[!second], scale, most - 1))) return 0;
-        chord = halves[second];
-        if (!(cosine_of(&chord) < SMOOTH_COSINE)) return 0;
+static int spans_creases(const struct sp_surface *surface, struct chord chord, double scale) {
+    struct chord creased[MOST_CREASES] = {chord};
+    for (int count = 1, k = 0; k < count; k++) {
+        chord = creased[k];
+        double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale, place[3];
+        for (int i = 0; i < BISECTIONS && !(distance_between(chord.at[0], chord.at[1]) <= near); i++) {
+            struct chord halves[2] = {chord, chord};
+            towards_crease(&chord, place);
+            if (!sp_implicit_halve(surface, place, place, scale, halves[0].at[1], halves[0].normal[1])) return 0;
+            for (int j = 0; j < 3; j++)
+                halves[1].at[0][j] = halves[0].at[1][j], halves[1].normal[0][j] = halves[0].normal[1][j];
+            int second = cosine_of(halves + 1) < cosine_of(halves);
+            if (!(cosine_of(halves + !second) >= SP_CHORD_COSINE)) {
+                if (count == MOST_CREASES) return 0;
+                creased[count++] = halves[!second];
+            }
+            chord = halves[second];
+            if (!(cosine_of(&chord) < SMOOTH_COSINE)) return 0;
+        }
+        if (!(distance_between(chord.at[0], chord.at[1]) <= near)) return 0;
     }
-    return distance_between(chord.at[0], chord.at[1]) <= near;
+    return 1;
 }
 
 /* Whether a chord passes straight over a curve along which the surface crosses itself: there f changes its sign on both sides of the sheet,
@@ -98,9 +105,11 @@ static int passes_crossing(const struct sp_surface *surface, struct chord chord,
 int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3], const double normal[3], const double to[3],
                           const double other[3], double scale) {
     struct chord chord;
-    memcpy(chord.at[0], from, sizeof chord.at[0]), memcpy(chord.at[1], to, sizeof chord.at[1]);
-    memcpy(chord.normal[0], normal, sizeof chord.normal[0]), memcpy(chord.normal[1], other, sizeof chord.normal[1]);
-    return spans_creases(surface, chord, scale, MOST_CREASES);
+    for (int j = 0; j < 3; j++) {
+        chord.at[0][j] = from[j], chord.at[1][j] = to[j];
+        chord.normal[0][j] = normal[j], chord.normal[1][j] = other[j];
+    }
+    return spans_creases(surface, chord, scale);
 }
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
@@ -116,8 +125,7 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, larger(length, SP_NODE_FAR * scale), chord);
     if (cosine_of(chord) <= -SP_CHORD_COSINE && passes_crossing(line->surface, *chord, scale)) return SP_CONVERGED;
-    if (!(cosine_of(chord) >= SP_CHORD_COSINE))
-        return spans_creases(line->surface, *chord, scale, MOST_CREASES) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
+    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_creases(line->surface, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;
     return distance_between(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }

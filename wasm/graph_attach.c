@@ -135,19 +135,19 @@ static void attach_implicit(const struct sp_surface *surface, const struct sp_gr
     }
 }
 
-double sp_graph_reach(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct sp_reached *vertices,
+double sp_graph_reach(const struct sp_surface *surface, const struct sp_graph *graph, const double *place, struct sp_reached *vertices,
                       int32_t count) {
-    struct place place;
+    struct place end;
     double best = __builtin_inf();
     int32_t first = 0;
-    read_place(surface, graph, at, &place);
+    read_place(surface, graph, place, &end);
     for (int32_t k = 0; k < count; k++) {
         double room = best - vertices[k].distance;
         if (!(room > 0)) continue;
-        double chord = near_chord(&place, vertices[k].place);
+        double chord = near_chord(&end, vertices[k].place);
         /* In space no way is shorter than its chord. */
         if (chord == __builtin_inf() || (surface->metric == SP_INDUCED && chord > room * room)) continue;
-        double length = vertices[k].distance + length_to(surface, graph, &place, vertices[k].vertex);
+        double length = vertices[k].distance + length_to(surface, graph, &end, vertices[k].vertex);
         if (length < best) best = length, first = k;
     }
     if (count > 0) {

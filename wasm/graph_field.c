@@ -89,13 +89,13 @@ static void add_cube(struct field *field, const double cube[3]) {
 
 /* The length of the shortest way to a place of an implicit surface. */
 static double reach_implicit(struct field *field, const double place[3]) {
-    double cube[3], at[3];
+    double cube[3];
     cube_of(field, place, cube);
     if (distance_between(cube, field->cube) != 0) {
         field->count = 0;
         memcpy(field->cube, cube, sizeof cube);
         for (int k = 0; k < 27; k++) {
-            at[0] = cube[0] + k % 3 - 1, at[1] = cube[1] + k / 3 % 3 - 1, at[2] = cube[2] + k / 9 - 1;
+            double at[3] = {cube[0] + k % 3 - 1, cube[1] + k / 3 % 3 - 1, cube[2] + k / 9 - 1};
             add_cube(field, at);
         }
     }

@@ -102,7 +102,8 @@ static double sum_pieces(const struct sp_surface *surface, const double place[2]
     struct sp_block block;
     sp_block_open(&block, surface, 1);
     for (int k = 0; k <= PIECES; k++) {
-        double at[2] = {place[0] + k * step[0], place[1] + k * step[1]};
+        /* Segments are of u and v only; a block may take three coordinates. */
+        double at[3] = {place[0] + k * step[0], place[1] + k * step[1]};
         sp_block_put(&block, at);
     }
     sp_block_evaluate(&block);

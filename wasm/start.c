@@ -79,12 +79,12 @@ static void straight_line(const struct sp_polyline *line, const double from[3], 
 
 /* Where a given point lies, both lanes alike, and what length is measured by there, if that is not space. */
 static void measure_point(const struct sp_polyline *line, const double *point, sp_pair at[3], sp_pair metric[SP_METRIC_LARGEST]) {
-    double position[3];
     if (line->kind->components) {
         sp_pair place[3] = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(line->kind->dimension == 3 ? point[2] : 0)}, chart[SP_CHART];
         line->kind->charts(line->surface, 1, place, chart, metric);
         sp_store(sp_load(chart + SP_CHART_X), at);
     } else {
+        double position[3];
         locate_place(line->surface, point, position);
         for (int j = 0; j < 3; j++)
             at[j] = sp_splat(position[j]);
