@@ -58,7 +58,8 @@ static void towards_crease(const struct chord *chord, double place[3]) {
 }
 
 static int spans_creases(const struct sp_surface *surface, struct chord chord, double scale) {
-    struct chord creased[MOST_CREASES] = {chord};
+    struct chord creased[MOST_CREASES];
+    creased[0] = chord;
     for (int count = 1, k = 0; k < count; k++) {
         chord = creased[k];
         double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale, place[3];

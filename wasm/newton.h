@@ -15,6 +15,7 @@ struct sp_newton {
     int32_t history_count, record_points;
     int32_t reversed;                     /* 1: the points are recorded from the end of the path on */
     int32_t steps_left;                   /* Newton steps that may still be taken, in all runs together */
+    int32_t work;                         /* as sp_result's */
     int32_t trial_touches;                /* as system.line.touches */
     int32_t short_step;                   /* 1: what its bend adds to the next step is lost in what that step leaves */
     int32_t certain;                      /* 1: the factorisation at hand also speaks for where the step in `trial` leads */

@@ -16,6 +16,7 @@ static int move(struct sp_newton *newton, double scale) {
     const sp_mask *straight = newton->short_step ? NULL : newton->system.straight + 1;
     int moved = line->kind->move(line->surface, unknown, line->nodes.places + dimension, line->nodes.charts + SP_CHART, newton->step + 2,
                                  straight, scale, places + dimension);
+    newton->work += line->fold.inner;
     newton->trial_touches = moved == 2;
     sp_fold_mirror(line->fold, places, dimension);
     return moved;

@@ -69,7 +69,7 @@ static enum sp_status write_points(const struct sp_newton *newton, const struct 
         status = SP_CONVERGED;
     double *last = newton->record && result->points ? newton->record + (size_t)(newton->history_count - 1) * 3 * (size_t)count : NULL;
     if (last) memcpy(last, result->points, 3 * (size_t)count * sizeof(double));
-    return result->length - result->length == 0 && result->length_error - result->length_error == 0 ? status : SP_NOT_FINITE;
+    return is_finite(result->length + result->length_error) ? status : SP_NOT_FINITE;
 }
 
 /* The ends in the order in which they are solved: without a given start the lexicographically smaller first. */
@@ -304,7 +304,7 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
         status = start_points(&newton, request, options, ends, arena, result);
         if (status == SP_CONVERGED) refined.outcome = sp_newton_run(&newton, options), status = refined.outcome.status;
     }
-    result->iterations = options->max_iterations - newton.steps_left;
+    result->iterations = options->max_iterations - newton.steps_left, result->work = newton.work;
     if (status < 0) return status;
     status = arcs.count == 0 ? sp_check_chords(&newton.system, newton.scale, elements ? NULL : &sums) : SP_CONVERGED;
     if (surface->kind == SP_PARAMETRIC && surface->metric >= SP_POLAR && !sp_polar_holds(line)) status = SP_SINGULAR_METRIC;
@@ -338,7 +338,7 @@ int32_t sp_solve_path(const struct sp_surface *surface, const struct sp_request 
     if (is_sound) status = solve(is_polar ? &polar.surface : surface, is_polar ? &around : request, &clean, arena, result);
     if (is_polar && status >= 0) sp_polar_return(&polar, request, clean.point_count + 2, result->parameters);
     none.crosses_singularity = status == SP_SINGULAR_METRIC && result->crosses_singularity;
-    none.iterations = result->iterations;
+    none.iterations = result->iterations, none.work = result->work;
     if (status < 0) *result = none;
     result->status = status;
     return status;

@@ -80,6 +80,7 @@ struct sp_result {
     double *record;             /* history_count polylines of 3 (K + 2), or NULL */
     int32_t status;             /* enum sp_status */
     int32_t iterations;         /* Newton steps taken, whatever the status */
+    int32_t work;               /* how often a node was moved, by steps and by what was tried of them, whatever the status */
     int32_t index;              /* Morse index: negative pivots of the Hessian at the end; -1: not computed */
     int32_t touches_boundary;   /* 1: an inner point lies on an edge of the rectangle */
     int32_t history_count;
@@ -190,7 +191,7 @@ SP_AT(sp_iterate, energy, 0);
 SP_AT(sp_iterate, gradient_norm, 8);
 SP_AT(sp_iterate, decrement, 16);
 SP_AT(sp_iterate, step, 24);
-SP_SIZE(sp_result, 128);
+SP_SIZE(sp_result, 136);
 SP_AT(sp_result, length, 0);
 SP_AT(sp_result, length_error, 8);
 SP_AT(sp_result, energy, 16);
@@ -203,10 +204,11 @@ SP_AT(sp_result, history, 96);
 SP_AT(sp_result, record, 100);
 SP_AT(sp_result, status, 104);
 SP_AT(sp_result, iterations, 108);
-SP_AT(sp_result, index, 112);
-SP_AT(sp_result, touches_boundary, 116);
-SP_AT(sp_result, history_count, 120);
-SP_AT(sp_result, crosses_singularity, 124);
+SP_AT(sp_result, work, 112);
+SP_AT(sp_result, index, 116);
+SP_AT(sp_result, touches_boundary, 120);
+SP_AT(sp_result, history_count, 124);
+SP_AT(sp_result, crosses_singularity, 128);
 SP_SIZE(sp_trace_request, 56);
 SP_AT(sp_trace_request, from, 0);
 SP_AT(sp_trace_request, direction, 24);

@@ -68,7 +68,7 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const ways = findWays(field, asked, start, finer);
   /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
   if (finer && ways.ways.length === 0) return null;
-  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON, vain: new Map() } }, ways, start);
+  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
   /* A graph that knows no way nearly as short may know none where the shortest leads. */
   if (best && start === 'global' && !finer && ways.distance < Infinity && ways.distance > lengthOf(best.legs) * BLIND) {
     const other = findCreased(field, ends, options, start, 1);
@@ -181,10 +181,11 @@ function followBest(question, line, shores, most) {
   for (const near of shores) {
     const steps = Math.min(question.budget.steps, MOST_FOLLOWING);
     /** @type {import('./legs.js').Budget} */
-    const budget = { steps, vain: question.budget.vain };
+    const budget = { steps, finest: question.budget.finest };
     const found = follow({ ...question, budget }, line, near, most * (1 + ASTRAY));
     question.budget.steps -= steps - budget.steps;
     question.budget.lost = budget.lost ?? question.budget.lost;
+    question.budget.finest = budget.finest;
     if (found) best = shorter(best, found);
     if (best && lengthOf(best.legs) <= most) break;
   }

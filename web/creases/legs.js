@@ -22,16 +22,16 @@ import { product, scaled } from './linear.js';
 /** @typedef {Pick<Leg, 'pulls'>} Pulled */
 /** @typedef {{ crease: number, signs: number[], place: number[], moved?: number, isCorner?: boolean }} Joint a place on a crease; signs: those that hold there, on the side before it; moved: so far along it, since legs were joined; isCorner: of the crease, where it stays */
 /** @typedef {{ legs: Leg[], joints: Joint[] }} Route one joint less than legs */
-/** @typedef {{ steps: number, lost?: Float64Array | null, vain?: Map<string, number> }} Budget of Newton, for all that is tried; lost: the polyline of the last route that came to rest where it does not hold; vain: how often legs ran out of steps, by their ends and sides */
+/** @typedef {{ steps: number, lost?: Float64Array | null, finest?: number }} Budget of Newton, for all that is tried; lost: the polyline of the last route that came to rest where it does not hold; finest: no leg is more exact */
 /** @typedef {{ field: Field, sides: Sides, ends: number[][], budget: Budget }} Question */
 
 /** Legs while joints move: so exact, over so many points. */
 export const LEG = { tolerance: 1e-12, gradientTolerance: 0, algorithm: ELEMENTS, points: 31, maxIterations: 100, record: false };
 
-/** Steps of a leg that does not hold count so many times: they are those of the most elements. */
-const FAILING = 4;
-/** A leg that ran out of steps so often, from whatever polyline, is asked for no more: from the zero of a density along a crease none ever holds. */
-const MOST_VAIN = 4;
+/** So many moves of a node count as a step, and as many where length is not that of space: they are most of what legs take that do not hold, of the most elements. */
+const [MOVES, METRIC_MOVES] = [500, 50];
+/** After a leg of more moves, as up a slope that is infinite where it ends, others are not more exact than this: each digit takes several times as many elements. */
+const [DEAR, ROUGH] = [3e4, 1e-9];
 
 /** All legs, over these joints, but those that follow a crease; null: one does not hold. @param {Question} question @param {Route} route @param {SolveOptions} [options] @returns {Leg[] | null} */
 export function solveAll(question, { legs, joints }, options = LEG) {
@@ -52,25 +52,24 @@ export const placesOf = ({ ends }, joints) => [ends[0], ...joints.map(({ place }
 /** A leg between two places. @param {Question} question @param {Leg} leg @param {number[]} from @param {number[]} to @param {SolveOptions} options @returns {Leg | null} */
 export function solveLeg({ field, sides, budget }, leg, from, to, options) {
   const side = sides.on(leg.signs);
-  const key = `${from} ${to} ${leg.signs}`;
-  const failed = budget.vain?.get(key) ?? 0;
-  if (failed >= MOST_VAIN) return null;
-  if (!side || budget.steps < 0 || [...from, ...to].some((x) => !(Math.abs(x) < Infinity))) return null;
-  const { path, pulls } = solvePulled({ ...field, run: side.run }, [from, to], leg.line, options);
-  const isHeld = holds({ path });
-  budget.steps -= (1 + path.iterations) * (isHeld ? 1 : FAILING);
-  if (!isHeld && path.iterations >= LEG.maxIterations) budget.vain?.set(key, failed + 1);
-  return isHeld ? { ...leg, length: path.length, line: path.parameters ?? path.points, pulls } : null;
+  if (!side || budget.steps < 0 || ![...from, ...to].every(Number.isFinite)) return null;
+  const asked = { ...options, tolerance: Math.max(options.tolerance, budget.finest ?? 0) };
+  const { path, pulls, work } = solvePulled({ ...field, run: side.run }, [from, to], leg.line, asked);
+  budget.steps -= 1 + path.iterations + work / (field.isPlain ? MOVES : METRIC_MOVES);
+  if (work > DEAR) budget.finest = ROUGH;
+  return holds({ path }) ? { ...leg, length: path.length, line: path.parameters ?? path.points, pulls } : null;
 }
 
-/** The path near a line, and how its length changes with where it begins, and ends. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {SolveOptions} options */
+/** The path near a line, and how its length changes with where it begins, and ends; work: how often a node was moved. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {SolveOptions} options */
 export function solvePulled(field, ends, line, options) {
   /** @type {number[][]} */
   let pulls = [];
+  let work = 0;
   const path = poseNear(field, ends, line).solve(options, (heap) => {
     pulls = heap.pulls();
+    work = heap.work;
   });
-  return { path, pulls };
+  return { path, pulls, work };
 }
 
 /** How the length of a leg changes as one of its ends, 0 or 1, moves in a direction: by the first variation. @param {Pulled} leg @param {number} end @param {number[]} way */

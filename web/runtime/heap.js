@@ -8,7 +8,7 @@ import { CONVERGED, OUT_OF_MEMORY } from './status.js';
 /** A graph that does not fit into the arena it was expected to need is tried again with twice as much, up to this. */
 const MOST_GRAPH_BYTES = 2 ** 29;
 /** Structs of wasm/surfpath.h that hold options, requests or results are at most so large. */
-export const MOST_STRUCT_BYTES = 128;
+export const MOST_STRUCT_BYTES = 144;
 const MOST_TRACE_STEPS = 200_000;
 /** A mesh rarely has more vertices for the square of its cells a direction, and of 64³ cells rarely more than so many. */
 const [USUAL_DENSITY, USUAL_VERTICES] = [30, 60_000];
@@ -121,6 +121,11 @@ export class Heap extends Memory {
   /** Of the path just solved: how its length changes with u v or x y z of its first end, and of its last; NaN where that is not known. */
   pulls() {
     return [0, 24].map((offset) => Array.from(this.doubles(this.#result + layout.sp_result_pull + offset, 3)));
+  }
+
+  /** Of the path just solved, or not: how often a node of it was moved. */
+  get work() {
+    return this.words(this.#result + layout.sp_result_work, 1)[0];
   }
 
   /**

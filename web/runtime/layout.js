@@ -37,7 +37,7 @@ export const sp_iterate_gradient_norm = 8;
 export const sp_iterate_decrement = 16;
 export const sp_iterate_step = 24;
 
-export const sp_result_bytes = 128;
+export const sp_result_bytes = 136;
 export const sp_result_length = 0;
 export const sp_result_length_error = 8;
 export const sp_result_energy = 16;
@@ -50,10 +50,11 @@ export const sp_result_history = 96;
 export const sp_result_record = 100;
 export const sp_result_status = 104;
 export const sp_result_iterations = 108;
-export const sp_result_index = 112;
-export const sp_result_touches_boundary = 116;
-export const sp_result_history_count = 120;
-export const sp_result_crosses_singularity = 124;
+export const sp_result_work = 112;
+export const sp_result_index = 116;
+export const sp_result_touches_boundary = 120;
+export const sp_result_history_count = 124;
+export const sp_result_crosses_singularity = 128;
 
 export const sp_trace_request_bytes = 56;
 export const sp_trace_request_from = 0;
