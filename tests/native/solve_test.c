@@ -53,6 +53,20 @@ static void check_escape(void) {
     CHECK(result.status == SP_SADDLE && result.index == 1, "paper: status %d, index %d", result.status, result.index);
 }
 
+/* A step moves every node at least once, and is tried with all of them or none. */
+static void check_work(void) {
+    struct sp_request request = {.from = {1, 0, 0}, .to = {0.6, 0, 0.8}};
+    double start[9] = {1, 0, 0, 0.48, 0.64, 0.6, 0.6, 0, 0.8};
+    struct sp_options options = options_of(40, 0);
+    request.start = start, request.start_count = 3, options.algorithm = SP_PAPER;
+    for (options.max_iterations = 0; options.max_iterations < 4; options.max_iterations++) {
+        struct sp_result result = solve(&sphere_surface, request, options);
+        int32_t least = 40 * options.max_iterations;
+        CHECK(result.iterations == options.max_iterations, "%d steps of %d", result.iterations, options.max_iterations);
+        CHECK(least == 0 ? result.work == 0 : result.work >= least && result.work % 40 == 0, "%d moves, not %d", result.work, least);
+    }
+}
+
 /* What pulls at the ends, along the surface, is the derivative of the length, as two more paths tell, but for what is rounded of these over
  * the step; a polyline does not know it. */
 static void check_pull(const struct sp_surface *surface, struct sp_request request, const double ways[2][3]) {
@@ -299,6 +313,7 @@ int main(void) {
                (double[2][3]){{-0.6, 0.8, 0}, {0.9, 0.1, 0}});
     check_pull(&sphere_surface, on_sphere, (double[2][3]){{0, 0.5, -0.7}, {-0.4, 0, 0.3}});
     check_escape();
+    check_work();
     const struct sp_surface *surfaces[] = {&saddle_surface, &bumpy_surface, &globe_surface, &torus_surface};
     for (int i = 0; i < 400; i++)
         check_reversal(surfaces[i % 4], &seed);
