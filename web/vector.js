@@ -19,7 +19,11 @@ export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * 
 export const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 /** The largest of some numbers, whatever their signs. @param {ArrayLike<number>} numbers */
-export const largest = (numbers) => Math.max(...listOf(numbers).map(Math.abs));
+export function largest(numbers) {
+  let most = 0;
+  for (let i = 0; i < numbers.length; i++) most = Math.max(most, Math.abs(numbers[i]));
+  return most;
+}
 
 /** The sum of some numbers. @param {number[]} numbers */
 export const sumOf = (numbers) => numbers.reduce((sum, x) => sum + x, 0);

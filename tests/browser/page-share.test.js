@@ -63,7 +63,8 @@ describe('a link holds the view', () => {
     await page.focus('#canvas');
     for (let i = 0; i < 4; i++) await page.keyboard.press(key);
     await page.waitForURL((url) => url.href !== before);
-    for (let last = ''; last !== page.url(); await page.waitForTimeout(1000)) last = page.url();
+    const state = async () => `${page.url()} ${await place()}`;
+    for (let last = ''; last !== (await state()); await page.waitForTimeout(1000)) last = await state();
   }
   for (const [title, key] of [
     ['turned', 'ArrowLeft'],

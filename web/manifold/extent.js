@@ -33,7 +33,7 @@ export function gridOf(box, cells) {
   const places = new Float64Array(3 * cells ** 3);
   const [xs, ys, zs] = [0, 2, 4].map((j) => Array.from({ length: cells }, (_, i) => box[j] + ((i + 0.5) / cells) * (box[j + 1] - box[j])));
   let k = 0;
-  for (const x of xs) for (const y of ys) for (const z of zs) [places[k++], places[k++], places[k++]] = [x, y, z];
+  for (const x of xs) for (const y of ys) for (const z of zs) places.set([x, y, z], 3 * k++);
   return places;
 }
 

@@ -2,7 +2,20 @@
 
 import { gridOf } from '../manifold/extent.js';
 import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
-import { cofactors, crossingsFrom, formOf, isSaddle, longest, SINGULAR, STEPS, secondOf, times, ZERO } from './singular.js';
+import {
+  cofactors,
+  crossingsFrom,
+  endsAtZero,
+  formOf,
+  isSaddle,
+  jetOf,
+  longest,
+  SHRINKING,
+  SINGULAR,
+  STEPS,
+  times,
+  ZERO,
+} from './singular.js';
 
 /** @typedef {import('./singular.js').Crossing} Crossing */
 /** @typedef {import('./singular.js').Jets} Jets */
@@ -10,7 +23,7 @@ import { cofactors, crossingsFrom, formOf, isSaddle, longest, SINGULAR, STEPS, s
 /**
  * @typedef {object} Node
  * @property {number[]} at x y z
- * @property {number[][]} second the second derivatives of f
+ * @property {number[]} second the second derivatives of f: xx xy xz yy yz zz
  * @property {number} determinant of these
  * @property {boolean} isFlat the determinant is zero: derivatives of higher order tell how sheets meet, as those of two cusps, or of two bowls that touch
  */
@@ -34,30 +47,37 @@ const BESIDE = 1.5;
 /** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
 const SMALL = 3.5;
 
-/** A step to where ∇f would vanish if it were linear, taken so many times. @typedef {{ by: number[], size: number, next: number[], order: number, determinant: number }} Step size: of it taken once; determinant: of f″ where it begins */
+/**
+ * A step to where ∇f would vanish if it were linear, taken so many times.
+ * @typedef {{ by: number[], size: number, next: number[], order: number, determinant: number, isOn: boolean }} Step size: of it taken once; determinant: of f″ where it begins; isOn: more of them may
+ *   lead to a node
+ */
 
-/** @param {Float64Array} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {Step} [before] that led there @returns {Step} */
-function stepFrom(jet, at, before) {
-  const [, x, y, z, xx, xy, xz] = jet;
-  const [a, b, c, d, e, f] = cofactors(jet.subarray(4));
-  const determinant = xx * a + xy * b + xz * c;
+/**
+ * @param {number[]} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {number} extent of the box @param {Pick<Step, 'by' | 'size' | 'order'>} [before] that led there
+ * @returns {Step}
+ */
+function stepFrom(jet, at, extent, before = { by: [], size: Infinity, order: 0 }) {
+  const second = jet.slice(4);
+  const minors = cofactors(second);
+  const determinant = dot(second, minors);
   /* 0/0: at rest. */
-  const by = [a * x + b * y + c * z, b * x + d * y + e * z, c * x + e * y + f * z].map((part) => part / determinant || 0);
+  const by = times(minors, jet.slice(1)).map((part) => part / determinant || 0);
   const size = norm(by);
-  const isStraight = before?.order === 1 && dot(by, before.by) > STRAIGHT * size * before.size;
+  const isStraight = before.order === 1 && dot(by, before.by) > STRAIGHT * size * before.size;
   const order = (isStraight && ORDERS.find((n) => Math.abs(1 - 1 / n - size / before.size) < ALIKE)) || 1;
-  return { by, size, next: at.map((from, j) => from - order * by[j]), order, determinant };
+  const isOn = size <= SHRINKING * before.size && endsAtZero(jet, by, largestOf(second), extent);
+  return { by, size, next: at.map((from, j) => from - order * by[j]), order, determinant, isOn };
 }
 
-/** The node where steps end, if one is there. @param {Float64Array} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
-function nodeAt(jet, { next, determinant }, size) {
-  const [xx, xy, , yy] = jet.subarray(4);
-  const largest = largestOf(jet.subarray(4));
-  if (!(Math.abs(jet[0]) <= ZERO * largest * size ** 2)) return null;
+/** The node where steps end, if one is there. @param {number[]} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
+function nodeAt([value, , , , ...second], { next, determinant }, size) {
+  const largest = largestOf(second);
+  if (!(Math.abs(value) <= ZERO * largest * size ** 2)) return null;
   const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
   /* A form that is definite: nothing of the surface is near. */
-  if (!isFlat && xx * yy > xy * xy && xx * determinant > 0) return null;
-  return { at: next, second: secondOf(jet), determinant, isFlat };
+  if (!isFlat && second[0] * second[3] > second[1] ** 2 && second[0] * determinant > 0) return null;
+  return { at: next, second, determinant, isFlat };
 }
 
 /** Half as many places are looked at around a node in the plane in which f″ is zero; so even is |∇f| on them, and so large beside what f″ makes of it, where no curve of such points leads through the node. */
@@ -94,12 +114,14 @@ function isPassage(jets, { at, second }, cell) {
   return !(isLine && product > 0) || places.every((_, i) => seen[10 * i] * trace < 0);
 }
 
-/** Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not. @param {Float64Array} jets @param {number} i @param {number} cell */
-function mayLead(jets, i, cell) {
-  let largest = 0;
-  for (let j = i + 4; j < i + 10; j++) largest = Math.max(largest, Math.abs(jets[j]));
-  const most = 3 * largest * cell;
-  return Math.abs(jets[i]) <= 2 * most * cell && jets[i + 1] ** 2 + jets[i + 2] ** 2 + jets[i + 3] ** 2 <= most ** 2;
+/**
+ * Whether f and ∇f are so small, beside the second derivatives, as they are within a cell of a node: by far most are not.
+ * @param {Float64Array} jets @param {number} k where the jet of a place begins @param {number} cell
+ */
+function mayLead(jets, k, cell) {
+  const mixed = jets[k + 5] ** 2 + jets[k + 6] ** 2 + jets[k + 8] ** 2;
+  const most = (jets[k + 4] ** 2 + jets[k + 7] ** 2 + jets[k + 9] ** 2 + 2 * mixed) * cell ** 2;
+  return jets[k] ** 2 <= most * cell ** 2 && jets[k + 1] ** 2 + jets[k + 2] ** 2 + jets[k + 3] ** 2 <= most;
 }
 
 /**
@@ -113,16 +135,16 @@ function nodesFrom(jets, places, cell, size) {
   for (let i = 0; 3 * i < places.length; i++) {
     if (!mayLead(sampled, 10 * i, cell)) continue;
     const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
-    const jet = sampled.subarray(10 * i, 10 * i + 10);
-    walks.push({ from, step: stepFrom(jet, from), mayCross: isSaddle(jet), node: null });
+    const jet = jetOf(sampled, i);
+    walks.push({ from, step: stepFrom(jet, from, size), mayCross: isSaddle(jet.slice(4)), node: null });
   }
   let walking = walks;
   for (let k = 0; k < STEPS && walking.length > 0; k++) {
-    walking = walking.filter(({ from, step }) => step.size < cell && gap(step.next, from) < 2 * cell);
+    walking = walking.filter(({ from, step }) => step.isOn && step.size < cell && gap(step.next, from) < 2 * cell);
     const own = jets(walking.flatMap(({ step }) => step.next));
     walking = walking.filter((walk, i) => {
-      const jet = own.subarray(10 * i, 10 * i + 10);
-      walk.step = stepFrom(jet, walk.step.next, walk.step);
+      const jet = jetOf(own, i);
+      walk.step = stepFrom(jet, walk.step.next, size, walk.step);
       const ends = walk.step.size <= SAME * SAME * size;
       if (ends) walk.node = nodeAt(jet, walk.step, size);
       return !ends;
@@ -169,7 +191,7 @@ function findNodes(jets, box, grid) {
 export function crosses({ second, determinant, isFlat }, a, b) {
   if (isFlat) return dot(a, b) < 0;
   const product = Math.sign(determinant) * dot(a, times(second, b));
-  return product < -FLAT * largestOf(second.flat()) * dot(a, b);
+  return product < -FLAT * largestOf(second) * dot(a, b);
 }
 
 /**

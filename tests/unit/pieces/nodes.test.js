@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../../web/index.js';
+import { findNet } from '../../../web/pieces/nodes.js';
 import { distancesAlong } from '../../helpers/mesh-distances.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
@@ -50,6 +51,31 @@ for (const [f, apex, slope] of /** @type {const} */ ([
       close(path.length, far * Math.hypot(1, slope));
     }
   });
+
+test('where there are no nodes few places are looked at besides those of the grid, and all are found where there are some', () => {
+  for (const [level, count] of [
+    [0.5, 0],
+    [1, 6],
+  ]) {
+    let places = 0;
+    /** T₄(x) + T₄(y) + T₄(z) = level. @param {ArrayLike<number>} points */
+    const jets = (points) => {
+      const jet = [];
+      for (let i = 0; i < points.length; i += 3) {
+        const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
+        const slopes = [x, y, z].map((a) => 32 * a ** 3 - 16 * a);
+        const [xx, yy, zz] = [x, y, z].map((a) => 96 * a ** 2 - 16);
+        const f = [x, y, z].reduce((sum, a) => sum + 8 * a ** 4 - 8 * a ** 2 + 1, -level);
+        jet.push(f, ...slopes, xx, 0, 0, yy, 0, zz);
+      }
+      places += points.length / 3;
+      return Float64Array.from(jet);
+    };
+    const net = findNet(/** @type {any} */ ({ jets, mesh: () => ({ positions: [], indices: [] }) }), within(1.1).flat(), 24);
+    assert.equal(net.nodes.length, count);
+    assert.ok(places < 2 * 24 ** 3, `${places}`);
+  }
+});
 
 describe('a double cone', () => {
   const surface = surfpath.implicit(cone);
