@@ -14,9 +14,8 @@ enum { GROWN = 2 };
 /* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up. */
 static uint32_t home(const int32_t at[3]) {
     uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
-    uint32_t mixed = (x >> 3) * 0x9e3779b1U ^ y * 0x85ebca77U ^ z * 0xc2b2ae3dU;
-    mixed = (mixed ^ mixed >> 15) * 0x2c1b3c6dU;
-    return ((mixed ^ mixed >> 13) << 3 | (x & 7)) & (FLOOD_SLOTS - 1);
+    uint32_t mixed = (x >> 3) * 0x9e3779b1U + y * 0x85ebca77U + z * 0xc2b2ae3dU;
+    return mixed >> 18 << 3 | (x & 7);
 }
 
 int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]) {
