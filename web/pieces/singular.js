@@ -37,8 +37,11 @@ export const cofactors = ([xx, xy, xz, yy, yz, zz]) => [
   xx * yy - xy * xy,
 ];
 
+/** The trace of a symmetric matrix. @param {number[]} six of its numbers */
+const traceOf = (six) => six[0] + six[3] + six[5];
+
 /** Whether f″, where it is singular, has eigenvalues above and below zero: their product is the sum of its minors. @param {number[]} second */
-export const isSaddle = ([xx, xy, xz, yy, yz, zz]) => xx * yy + yy * zz + zz * xx < xy * xy + yz * yz + xz * xz;
+export const isSaddle = (second) => traceOf(cofactors(second)) < 0;
 
 /**
  * A form that is singular, as second derivatives are where sheets touch or cross: of rank 2 it is zero along a line, of rank 1 in a plane.
@@ -48,7 +51,7 @@ export const isSaddle = ([xx, xy, xz, yy, yz, zz]) => xx * yy + yy * zz + zz * x
  */
 export function formOf(second) {
   const minors = cofactors(second);
-  const [trace, product] = [second, minors].map((six) => six[0] + six[3] + six[5]);
+  const [trace, product] = [second, minors].map(traceOf);
   const largest = largestOf(second);
   const isLine = Math.abs(product) > SINGULAR * largest ** 2;
   const axis = unit(longest(rowsOf(isLine ? minors : second)));

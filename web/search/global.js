@@ -8,7 +8,7 @@ import { CONVERGED, SHEET_JUMP, STALLED } from '../runtime/status.js';
 import { passBumps } from './bumps.js';
 import { asAsked, holds, leaps, lengthOfShortest } from './candidates.js';
 import { challenge } from './challenge.js';
-import { BESIDE, distinct, firsts, isAmong } from './distinct.js';
+import { BESIDE, distinct, firsts, isAmong, isSame } from './distinct.js';
 import { shorterThan, withoutAny } from './fallback.js';
 import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
@@ -24,6 +24,9 @@ import { findStarts } from './starts.js';
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
+/** Starts, those most apart from each other first, after which no other is tried if all have led to the same path, each in so few steps: from farther away others may lead elsewhere. */
+const [ENOUGH, STRAIGHT] = [8, 6];
+
 /**
  * All locally shortest paths that are found between two points, shortest first; without any, the one path of a status that says why.
  * @param {Problem} problem @param {SolveOptions} options of the final solves
@@ -38,7 +41,7 @@ export function findPaths(problem, options, most) {
   /** @type {RawPath[]} */
   let found = [];
   for (const { starts, status } of findStarts(problem, most > 1, tried[0])) {
-    found = solveBest(problem, options, most, status, tryAll(problem, starts, tried));
+    found = solveBest(problem, options, most, status, tryAll(problem, starts, tried, most));
     /* A finer graph may lead where chords follow. */
     if (problem.domain || found[0].status !== SHEET_JUMP) break;
   }
@@ -52,7 +55,7 @@ export function findPaths(problem, options, most) {
 export function findPathsFrom(problem, options, starts, shortest) {
   const only = solveOnly(problem, options);
   if (only) return [only];
-  const candidates = tryAll(problem, starts, []);
+  const candidates = tryAll(problem, starts, [], Infinity);
   const { tried, rough } = candidates;
   const isLonger = tried.every((one) => holds(one) && !leaps(problem, one.path) && atLeast(problem, one.path) > shortest);
   const [path] = isLonger ? [emptyPath(STALLED)] : solveBest(problem, options, 1, CONVERGED, candidates);
@@ -68,11 +71,20 @@ function solveOnly(problem, options) {
 }
 
 /**
- * Solves all starts roughly.
- * @param {Problem} problem @param {import('./candidates.js').Start[]} starts @param {Tried[]} tried before them
+ * Solves starts roughly.
+ * @param {Problem} problem @param {import('./candidates.js').Start[]} starts @param {Tried[]} tried before them @param {number} most paths wanted; with 1 no more once
+ *   enough have led to one path, and none elsewhere
  */
-function tryAll(problem, starts, tried) {
-  for (const start of starts) tried.push(solveRoughly(problem, start, tried));
+function tryAll(problem, starts, tried, most) {
+  for (const start of starts) {
+    if (
+      most === 1 &&
+      tried.length >= ENOUGH &&
+      tried.every(({ path }) => holds({ path }) && path.iterations <= STRAIGHT && isSame(path, tried[0].path))
+    )
+      break;
+    tried.push(solveRoughly(problem, start, tried));
+  }
   return { tried, rough: holding(problem, tried) };
 }
 

@@ -232,6 +232,17 @@ test('from an apex only one path is solved finely, and it goes straight up', (co
   assert.equal(fine.length, 1);
 });
 
+test('where all starts lead to one path few are tried, unless several are wanted', (context) => {
+  const egg = make({ f: 'x^2 + y^2/1.4 + z^2/0.8 - 1', bounds: cube(1.3), density: '1 + 0.5*exp(-x^2 - y^2)' });
+  const ends = [egg.project([0.3, 0.1, 1]), egg.project([-0.4, 0.2, 1])];
+  const solve = context.mock.method(Heap.prototype, 'solve');
+  const path = egg.shortestPath(ends[0], ends[1]);
+  const few = solve.mock.callCount();
+  const [shortest] = egg.geodesics(ends[0], ends[1], { max: 2 });
+  assert.ok(path.converged && Math.abs(path.length - shortest.length) < 1e-9 && few <= 13 && solve.mock.callCount() > 3 * few, `${few}`);
+  egg.dispose();
+});
+
 test('ends that coincide', () => {
   for (const [definition, point] of /** @type {const} */ ([
     [torus, [1, 2]],
