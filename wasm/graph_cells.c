@@ -11,7 +11,8 @@ enum { LEAST_PART = 4 };
 /* Where coarser cells than those of this level are enough, corners tell of all sheets. */
 enum { GROWN = 2 };
 
-/* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up. */
+/* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up.
+ * The upper 14 bits of the sum are one of FLOOD_SLOTS / 8 places for such eight. */
 static uint32_t home(const int32_t at[3]) {
     uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
     uint32_t mixed = (x >> 3) * 0x9e3779b1U + y * 0x85ebca77U + z * 0xc2b2ae3dU;
