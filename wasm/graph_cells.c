@@ -3,7 +3,7 @@
 #include "chart.h"
 #include "scalar.h"
 
-enum { FLOOD_SLOTS = 1 << 17 };
+enum { FLOOD_BITS = 17, FLOOD_SLOTS = 1 << FLOOD_BITS };
 
 /* A short side of a box has this part of the cells of the longest, at least: in space thin things are thin, in the grid they are not. */
 enum { LEAST_PART = 4 };
@@ -11,12 +11,11 @@ enum { LEAST_PART = 4 };
 /* Where coarser cells than those of this level are enough, corners tell of all sheets. */
 enum { GROWN = 2 };
 
-/* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up.
- * The upper 14 bits of the sum are one of FLOOD_SLOTS / 8 places for such eight. */
+/* Whatever the shape of a flood, eight cells of a row lie side by side, and what is next to them anywhere else: long rows would pile up. */
 static uint32_t home(const int32_t at[3]) {
     uint32_t x = (uint32_t)at[0], y = (uint32_t)at[1], z = (uint32_t)at[2];
     uint32_t mixed = (x >> 3) * 0x9e3779b1U + y * 0x85ebca77U + z * 0xc2b2ae3dU;
-    return mixed >> 18 << 3 | (x & 7);
+    return mixed >> (32 - (FLOOD_BITS - 3)) << 3 | (x & 7);
 }
 
 int32_t *sp_cells_slot(const struct sp_cells *cells, const int32_t at[3]) {

@@ -18,7 +18,7 @@ export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * 
 /** The difference of two lists, of any length. @param {readonly number[]} a @param {readonly number[]} b */
 export const minus = (a, b) => a.map((x, k) => x - b[k]);
 
-/** The largest of some numbers, whatever their signs. @param {ArrayLike<number>} numbers */
+/** The largest of some numbers, whatever their signs; 0 of none. @param {ArrayLike<number>} numbers */
 export function largest(numbers) {
   let most = 0;
   for (let i = 0; i < numbers.length; i++) most = Math.max(most, Math.abs(numbers[i]));

@@ -209,7 +209,7 @@ function write(question, { legs, joints }, options) {
   for (const [j, { place }] of joints.entries()) {
     /* What rounding of a joint makes of the length, as where the surface stands upright on a crease; where that is known by no derivatives, at a corner of two, nothing. */
     const pulls = legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? []);
-    path.lengthError += 4 * ROUNDED * largest(place) * largest([0, ...pulls.filter(Number.isFinite)]);
+    path.lengthError += 4 * ROUNDED * largest(place) * largest(pulls.filter(Number.isFinite));
     path.touchesBoundary ||= isOnEdge(question, place);
   }
   return path;

@@ -24,7 +24,7 @@ import { findStarts } from './starts.js';
 /** @typedef {import('./candidates.js').Way} Way */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
-/** Starts, those most apart from each other first, after which no other is tried if all have led to the same path, each in so few steps: from farther away others may lead elsewhere. */
+/** Starts of a graph, those most apart from each other first, after which no other is tried if all have led to the same path, each in so few steps: from farther away others may lead elsewhere. */
 const [ENOUGH, STRAIGHT] = [8, 6];
 
 /**
@@ -76,13 +76,9 @@ function solveOnly(problem, options) {
  *   enough have led to one path, and none elsewhere
  */
 function tryAll(problem, starts, tried, most) {
-  for (const start of starts) {
-    if (
-      most === 1 &&
-      tried.length >= ENOUGH &&
-      tried.every(({ path }) => holds({ path }) && path.iterations <= STRAIGHT && isSame(path, tried[0].path))
-    )
-      break;
+  for (const [i, start] of starts.entries()) {
+    const isEnough = most === 1 && i >= ENOUGH;
+    if (isEnough && tried.every(({ path }) => holds({ path }) && path.iterations <= STRAIGHT && isSame(path, tried[0].path))) break;
     tried.push(solveRoughly(problem, start, tried));
   }
   return { tried, rough: holding(problem, tried) };
