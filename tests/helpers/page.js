@@ -17,8 +17,8 @@ export const ARGUMENTS = [
   '--disable-sync',
 ];
 
-/** Where nobody looks at a picture it has a quarter of the pixels: drawing in software takes most of the time. `make browsers` draws them all. */
-export const COARSE = process.env.EVERY_RELEASE ? {} : { deviceScaleFactor: 0.5 };
+/** Where nobody looks at a picture it has a quarter of the pixels, of one sample each: drawing in software takes most of the time. `make browsers` draws them all. */
+export const COARSE = process.env.EVERY_RELEASE ? {} : { deviceScaleFactor: 0.5, args: ['--webgl-antialiasing-mode=none'] };
 
 /** Taking a screenshot reads the canvas back: the software renderer remarks on that, and nothing else, as the driver. */
 const OF_THE_SCREENSHOT = /GL Driver Message .*GPU stall due to ReadPixels/;
@@ -36,8 +36,8 @@ export async function openBrowser(more = [], options = {}) {
     headless: true,
     viewport: { width: 1040, height: 640 },
     reducedMotion: 'reduce',
-    args: [...ARGUMENTS, ...more],
     ...options,
+    args: [...ARGUMENTS, ...(options.args ?? []), ...more],
   });
   const close = async () => {
     await context.close();
