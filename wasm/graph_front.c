@@ -1,10 +1,13 @@
-/* Dijkstra's algorithm, or A*, with a binary heap that knows where each vertex is. */
+/* Dijkstra's algorithm, or A*, with a heap of four children a parent that knows where each vertex is. */
 #include "graph_search.h"
 #include "scalar.h"
 
 /* In place of a slot: visited, and not to be visited again. Keys fall along no way but by rounding, which may be more than edges are long
  * where a surface is large beside them: led by that, a search would come back for ever. */
 enum { CLOSED = -2 };
+
+/* Half as many levels as with two: 1 to 5 % of a query; eight are slower. */
+enum { CHILDREN = 4 };
 
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
@@ -26,7 +29,7 @@ static void put(struct sp_front *front, int32_t slot, struct sp_queued queued) {
 
 static void rise(struct sp_front *front, int32_t slot, struct sp_queued queued) {
     while (slot > 0) {
-        int32_t parent = (slot - 1) / 2;
+        int32_t parent = (slot - 1) / CHILDREN;
         if (front->heap[parent].key <= queued.key) break;
         put(front, slot, front->heap[parent]);
         slot = parent;
@@ -36,9 +39,10 @@ static void rise(struct sp_front *front, int32_t slot, struct sp_queued queued) 
 
 static void sink(struct sp_front *front, int32_t slot, struct sp_queued queued) {
     for (;;) {
-        int32_t child = 2 * slot + 1;
-        if (child >= front->count) break;
-        if (child + 1 < front->count && front->heap[child + 1].key < front->heap[child].key) child++;
+        int32_t child = CHILDREN * slot + 1, end = child + CHILDREN < front->count ? child + CHILDREN : front->count;
+        if (child >= end) break;
+        for (int32_t i = child + 1; i < end; i++)
+            if (front->heap[i].key < front->heap[child].key) child = i;
         if (queued.key <= front->heap[child].key) break;
         put(front, slot, front->heap[child]);
         slot = child;
