@@ -23,10 +23,12 @@ export const COARSE = process.env.EVERY_RELEASE ? {} : { deviceScaleFactor: 0.5,
 /** Taking a screenshot reads the canvas back: the software renderer remarks on that, and nothing else, as the driver. */
 const OF_THE_SCREENSHOT = /GL Driver Message .*GPU stall due to ReadPixels/;
 
+/** @typedef {import('playwright-core').BrowserContextOptions & { args?: string[] }} BrowserOptions */
+
 /**
  * Opens a browser and the server of the page.
  * @param {string[]} [more] arguments for the browser
- * @param {import('playwright-core').BrowserContextOptions} [options]
+ * @param {BrowserOptions} [options]
  */
 export async function openBrowser(more = [], options = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'surfpath-browser-'));
@@ -72,7 +74,7 @@ export async function openPage(context, address) {
 
 /**
  * The page as the tests of a file share it: opened, with its first scene solved.
- * @param {string[]} [more] @param {import('playwright-core').BrowserContextOptions} [options] both as for `openBrowser`
+ * @param {string[]} [more] @param {BrowserOptions} [options] both as for `openBrowser`
  */
 export async function openSettled(more, options) {
   const browser = await openBrowser(more, options);
