@@ -22,13 +22,13 @@ const OUTCOMES = {
     'No step made the path shorter, or a shorter way leads to no path: try another algorithm, fewer points or a less steep formula.',
   ],
   'tolerance-not-met': ['Not exact enough', 'Choose a larger tolerance, or narrow the ranges.'],
-  'ill-conditioned': ['One of many', 'Ways beside it are as long, as between opposite poles.'],
+  'ill-conditioned': ['One of many', 'Ways beside it are as long, as from pole to pole.'],
   saddle: ['Balanced, not shortest', 'A path beside it is shorter: choose another algorithm, or move an end a little.'],
   'edge-reached': ['Ended at the edge', 'The path left the surface there.'],
   disconnected: ['No path', 'The two ends lie on different pieces of this surface: move one of them.'],
   'singular-metric': ['No path', ''],
   'sheet-jump': ['No path', 'The straight start leaves the surface: search globally, or bring the ends closer.'],
-  'off-surface': ['No path', 'An end point lies too far from the surface: move it nearer.'],
+  'off-surface': ['No path', 'An end lies too far from the surface: move it nearer.'],
   'not-finite': [
     'No path',
     'The formula has no value somewhere on the way, or one too large: narrow its ranges, move the ends or change it.',
@@ -50,12 +50,12 @@ function conditionsOf({ kind, density, tensor }) {
     ...(density.trim() && kind !== 'metric' ? ['the density must be greater than 0'] : []),
     ...(isOfPlane ? ['E, F and G must be positive definite, with E > 0 and EG − F² > 0'] : []),
     ...(tensor.length > 3 ? ['the matrix T must be positive definite'] : []),
-  ];
+  ].join(', and ');
 }
 
 /** Why there is no number anywhere to colour a surface by. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
 export function describeNoMeasure(sketch) {
-  const conditions = conditionsOf(sketch).join(', and ');
+  const conditions = conditionsOf(sketch);
   return conditions ? `Length is measured nowhere: ${conditions}.` : 'There is nothing to measure on this surface.';
 }
 
@@ -68,9 +68,9 @@ const SMOOTH = {
 /** Functions that bend or jump somewhere. */
 const ROUGH = /(?<![\p{L}\d_])(?:abs|sign|floor|min|max)(?=\s*\()/u;
 
-const LEAPS = 'The surface has a gap between the ends, jumps there or is too steep: move both to one side of it, or change the formula.';
+const LEAPS = 'The surface has a gap between the ends or is too steep: move both to one side, or change the formula.';
 
-const WAVY = 'Between the ends the surface is too steep or too wavy to follow: bring them closer, or change the formula.';
+const WAVY = 'The surface is too steep or too wavy between the ends: bring them closer, or change the formula.';
 /** Without any of these a formula has a value everywhere, and is smooth: divisions, powers but those of whole numbers, and functions but these. */
 const BROKEN = /\/|\^(?!\s*\d+(?![.\d]))|(?<![\p{L}\d_])(?!(?:sin|cos|exp|sinh|cosh|tanh|atan|asinh)\s*\()[\p{L}_][\p{L}\d_]*\s*\(/u;
 
@@ -95,7 +95,7 @@ function adviseStuck({ kind, texts, density, tensor, algorithm }, advice, leaps)
 
 /** Why length cannot be measured on the way. @param {Pick<Sketch, 'kind' | 'density' | 'tensor'>} sketch */
 function describeSingular(sketch) {
-  const conditions = conditionsOf(sketch).join(', and ');
+  const conditions = conditionsOf(sketch);
   if (sketch.kind === 'metric') return `On the way ${conditions}: change them, narrow the ranges or move the ends.`;
   const also = conditions && `; or its measure of length fails there: ${conditions}`;
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;

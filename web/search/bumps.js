@@ -8,7 +8,7 @@ import { cross, dot, gap, minus, norm, unit } from '../vector.js';
 import { holds, leaps, solveFrom } from './candidates.js';
 import { distinct, estimate } from './distinct.js';
 import { innerOf } from './join.js';
-import { finer, MOST_ROUGH, ROUGHLY } from './rough.js';
+import { asItIs, finer, MOST_ROUGH, ROUGHLY } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -135,7 +135,7 @@ function girthAt({ domain, between }, { numbers, along }, middle, k) {
   const place = numbers.subarray(2 * nearestTo(along, middle)).slice(0, 2);
   const around = Float64Array.of(...place, ...place);
   around[2 + k] += domain.upper[k] - domain.lower[k];
-  return between(around, { ...ROUGHLY, maxIterations: 0, points: 31 }).length;
+  return between(around, asItIs(31)).length;
 }
 
 /** An inner node near a place. @param {number[]} along @param {number} middle */
@@ -241,7 +241,7 @@ function acrossAt({ between, domain }, { numbers, places, along, halfWave }, mid
   const [du, dv] = turned(nearest);
   const across = Float64Array.of(u - du / 2, v - dv / 2, u + du / 2, v + dv / 2);
   confine(domain, across);
-  const { length } = between(across, { ...ROUGHLY, points: 1, maxIterations: 0 });
+  const { length } = between(across, asItIs(1));
   const scale = gap([across[0], across[1], 0], [across[2], across[3], 0]) / length;
   return (i) =>
     unit([...turned(i), 0])

@@ -14,7 +14,7 @@ import { atLeast, followAsTheyAre, solveFinely, unfollowedOf } from './fine.js';
 import { overBranches } from './over-branches.js';
 import { challengeByEdges } from './free-edges.js';
 import { besidePoles, overPoles } from './poles.js';
-import { isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
+import { asItIs, isKnown, solveBeside, solveRoughly, stallsAtBranch } from './rough.js';
 import { findStarts } from './starts.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
@@ -26,6 +26,8 @@ import { findStarts } from './starts.js';
 
 /** Starts of a graph, those most apart from each other first, after which no other is tried if all have led to the same path, each in so few steps: from farther away others may lead elsewhere. */
 const [ENOUGH, STRAIGHT] = [8, 6];
+/** Points of a straight line between which elements see waves that keep its chords from coming to rest. */
+const DRAWN = 4095;
 
 /**
  * All locally shortest paths that are found between two points, shortest first; without any, the one path of a status that says why.
@@ -64,10 +66,13 @@ export function findPathsFrom(problem, options, starts, shortest) {
 
 /** The path where there is only one, as no curvature is positive. @param {Problem} problem @param {SolveOptions} options */
 function solveOnly(problem, options) {
-  const isUnique = problem.domain && problem.graph(0)?.unique;
-  const isOpen = isUnique && stallsAtBranch(problem, solveRoughly(problem, { to: problem.to, start: null }, []));
-  const path = isUnique && !isOpen ? problem.solve(problem.to, null, options) : null;
-  return path?.status === CONVERGED ? path : null;
+  const { domain, to, solve } = problem;
+  if (!domain || !problem.graph(0)?.unique) return null;
+  const rough = solveRoughly(problem, { to, start: null }, []);
+  if (stallsAtBranch(problem, rough)) return null;
+  const start = holds(rough) ? null : solve(to, null, asItIs(DRAWN)).parameters;
+  const path = solve(to, start, options);
+  return path.status === CONVERGED ? path : null;
 }
 
 /**

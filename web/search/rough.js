@@ -18,6 +18,8 @@ const FEW = 2;
 export const MOST_ROUGH = 255;
 export const FINEST = 1023;
 export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
+/** A start as it is, in so many points. @param {number} points */
+export const asItIs = (points) => ({ ...ROUGHLY, points, maxIterations: 0 });
 /** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
 const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
@@ -87,9 +89,7 @@ function solveFiner(problem, one) {
 /** Whether a rough path went to where it is longer than its start: it does not see between its nodes how dear that is. @param {Problem} problem @param {Tried} one */
 function isBehindWall({ isPlain, solve }, { to, start, path }) {
   if (isPlain || !start || !holds({ path }) || !(path.lengthError > UNSURE * path.length)) return false;
-  const measured = [start, path.parameters ?? path.points].map(
-    (line) => solve(to, line, { ...ROUGHLY, points: MOST_ROUGH, maxIterations: 0 }).length,
-  );
+  const measured = [start, path.parameters ?? path.points].map((line) => solve(to, line, asItIs(MOST_ROUGH)).length);
   return measured[0] < measured[1];
 }
 

@@ -12,7 +12,7 @@ import { findPaths, findPathsFrom } from './global.js';
 import { isAfter, reverse, turned } from './join.js';
 import { passBranches } from './over-branches.js';
 import { passedTip, passPoles } from './poles.js';
-import { ROUGHLY } from './rough.js';
+import { asItIs, ROUGHLY } from './rough.js';
 import { findStarts } from './starts.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -52,14 +52,14 @@ import { findStarts } from './starts.js';
 /** Steps after which a path that turns around a pole by this part of a turn in a chord is looked for beside it. */
 const [PATIENCE, SLIPPING] = [40, 0.1];
 /** What asks only where the ends are, and how far from the surface, in parts of their coordinates, one is beside it. */
-const AT_ONCE = { ...ROUGHLY, points: 1, maxIterations: 0 };
+const AT_ONCE = asItIs(1);
 const BESIDE = 1e-6;
 /** What a polyline is relaxed with that is only to tell which way a path leads. */
 const SKETCH = { ...ROUGHLY, points: 63 };
 /** So many legs between branch points are kept: more than there are between as many as are looked for. */
 const MOST_KNOWN = 1024;
-/** What only measures a polyline. */
-const MEASURED = { ...AT_ONCE, points: 999 };
+/** Points in which a polyline is measured. */
+const MEASURED = 999;
 
 /**
  * The solve near a polyline, or the straight line, without what it may pass, and what makes a path of it.
@@ -156,12 +156,12 @@ export function relax(field, ends, line, points) {
 }
 
 /** How long a polyline is on the surface as it is. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
-export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(MEASURED).length;
+export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(asItIs(MEASURED)).length;
 
 /** A polyline as it is, in so many points. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points @returns {Path} */
 export function drawLine(field, ends, line, points) {
   const { solve, finish } = poseNear(field, ends, line);
-  return finish(solve({ ...AT_ONCE, points }));
+  return finish(solve(asItIs(points)));
 }
 
 /**

@@ -611,3 +611,36 @@ test('a surface so large in places that chords are rounded to more than edges ar
   assert.equal(path.status, 'singular-metric');
   surface.dispose();
 });
+
+describe('corrugated sheets, along which chords do not come to rest: as long as unrolled, in a few solves', () => {
+  /** How long slope sin t is over a part of its axis, by Simpson's rule. */
+  const along = (/** @type {number} */ slope, /** @type {number} */ from, /** @type {number} */ to) => {
+    const count = 100_000;
+    let sum = 0;
+    for (let i = 0; i <= count; i++) {
+      const weight = i === 0 || i === count ? 1 : i % 2 ? 4 : 2;
+      sum += weight * Math.hypot(1, slope * Math.cos(from + ((to - from) * i) / count));
+    }
+    return (sum * (to - from)) / (3 * count);
+  };
+  for (const [waves, slope] of [
+    [40, 6],
+    [60, 6],
+    [80, 3],
+  ])
+    test(`sin(${waves} u), slopes of ${slope}`, (context) => {
+      const sheet = make({ x: 'u', y: 'v', z: `${slope / waves}*sin(${waves}*u)`, u: [-1, 1], v: [-1, 1] });
+      const solve = context.mock.method(Heap.prototype, 'solve');
+      const random = createRandom(waves);
+      for (let i = 0; i < 3; i++) {
+        const [from, to] = [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
+        solve.mock.resetCalls();
+        const path = sheet.shortestPath(from, to);
+        const unrolled = Math.hypot(along(slope, waves * from[0], waves * to[0]) / waves, to[1] - from[1]);
+        assert.equal(path.status, 'converged', `${from} to ${to}`);
+        assert.ok(Math.abs(path.length - unrolled) <= 1e-9 * unrolled, `${from} to ${to}: ${path.length}, ${unrolled}`);
+        assert.ok(solve.mock.callCount() < 10, `${solve.mock.callCount()} solves`);
+      }
+      sheet.dispose();
+    });
+});
