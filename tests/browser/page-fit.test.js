@@ -254,8 +254,10 @@ describe('sizes and themes', () => {
   test('long formulas of the gallery are broken into lines, none is cut off', async () => {
     const lengths = new Set();
     for (const name of ['banchoffChmutov', 'metamorphosis', 'printed47', 'threeTori', 'genus2']) {
-      /* They are there before what is computed of them. */
+      /* They are there before what is computed of them, but for the mesh. */
+      const before = await page.textContent('#typeset');
       await followLink(page, { entry: name });
+      await page.waitForFunction((text) => document.getElementById('typeset')?.textContent !== text, before, { polling: 100 });
       for (const width of [1440, 1000]) {
         await page.setViewportSize({ width, height: 800 });
         await nextFrame(page);
