@@ -5,6 +5,7 @@ import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
 import { ofAll } from '../helpers/sample.js';
+import { simpson } from '../helpers/simpson.js';
 
 /** @typedef {import('../../web/definition.js').ParametricDefinition} ParametricDefinition */
 
@@ -109,15 +110,8 @@ describe('a sheet with waves that are steeper than chords can follow', () => {
     v: /** @type {const} */ ([-2, 2]),
     parameters: { h: height, k: waves },
   };
-  /** Arc length of a wave by Simpson's rule. @param {number} low @param {number} high @param {number} k */
-  const unroll = (low, high, k) => {
-    const count = 40_000;
-    const step = (high - low) / count;
-    const speed = (/** @type {number} */ i) => Math.sqrt(1 + (height * k * Math.cos(k * (low + i * step))) ** 2);
-    let sum = speed(0) + speed(count);
-    for (let i = 1; i < count; i++) sum += (i & 1 ? 4 : 2) * speed(i);
-    return (sum * step) / 3;
-  };
+  /** Arc length of a wave. @param {number} low @param {number} high @param {number} k */
+  const unroll = (low, high, k) => simpson((u) => Math.sqrt(1 + (height * k * Math.cos(k * u)) ** 2), low, high, 40_000);
 
   /** @param {import('../../web/surface.js').Surface} surface @param {number} k @param {number} seed */
   const check = (surface, k, seed) => {

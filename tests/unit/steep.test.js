@@ -7,6 +7,7 @@ import { STALLED } from '../../web/runtime/status.js';
 import { ELEMENTS } from '../../web/search/candidates.js';
 import { createRandom } from '../helpers/random.js';
 import { ofAll } from '../helpers/sample.js';
+import { simpson } from '../helpers/simpson.js';
 import { verifyPath } from '../helpers/verify-path.js';
 
 const surfpath = await load();
@@ -223,14 +224,8 @@ test('land of many scales, waves shorter than three cells of the first graph: no
 test('across a line where a formula has no derivative, but the surface a tangent plane: as unrolled, seed 3', () => {
   const random = createRandom(3);
   const point = () => [random.between(-1, 1), random.between(-1, 1)];
-  /* By Simpson's rule over z, on which x = z^3 depends smoothly. */
-  const along = (/** @type {number} */ x) => {
-    const parts = 2000;
-    const step = Math.cbrt(x) / parts;
-    let sum = 0;
-    for (let i = 0; i <= 2 * parts; i++) sum += (i % (2 * parts) ? 2 + 2 * (i % 2) : 1) * Math.sqrt(1 + 9 * ((i * step) / 2) ** 4);
-    return (sum * step) / 6;
-  };
+  /* Over z, on which x = z^3 depends smoothly. */
+  const along = (/** @type {number} */ x) => simpson((z) => Math.sqrt(1 + 9 * z ** 4), 0, Math.cbrt(x), 4000);
   const surface = surfpath.graph({ z: 'cbrt(x)', x: [-1, 1], y: [-1, 1] });
   for (let i = 0; i < 40; i++) {
     const [from, to] = [point(), point()];
@@ -432,14 +427,8 @@ test('an implicit surface without bounds, with details smaller than the first ce
 
 test('corrugated iron, 26 waves with slopes of 4: every path is as long as unrolled, seed 5', () => {
   const surface = surfpath.graph({ z: '0.2*sin(20*x)', x: [-2, 2], y: [-2, 2] });
-  const parts = 4000;
-  /** Simpson's rule. @param {number} from @param {number} to */
-  const unrolled = (from, to) => {
-    const speed = (/** @type {number} */ i) => Math.hypot(1, 4 * Math.cos(20 * (from + ((to - from) * i) / parts)));
-    let sum = speed(0) + speed(parts);
-    for (let i = 1; i < parts; i++) sum += (i % 2 ? 4 : 2) * speed(i);
-    return (sum * (to - from)) / (3 * parts);
-  };
+  const unrolled = (/** @type {number} */ from, /** @type {number} */ to) =>
+    simpson((x) => Math.hypot(1, 4 * Math.cos(20 * x)), from, to, 4000);
   const random = createRandom(5);
   for (let i = 0; i < ofAll(10, 30); i++) {
     const [a, b, c, d] = Array.from({ length: 4 }, () => random.between(-2, 2));

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { load } from '../../../web/index.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
+import { simpson } from '../../helpers/simpson.js';
 
 const surfpath = await load();
 const PAIRS = 24;
@@ -73,13 +74,7 @@ test('the error of a polyline that crosses a crease is not that of a smooth one'
 test('where curvature alone jumps there is no crease: the path is right', () => {
   const joined = surfpath.graph({ z: 'max(0, x)^3', x: [-1, 1], y: [-1, 1] });
   const path = joined.shortestPath([-0.7, -0.3], [0.6, 0.8], { tolerance: 1e-6 });
-  /* Simpson's rule on the arc length of the profile. */
-  const steps = 1000;
-  let profile = 0.7;
-  for (let i = 0; i <= steps; i++) {
-    const slope = 3 * (0.6 * (i / steps)) ** 2;
-    profile += ((i === 0 || i === steps ? 1 : i % 2 ? 4 : 2) * (0.6 / steps) * Math.sqrt(1 + slope * slope)) / 3;
-  }
+  const profile = 0.7 + simpson((x) => Math.sqrt(1 + 9 * x ** 4), 0, 0.6);
   assert.equal(path.status, 'converged');
   assert.ok(Math.abs(path.length / Math.hypot(profile, 1.1) - 1) <= 1e-6);
   joined.dispose();

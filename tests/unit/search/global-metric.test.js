@@ -6,6 +6,7 @@ import { load } from '../../../web/index.js';
 import { allowance } from '../../helpers/allowance.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
+import { simpson } from '../../helpers/simpson.js';
 
 const surfpath = await load();
 const make = (/** @type {any} */ definition) => surfpath.surface(definition);
@@ -358,15 +359,8 @@ describe('along a road, on which length is a twentieth, or less', () => {
   /* On the way over, rho dx/ds is a constant c (Clairaut), and the length c times how far that is in x, plus the integral of sqrt(rho² - c²) over y; on the road c is rho, to
    * less than 1e-20. */
   const across = (/** @type {number} */ least, /** @type {number} */ side) => {
-    const steps = 100_000;
-    let sum = 0;
-    // Simpson's rule on one side of the road.
-    for (let i = 0; i <= steps; i++) {
-      const y = (side * i) / steps;
-      const rise = -(1 - least) * Math.expm1(-40 * y * y);
-      sum += (i === 0 || i === steps ? 1 : i % 2 ? 4 : 2) * Math.sqrt(rise * (rise + 2 * least));
-    }
-    return (sum * Math.abs(side)) / steps / 3;
+    const rise = (/** @type {number} */ y) => -(1 - least) * Math.expm1(-40 * y * y);
+    return simpson((y) => Math.sqrt(rise(y) * (rise(y) + 2 * least)), 0, Math.abs(side), 100_000);
   };
 
   for (const least of [0.05, 0.03])

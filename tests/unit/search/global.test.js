@@ -7,6 +7,7 @@ import { loadCases } from '../../helpers/cases.js';
 import { POLYLINE } from '../../helpers/options.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
+import { simpson } from '../../helpers/simpson.js';
 import { verifyPath } from '../../helpers/verify-path.js';
 
 /** @typedef {import('../../../web/index.js').Path} Path */
@@ -566,16 +567,9 @@ describe('cones of more than a full turn around the apex: through it, or past it
   ]))
     test(`z = v ${name}`, () => {
       const cone = surfpath.parametric({ x: 'v*cos(u)', y: 'v*sin(u)', z: `v*${name}`, u: [0, period], v: [0, 1] });
-      /** Simpson's rule on how fast rays turn. @param {number} from @param {number} to */
-      const angleBetween = (from, to) => {
-        let angle = 0;
-        for (let i = 0; i <= 1000; i++) {
-          const u = from + ((to - from) * i) / 1000;
-          const rate = Math.sqrt(1 + height(u) ** 2 + slope(u) ** 2) / (1 + height(u) ** 2);
-          angle += ((i === 0 || i === 1000 ? 1 : i % 2 ? 4 : 2) * rate * (to - from)) / 3000;
-        }
-        return angle;
-      };
+      /** How far rays turn. @param {number} from @param {number} to */
+      const angleBetween = (from, to) =>
+        simpson((u) => Math.sqrt(1 + height(u) ** 2 + slope(u) ** 2) / (1 + height(u) ** 2), from, to, 1000);
       const whole = angleBetween(0, period);
       const random = createRandom(10);
       let [through, past] = [0, 0];
@@ -613,16 +607,6 @@ test('a surface so large in places that chords are rounded to more than edges ar
 });
 
 describe('corrugated sheets, along which chords do not come to rest: as long as unrolled, in a few solves', () => {
-  /** How long slope sin t is over a part of its axis, by Simpson's rule. */
-  const along = (/** @type {number} */ slope, /** @type {number} */ from, /** @type {number} */ to) => {
-    const count = 100_000;
-    let sum = 0;
-    for (let i = 0; i <= count; i++) {
-      const weight = i === 0 || i === count ? 1 : i % 2 ? 4 : 2;
-      sum += weight * Math.hypot(1, slope * Math.cos(from + ((to - from) * i) / count));
-    }
-    return (sum * (to - from)) / (3 * count);
-  };
   for (const [waves, slope] of [
     [40, 6],
     [60, 6],
@@ -636,7 +620,8 @@ describe('corrugated sheets, along which chords do not come to rest: as long as 
         const [from, to] = [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
         solve.mock.resetCalls();
         const path = sheet.shortestPath(from, to);
-        const unrolled = Math.hypot(along(slope, waves * from[0], waves * to[0]) / waves, to[1] - from[1]);
+        const along = simpson((u) => Math.hypot(1, slope * Math.cos(waves * u)), from[0], to[0], 100_000);
+        const unrolled = Math.hypot(along, to[1] - from[1]);
         assert.equal(path.status, 'converged', `${from} to ${to}`);
         assert.ok(Math.abs(path.length - unrolled) <= 1e-9 * unrolled, `${from} to ${to}: ${path.length}, ${unrolled}`);
         assert.ok(solve.mock.callCount() < 10, `${solve.mock.callCount()} solves`);
