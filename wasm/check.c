@@ -117,9 +117,10 @@ static double halving_error(const struct sp_polyline *line, double length) {
 
 double sp_check_rounding(double length, double scale) { return length > 0 ? 4e-15 * length + 2.2e-16 * scale : 0; }
 
-double sp_check_length_error(const struct sp_polyline *line, double scale, int touches, const struct sp_chord_sums *sums) {
-    if (line->kind->components) return sp_metric_length_error(line, scale, 1);
-    double error = sums->error, least = sp_check_rounding(sums->length, scale), halved = touches ? halving_error(line, sums->length) : 0;
-    if (halved > error) error = halved;
-    return error > least ? error : least;
+double sp_check_length_error(const struct sp_newton *newton, const struct sp_outcome *outcome, const struct sp_chord_sums *sums) {
+    const struct sp_polyline *line = &newton->system.line;
+    if (line->kind->components) return sp_metric_length_error(line, newton->size, 1);
+    return larger(outcome->active ? halving_error(line, sums->length) : 0, sums->error);
 }
+
+double sp_check_unevenness(double energy, double length) { return smaller(energy / length - length, length); }

@@ -1,4 +1,5 @@
 /* The ladder of degrees and element counts, and its guard against changing to another geodesic. MATH.md, "The ladder". */
+#include "check.h"
 #include "refine_chords.h"
 #include "refine_spread.h"
 #include "scalar.h"
@@ -86,13 +87,6 @@ static int lowest_rung(const uint8_t (*ladder)[2], int rungs, int32_t nodes) {
     while (r + LEAST_RUNGS < rungs && ladder[r + 1][0] * ladder[r + 1][1] < nodes)
         r++;
     return r;
-}
-
-/* What a path at rest that is smooth has none of: E/L^2 - 1, the variance of its speed. A crease inside an element, or beside the nodes,
- * leaves both sides with speeds of their own. Times the length, what it may be too long by. */
-static double unevenness(const struct sp_climbed *climbed) {
-    double length = climbed->length;
-    return smaller(larger(climbed->outcome.energy / length - length, 0), length);
 }
 
 /* What the path that a rung started from is: chords that are enough to compare it with where the tolerance is loose, elements of the rung
@@ -198,7 +192,7 @@ static struct sp_refined give_up(struct climb *climb) {
 /* What the rung that was climbed is wrong by. Returns whether that is allowed. */
 static int measure(struct climb *climb) {
     const struct sp_climbed *now = &climb->now;
-    double previous = climb->change, uneven = unevenness(now), least = 0, tail = 0;
+    double previous = climb->change, uneven = sp_check_unevenness(now->outcome.energy, now->length), least = 0, tail = 0;
     climb->follows = !climb->astray && climb->origin == ORIGIN_RUNG;
     climb->change = absolute(now->length - climb->last);
     climb->last = now->length;
@@ -318,7 +312,8 @@ struct sp_refined sp_refine_run(struct sp_newton *newton, const struct sp_option
     if (sp_refine_take(&storage, newton, arena))
         first = is_fine ? sp_chords_given(newton) : sp_chords_first(newton, options, &storage, &error);
     int at_rest = first.outcome.status == SP_CONVERGED || first.outcome.status == SP_ILL_CONDITIONED;
-    if (!at_rest || first.outcome.energy == 0 || first.outcome.active) return sp_rung_finish(newton, &first, error);
+    if (!at_rest || first.outcome.energy == 0 || first.outcome.active)
+        return sp_rung_finish(newton, &first, larger(sp_check_unevenness(first.outcome.energy, first.length), error));
     int rungs = is_fine ? FINE_RUNGS : RUNGS, lowest = lowest_rung(LADDER, RUNGS - (is_fine ? 1 : AGAIN), newton->system.line.fold.inner);
     struct sp_system kept = sp_storage_keep(&storage, &newton->system);
     size_t used = arena->used;

@@ -29,7 +29,7 @@ struct sp_climbed sp_chords_climb(struct sp_newton *newton, const struct sp_opti
 static double check_chords(const struct sp_newton *newton, const struct sp_climbed *chords, enum sp_status *status) {
     struct sp_chord_sums sums = {0, 0};
     *status = sp_check_chords(&newton->system, newton->scale, &sums);
-    return sp_check_length_error(&newton->system.line, newton->size, chords->outcome.active, &sums);
+    return sp_check_length_error(newton, &chords->outcome, &sums);
 }
 
 /* The path on twice as many chords. */
@@ -64,6 +64,7 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
         double before = *error;
         *error = check_chords(newton, &now, &checked);
         if (checked < 0) now.outcome.status = checked;
+        if (checked > 0) *error = now.length;
         int enough = count > (now.outcome.active ? WALLED_CHORDS : SP_REFINE_CHORDS) || *error <= CHORD_ERROR * now.length;
         /* Nodes that hide from a metric do so the better the more they are. */
         int hides = line->kind->components && before > 0 && *error > before;

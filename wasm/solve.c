@@ -137,10 +137,8 @@ static void pull(const struct sp_newton *newton, int32_t is_whole, struct sp_res
 static void measure(struct sp_refined *refined, const struct sp_newton *newton, const struct sp_chord_sums *sums) {
     const struct sp_polyline *line = &newton->system.line;
     refined->length = line->kind->components ? sp_system_length(&newton->system, &line->nodes) : sums->length;
-    double uneven = refined->outcome.energy / refined->length - refined->length;
-    refined->length_error =
-        sp_check_length_error(line, newton->size, refined->outcome.active, sums) + refined->outcome.doubt * refined->length;
-    if (uneven > refined->length) uneven = refined->length; /* far from rest */
+    double uneven = sp_check_unevenness(refined->outcome.energy, refined->length);
+    refined->length_error = sp_check_length_error(newton, &refined->outcome, sums) + refined->outcome.doubt * refined->length;
     if (line->kind->components == 0 && uneven > refined->length_error) refined->length_error = uneven;
 }
 

@@ -15,12 +15,12 @@ const surfpath = await load();
 /** What the solver is asked for, and what it answers. @param {() => void} ask */
 function solvesOf(ask) {
   const { solve } = Heap.prototype;
-  /** @type {{ asked: string, algorithm: number, status: number }[]} */
+  /** @type {{ asked: string, algorithm: number, status: number, length: number }[]} */
   const solves = [];
   Heap.prototype.solve = function (surface, request, options) {
     const result = solve.call(this, surface, request, options);
     const { status, iterations, length } = result;
-    solves.push({ asked: JSON.stringify([request, options, iterations, length]), algorithm: options.algorithm, status });
+    solves.push({ asked: JSON.stringify([request, options, iterations, length]), algorithm: options.algorithm, status, length });
     return result;
   };
   try {
@@ -560,12 +560,16 @@ test('where a net leads to a path no elements are solved from chords that stall'
   surface.dispose();
 });
 
-test('a path that cannot be raised to the full height is not raised to it again', () => {
+test('a path that comes to where another one was raised from is not raised again', () => {
   const surface = surfpath.graph({ z: '30cos(3sqrt(x^2 + y^2 + 0.01))', x: [-4, 4], y: [-4, 4] });
-  const from = [-3.241481862962246, 2.6276900991797447];
-  const solves = solvesOf(() => surface.shortestPath(from, [-3.355735879391432, -3.583812093362212]));
-  const asked = solves.filter(({ algorithm, asked: text }) => algorithm === ELEMENTS && text.length > 1e5).map(({ asked: text }) => text);
-  assert.ok(asked.length > 10, `${asked.length}`);
-  assert.equal(new Set(asked).size, asked.length);
+  const [from, to] = [
+    [-2.795387864112854, -2.8528351224958897],
+    [2.99929591268301, -3.1166963800787926],
+  ];
+  const solves = solvesOf(() => assert.ok(surface.shortestPath(from, to).converged));
+  const raised = solves.filter(({ algorithm, asked, status }) => algorithm === ELEMENTS && status === 0 && asked.length > 1e5);
+  const paths = new Set(raised.map(({ length }) => length.toPrecision(8))).size;
+  /* From each of two lower heights one path is met, and the shortest is solved as it was asked for. */
+  assert.ok(paths > 5 && raised.length - paths <= 3, `${raised.length} solves of ${paths} paths`);
   surface.dispose();
 });

@@ -606,6 +606,16 @@ test('a surface so large in places that chords are rounded to more than edges ar
   surface.dispose();
 });
 
+/** Ends of a path across waves. @param {import('../../helpers/random.js').Random} random */
+const acrossWaves = (random) => [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
+
+/** The length of the path over waves along u, unrolled. @param {number} waves @param {number} slope @param {number[][]} ends @param {number} parts */
+const unrolled = (waves, slope, [from, to], parts) =>
+  Math.hypot(
+    simpson((u) => Math.hypot(1, slope * Math.cos(waves * u)), from[0], to[0], parts),
+    to[1] - from[1],
+  );
+
 describe('corrugated sheets, along which chords do not come to rest: as long as unrolled, in a few solves', () => {
   for (const [waves, slope] of [
     [40, 6],
@@ -617,15 +627,54 @@ describe('corrugated sheets, along which chords do not come to rest: as long as 
       const solve = context.mock.method(Heap.prototype, 'solve');
       const random = createRandom(waves);
       for (let i = 0; i < 3; i++) {
-        const [from, to] = [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
+        const [from, to] = acrossWaves(random);
         solve.mock.resetCalls();
         const path = sheet.shortestPath(from, to);
-        const along = simpson((u) => Math.hypot(1, slope * Math.cos(waves * u)), from[0], to[0], 100_000);
-        const unrolled = Math.hypot(along, to[1] - from[1]);
+        const length = unrolled(waves, slope, [from, to], 100_000);
         assert.equal(path.status, 'converged', `${from} to ${to}`);
-        assert.ok(Math.abs(path.length - unrolled) <= 1e-9 * unrolled, `${from} to ${to}: ${path.length}, ${unrolled}`);
+        assert.ok(Math.abs(path.length - length) <= 1e-9 * length, `${from} to ${to}: ${path.length}, ${length}`);
         assert.ok(solve.mock.callCount() < 10, `${solve.mock.callCount()} solves`);
       }
       sheet.dispose();
     });
+});
+
+describe('paths across waves that do not come to rest', () => {
+  const sheets = [
+    [20, 2],
+    [40, 3],
+    [60, 6],
+  ];
+  test('are off by no more than three times their errors, most by less than these', () => {
+    let [stalled, within] = [0, 0];
+    for (const [waves, slope] of sheets) {
+      const sheet = make({ x: 'u', y: 'v', z: `${slope / waves}*sin(${waves}*u)`, u: [-1, 1], v: [-1, 1] });
+      const random = createRandom(waves);
+      for (let i = 0; i < 20; i++) {
+        const [from, to] = acrossWaves(random);
+        const length = unrolled(waves, slope, [from, to], 20_000);
+        for (const maxIterations of [1, 3, 10, 30, 100]) {
+          const path = sheet.shortestPath(from, to, { start: 'straight', maxIterations });
+          if (path.status !== 'stalled') continue;
+          const off = Math.abs(path.length - length) / path.lengthError;
+          assert.ok(off <= 3, `${waves} ${from} to ${to}, ${maxIterations} steps: off by ${off} errors`);
+          stalled++;
+          within += Number(off <= 1);
+        }
+      }
+      sheet.dispose();
+    }
+    assert.ok(stalled > 200 && within > 0.9 * stalled, `${within} of ${stalled}`);
+  });
+
+  test('are not taken for the shortest', () => {
+    /** @type {{ kind: 'parametric', x: string, y: string, z: string, u: [number, number], v: [number, number] }} */
+    const definition = { kind: 'parametric', x: 'u', y: 'v', z: 'sin(60*u)/10+0.05*v^2', u: [-1, 1], v: [-1, 1] };
+    const ends = { from: [-0.8414071883267756, 0.3469289594082763], to: [0.6329958450202811, 0.19416372067954568] };
+    const sheet = make(definition);
+    const path = sheet.shortestPath(ends.from, ends.to, { points: 4095 });
+    assert.equal(path.status, 'converged');
+    assert.deepEqual(verifyPath(definition, path, { ...ends, lengthTolerance: 1e-3 }), []);
+    sheet.dispose();
+  });
 });
