@@ -28,7 +28,7 @@ const MEASURES = {
   grained: {
     ...PLATE,
     title: 'Turning grain (Fig. 5b)',
-    source: 'Liu, Xiao, Meng, Fig. 5b: short along a grain that turns from place to place',
+    source: 'Liu, Xiao, Meng, Fig. 5b: short along a grain that turns',
     metric: {
       E: '9*cos(u+k*v)^2+sin(u+k*v)^2',
       F: '8*sin(u+k*v)*cos(u+k*v)',

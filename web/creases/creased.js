@@ -69,10 +69,12 @@ export function findCreased(field, ends, options, start, finer = 0) {
   /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
   if (finer && ways.ways.length === 0) return null;
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
-  /* A graph that knows no way nearly as short may know none where the shortest leads. */
-  if (best && start === 'global' && !finer && ways.distance < Infinity && ways.distance > lengthOf(best.legs) * BLIND) {
+  const length = best ? lengthOf(best.legs) : Infinity;
+  /* A graph that knows no way nearly as short may know none where the shortest leads; in the rectangle a finer one may see more where it is not certain. */
+  const isBlind = ways.distance > length * BLIND || (field.domain && length > most);
+  if (best && start === 'global' && !finer && ways.distance < Infinity && isBlind) {
     const other = findCreased(field, ends, options, start, 1);
-    if (other && Math.min(other.path?.length ?? Infinity, other.most) < lengthOf(best.legs)) return other;
+    if (other && ((other.path && other.path.length <= other.most) || other.most < length)) return other;
   }
   const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
   return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };

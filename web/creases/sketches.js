@@ -4,7 +4,7 @@ import { stepBy } from '../manifold/extent.js';
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
 import { relax } from '../search/routes.js';
-import { gap, sumOf } from '../vector.js';
+import { gap } from '../vector.js';
 import { beyond, slopeOf } from './crease.js';
 import { divide } from './cut.js';
 import { nodesOf, span } from './legs.js';
@@ -27,7 +27,7 @@ const ROUNDINGS = [
   { within: 0.0025, points: 255, dearer: 0.04, shores: [0.01, 0.04, 0] },
 ];
 /** In so many parts a polyline in the rectangle is measured, at least. */
-const MEASURED = 1000;
+const MEASURED = 2000;
 /** A chord laid onto an implicit surface is straight there if its middle moves by this part of it; else it is halved, until it is this part of the length, at most so often. */
 const [FLAT, SHORT, MOST_HALVINGS] = [1e-3, 2e-4, 16];
 /** Where nothing is left of a thin wall creases are rounded so many times less, down to the second part. */
@@ -61,10 +61,15 @@ export function sketch(field, sides, ends, ways, { within, points }) {
   return [...relaxed, ...leaping.map(({ way }) => ({ line: way, length: span(way, sides.scale), isAtRest: false, isRelaxed: false }))];
 }
 
-/** How long a polyline in the rectangle is on the surface as it is; NaN: that is not known. @param {Field} field @param {Float64Array} line */
-export function measureLine({ chords }, line) {
-  const parts = Math.ceil(MEASURED / (line.length / 2 - 1));
-  return chords ? sumOf(Array.from(chords(divide(line, 2, parts)))) : Number.NaN;
+/**
+ * How long a polyline in the rectangle is on the surface as it is; NaN: that is not known. A part across a fold, which it cuts off, is shorter than both beside it, and counts as the longer of these.
+ * @param {Field} field @param {Float64Array} line
+ */
+export function measureLine({ chords, isPlain }, line) {
+  const lengths = chords?.(divide(line, 2, Math.ceil(MEASURED / (line.length / 2 - 1))));
+  const cut = (/** @type {number} */ length, /** @type {number} */ before, /** @type {number} */ after) =>
+    isPlain && length < before && length < after ? Math.max(before, after) : length;
+  return lengths ? lengths.reduce((sum, length, i) => sum + cut(length, lengths[i - 1], lengths[i + 1]), 0) : Number.NaN;
 }
 
 /**

@@ -144,6 +144,36 @@ test('a fold is as long as unfolded, there and back, in batches and near a given
   fold.dispose();
 });
 
+/** Height, waves, and how many of six paths converge. */
+const PLEATED = [
+  [1, 5, 6],
+  [0.5, 9, 6],
+  [1, 9, 6],
+  [0.1, 20, 6],
+  [0.3, 20, 5],
+];
+
+for (const [height, waves, least] of PLEATED)
+  test(`${height} abs(sin(${waves} x)), steep on both sides of up to thirteen creases: as long as unrolled, seed 3`, () => {
+    const surface = surfpath.graph({ z: `${height}*abs(sin(${waves}*x))`, x: [-1, 1], y: [-1, 1] });
+    const random = createRandom(3);
+    let converged = 0;
+    for (let i = 0; i < 6; i++) {
+      const [from, to] = [-1, 0.2].map((x) => [random.between(x, x + 0.8), random.between(-1, 1)]);
+      const path = surface.shortestPath(from, to);
+      if (!path.converged) continue;
+      converged++;
+      const inner = Array.from({ length: 2 * waves }, (_, k) => ((k - waves) * Math.PI) / waves).filter((x) => x > from[0] && x < to[0]);
+      const stops = [from[0], ...inner, to[0]];
+      const slope = (/** @type {number} */ x) => height * waves * Math.cos(waves * x);
+      const along = inner.concat(to[0]).reduce((sum, x, k) => sum + simpson((at) => Math.hypot(1, slope(at)), stops[k], x, 2000), 0);
+      const exact = Math.hypot(along, to[1] - from[1]);
+      assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+    }
+    assert.ok(converged >= least, `${converged} converged`);
+    surface.dispose();
+  });
+
 test('a density that jumps: paths are refracted by the law of Snell, or follow the jump on its cheap side, left and joined at the critical angle, seed 5', () => {
   const halves = surfpath.graph({
     z: 0,
