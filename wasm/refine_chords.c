@@ -54,6 +54,7 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
     newton->decrement = newton->enough = FIRST_DECREMENT, newton->draft = 0;
     newton->system.elements.count = line->fold.inner + 1, newton->system.elements.spread = NULL;
     struct sp_climbed now = {.outcome = {.status = see_metric(newton, storage)}};
+    double before = 0;
     while (now.outcome.status == SP_CONVERGED) {
         int32_t count = 2 * (line->fold.inner + 1);
         now.outcome = sp_newton_run(newton, options);
@@ -61,13 +62,13 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
         sp_ends_turn(&newton->system);
         now.length = sp_system_length(&newton->system, &line->nodes);
         enum sp_status checked;
-        double before = *error;
-        *error = check_chords(newton, &now, &checked);
+        double seen = check_chords(newton, &now, &checked);
         if (checked < 0) now.outcome.status = checked;
-        if (checked > 0) *error = now.length;
-        int enough = count > (now.outcome.active ? WALLED_CHORDS : SP_REFINE_CHORDS) || *error <= CHORD_ERROR * now.length;
         /* Nodes that hide from a metric do so the better the more they are. */
-        int hides = line->kind->components && before > 0 && *error > before;
+        int hides = line->kind->components && before > 0 && seen > before;
+        before = seen;
+        *error = checked > 0 ? now.length : seen;
+        int enough = count > (now.outcome.active ? WALLED_CHORDS : SP_REFINE_CHORDS) || *error <= CHORD_ERROR * now.length;
         if (now.outcome.status != SP_CONVERGED || enough || hides) break;
         now.outcome.status = double_chords(newton, storage);
     }

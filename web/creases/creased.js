@@ -71,8 +71,8 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
   const length = best ? lengthOf(best.legs) : Infinity;
   /* A graph that knows no way nearly as short may know none where the shortest leads; in the rectangle a finer one may see more where it is not certain. */
-  const isBlind = ways.distance > length * BLIND || (field.domain && length > most);
-  if (best && start === 'global' && !finer && ways.distance < Infinity && isBlind) {
+  const isOpen = ways.distance > length * BLIND || (field.domain && length > most);
+  if (best && start === 'global' && !finer && ways.distance < Infinity && isOpen) {
     const other = findCreased(field, ends, options, start, 1);
     if (other && ((other.path && other.path.length <= other.most) || other.most < length)) return other;
   }

@@ -667,6 +667,16 @@ describe('paths across waves that do not come to rest', () => {
     assert.ok(stalled > 200 && within > 0.9 * stalled, `${within} of ${stalled}`);
   });
 
+  test('under a density more chords lead on where some do not follow the surface', () => {
+    const sheet = make({ x: 'u', y: 'v', z: '3/40*sin(40*u)', u: [-1, 1], v: [-1, 1], density: '1+u^2+v^2/2' });
+    const random = createRandom(40);
+    const paths = Array.from({ length: 8 }, () => acrossWaves(random)).map(([from, to]) =>
+      sheet.shortestPath(from, to, { start: 'straight' }),
+    );
+    assert.ok(paths.filter(({ converged }) => converged).length >= 3, `${paths.map(({ status }) => status)}`);
+    sheet.dispose();
+  });
+
   test('are not taken for the shortest', () => {
     /** @type {{ kind: 'parametric', x: string, y: string, z: string, u: [number, number], v: [number, number] }} */
     const definition = { kind: 'parametric', x: 'u', y: 'v', z: 'sin(60*u)/10+0.05*v^2', u: [-1, 1], v: [-1, 1] };
