@@ -2,7 +2,7 @@
 // `node tests/accuracy/corrugated.js [pairs on a sheet]`.
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
-import { simpson } from '../helpers/simpson.js';
+import { acrossWaves, corrugated, unroll } from '../helpers/unroll.js';
 
 const pairs = Number(process.argv[2] ?? 30);
 /** Wave numbers, and slopes: of the first all paths converge. */
@@ -29,13 +29,12 @@ for (const [k, slope] of [...SOLVED, ...STEEPER]) {
   const sheet = surfpath.graph({ z: `${slope / k}*sin(${k}*x)`, x: [-1, 1], y: [-1, 1] });
   let [milliseconds, converged, most] = [0, 0, 0];
   for (let i = 0; i < pairs; i++) {
-    const [from, to] = [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
+    const [from, to] = acrossWaves(random);
     const start = performance.now();
     const path = sheet.shortestPath(from, to);
     milliseconds += performance.now() - start;
     if (!path.converged) continue;
-    const along = simpson((x) => Math.hypot(1, slope * Math.cos(k * x)), from[0], to[0], 100_000);
-    most = Math.max(most, Math.abs(path.length / Math.hypot(along, to[1] - from[1]) - 1));
+    most = Math.max(most, Math.abs(path.length / unroll(corrugated(k, slope), [from, to], 100_000) - 1));
     converged++;
   }
   sheet.dispose();

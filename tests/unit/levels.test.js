@@ -5,6 +5,7 @@ import { load } from '../../web/index.js';
 import { LevelNet } from '../../web/search/level-ways.js';
 import { makeLevels } from '../../web/search/levels.js';
 import { createRandom } from '../helpers/random.js';
+import { corrugated, unroll } from '../helpers/unroll.js';
 import { ofAll } from '../helpers/sample.js';
 
 const RANGE = { lower: [-1, -1], upper: [1, 1] };
@@ -34,21 +35,13 @@ test('ways over corrugated iron are as long as it is unrolled, to 6 %, and begin
   const place = () => [random.between(-1, 1), random.between(-1, 1)];
   const [high, waves] = [4, 9];
   const height = (/** @type {number} */ u) => high * Math.sin(waves * u);
-  const unrolled = (/** @type {number} */ from, /** @type {number} */ to) => {
-    let sum = 0;
-    for (let i = 0; i < 4096; i++) {
-      const u = from + ((i + 0.5) / 4096) * (to - from);
-      sum += ((to - from) / 4096) * Math.hypot(1, high * waves * Math.cos(waves * u));
-    }
-    return sum;
-  };
   for (let i = 0; i < ofAll(5, 16); i++) {
     const ends = [place(), place()];
     const [[u, v], [s, t]] = ends;
     const way = netOver(height, ends).find(Infinity);
     assert.ok(way, `${ends.join(' to ')}: no way`);
     assert.deepEqual([...way.slice(0, 3), ...way.slice(-3)], [u, v, height(u), s, t, height(s)]);
-    const exact = Math.hypot(unrolled(u, s), t - v);
+    const exact = unroll(corrugated(waves, high * waves), ends);
     assert.ok(Math.abs(lengthOf(way) / exact - 1) < 0.06, `${ends.join(' to ')}: ${lengthOf(way)}, not ${exact}`);
   }
 });

@@ -8,6 +8,7 @@ import { POLYLINE } from '../../helpers/options.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
 import { simpson } from '../../helpers/simpson.js';
+import { acrossWaves, corrugated, unroll } from '../../helpers/unroll.js';
 import { verifyPath } from '../../helpers/verify-path.js';
 
 /** @typedef {import('../../../web/index.js').Path} Path */
@@ -606,16 +607,6 @@ test('a surface so large in places that chords are rounded to more than edges ar
   surface.dispose();
 });
 
-/** Ends of a path across waves. @param {import('../../helpers/random.js').Random} random */
-const acrossWaves = (random) => [-1, 0.6].map((u) => [random.between(u, u + 0.4), random.between(-1, 1)]);
-
-/** The length of the path over waves along u, unrolled. @param {number} waves @param {number} slope @param {number[][]} ends @param {number} parts */
-const unrolled = (waves, slope, [from, to], parts) =>
-  Math.hypot(
-    simpson((u) => Math.hypot(1, slope * Math.cos(waves * u)), from[0], to[0], parts),
-    to[1] - from[1],
-  );
-
 describe('corrugated sheets, along which chords do not come to rest: as long as unrolled, in a few solves', () => {
   for (const [waves, slope] of [
     [40, 6],
@@ -630,7 +621,7 @@ describe('corrugated sheets, along which chords do not come to rest: as long as 
         const [from, to] = acrossWaves(random);
         solve.mock.resetCalls();
         const path = sheet.shortestPath(from, to);
-        const length = unrolled(waves, slope, [from, to], 100_000);
+        const length = unroll(corrugated(waves, slope), [from, to], 100_000);
         assert.equal(path.status, 'converged', `${from} to ${to}`);
         assert.ok(Math.abs(path.length - length) <= 1e-9 * length, `${from} to ${to}: ${path.length}, ${length}`);
         assert.ok(solve.mock.callCount() < 10, `${solve.mock.callCount()} solves`);
@@ -652,7 +643,7 @@ describe('paths across waves that do not come to rest', () => {
       const random = createRandom(waves);
       for (let i = 0; i < 20; i++) {
         const [from, to] = acrossWaves(random);
-        const length = unrolled(waves, slope, [from, to], 20_000);
+        const length = unroll(corrugated(waves, slope), [from, to], 20_000);
         for (const maxIterations of [1, 3, 10, 30, 100]) {
           const path = sheet.shortestPath(from, to, { start: 'straight', maxIterations });
           if (path.status !== 'stalled') continue;
