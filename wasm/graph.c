@@ -42,6 +42,7 @@ int32_t sp_graph_build(const struct sp_surface *surface, const struct sp_graph_o
     }
     int32_t status = surface->kind == SP_IMPLICIT ? sp_graph_build_implicit(&builder) : sp_graph_build_parametric(&builder);
     if (!is_finite(graph->stretch)) graph->stretch = 0;
+    graph->step *= 2.0 / graph->edge_count;
     graph->resolved = status == SP_CONVERGED && graph->vertex_count > FIRST_CELLS && sp_builder_resolves(&builder);
     return status;
 }
@@ -67,6 +68,7 @@ int sp_builder_take(struct sp_builder *builder) {
 }
 
 void sp_builder_begin(struct sp_builder *builder) {
+    builder->graph->step = 0;
     builder->graph->first[0] = builder->graph->edge_count = builder->bent = builder->waiting = builder->spare = 0;
     memset(builder->waits, 0, (size_t)builder->graph->vertex_count * sizeof(int32_t));
 }
@@ -111,6 +113,7 @@ int sp_builder_join(struct sp_builder *builder, int32_t vertex, int32_t to, doub
     builder->bent += 2 * !(absolute(length - chord) <= BENT * chord);
     note_stretch(builder, vertex, to, length);
     graph->edges[graph->edge_count++] = (struct sp_graph_edge){to, (float)length};
+    graph->step += length;
     graph->first[vertex + 1] = graph->edge_count;
     int32_t i = builder->spare;
     if (i)

@@ -52,6 +52,7 @@ struct sp_graph {
                          cells that share a sheet are not joined */
     double form[3];   /* parametric: e, f, g of the surface, on an average over the vertices at which they are finite */
     double stretch;   /* no edge is shorter than its chord times this: 1 in space, 0 where samples have no positions */
+    double step;      /* mean length of the edges */
 };
 
 /* What a search found. */

@@ -121,7 +121,7 @@ static void measure(struct field *field) {
 }
 
 double sp_graph_field_bytes(const struct sp_graph *graph, int32_t count) {
-    double front = sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t), bytes = graph->vertex_count * front + 16 * 16;
+    double bytes = graph->vertex_count * (double)SP_FRONT_BYTES + 16 * 16;
     /* At most as many buckets as vertices. */
     if (graph->kind == SP_IMPLICIT)
         bytes += graph->vertex_count * (double)(sizeof(struct sp_reached) + 3 * sizeof(int32_t)) + count * (double)sizeof(int32_t);

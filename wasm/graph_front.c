@@ -1,62 +1,46 @@
-/* Dijkstra's algorithm, or A*, with a heap of four children a parent that knows where each vertex is. */
+/* Distances through a graph: Dijkstra's algorithm, or A*, but that vertices whose keys are within the length of an edge of the least are
+ * visited in any order. Hardly any is visited twice, and a heap takes as long as the edges. MATH.md, "The globally shortest path". */
 #include "graph_search.h"
 #include "scalar.h"
 
-/* In place of a slot: visited, and not to be visited again. Keys fall along no way but by rounding, which may be more than edges are long
- * where a surface is large beside them: led by that, a search would come back for ever. */
-enum { CLOSED = -2 };
-
-/* Half as many levels as with two: 1 to 5 % of a query; eight are slower. */
-enum { CHILDREN = 4 };
+/* Keys are no greater; that of a vertex which does not wait to be visited is infinite. */
+static const double GREATEST = 1e308;
 
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena) {
     size_t vertices = (size_t)graph->vertex_count;
-    *front = (struct sp_front){.graph = graph, .farthest = __builtin_inf(), .flat = -2};
-    front->distance = sp_arena_take(arena, vertices, sizeof(double));
-    front->before = sp_arena_take(arena, vertices, sizeof(int32_t));
-    front->heap = sp_arena_take(arena, vertices, sizeof(struct sp_queued));
-    front->slot = sp_arena_take(arena, vertices, sizeof(int32_t));
-    if (!front->distance || !front->before || !front->heap || !front->slot) return 0;
+    *front = (struct sp_front){.graph = graph, .bound = -1, .least = __builtin_inf(), .farthest = __builtin_inf(), .flat = -2};
+    front->distance = sp_arena_take(arena, vertices, SP_FRONT_BYTES);
+    if (!front->distance) return 0;
+    front->key = front->distance + vertices;
+    front->before = (int32_t *)(front->key + vertices);
+    front->near = front->before + vertices;
+    front->far = front->near + vertices;
     for (size_t i = 0; i < vertices; i++)
-        front->distance[i] = __builtin_inf(), front->before[i] = -1, front->slot[i] = -1;
+        front->distance[i] = front->key[i] = __builtin_inf(), front->before[i] = -1;
     return 1;
 }
 
-static void put(struct sp_front *front, int32_t slot, struct sp_queued queued) {
-    front->heap[slot] = queued;
-    front->slot[queued.vertex] = slot;
-}
-
-static void rise(struct sp_front *front, int32_t slot, struct sp_queued queued) {
-    while (slot > 0) {
-        int32_t parent = (slot - 1) / CHILDREN;
-        if (front->heap[parent].key <= queued.key) break;
-        put(front, slot, front->heap[parent]);
-        slot = parent;
-    }
-    put(front, slot, queued);
-}
-
-static void sink(struct sp_front *front, int32_t slot, struct sp_queued queued) {
-    for (;;) {
-        int32_t child = CHILDREN * slot + 1, end = child + CHILDREN < front->count ? child + CHILDREN : front->count;
-        if (child >= end) break;
-        for (int32_t i = child + 1; i < end; i++)
-            if (front->heap[i].key < front->heap[child].key) child = i;
-        if (queued.key <= front->heap[child].key) break;
-        put(front, slot, front->heap[child]);
-        slot = child;
-    }
-    put(front, slot, queued);
+/* To the end of the near ones, whose array goes around; a vertex is once in it. */
+static void come_near(struct sp_front *front, int32_t vertex) {
+    int32_t end = front->head + front->near_count++, size = front->graph->vertex_count;
+    front->near[end < size ? end : end - size] = vertex;
 }
 
 void sp_front_offer(struct sp_front *front, int32_t vertex, int32_t before, double distance) {
-    if (!(distance < front->distance[vertex]) || front->slot[vertex] == CLOSED) return;
+    if (!(distance < front->distance[vertex])) return;
+    const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
+    double key = front->target ? distance + front->stretch * distance_between(sample, front->target) : distance,
+           waited = front->key[vertex];
     front->distance[vertex] = distance;
     front->before[vertex] = before;
-    const double *sample = front->graph->samples + (size_t)front->graph->width * (size_t)vertex;
-    struct sp_queued queued = {front->target ? distance + front->stretch * distance_between(sample, front->target) : distance, vertex};
-    rise(front, front->slot[vertex] < 0 ? front->count++ : front->slot[vertex], queued);
+    front->key[vertex] = key < GREATEST ? key : GREATEST;
+    if (waited <= front->bound) return;
+    if (key <= front->bound) {
+        come_near(front, vertex);
+        return;
+    }
+    if (key < front->least) front->least = key;
+    if (waited > GREATEST) front->far[front->far_count++] = vertex;
 }
 
 /* Whether the surface bends too much from one vertex to another. */
@@ -69,24 +53,55 @@ static int bends(const struct sp_front *front, int32_t from, int32_t to) {
     return cosine < front->flat;
 }
 
-void sp_front_advance(struct sp_front *front, double limit) {
-    const struct sp_graph *graph = front->graph;
+/* The first of some edges by which a vertex is nearer than it was known to be. A loop of its own, without calls, keeps all in registers. */
+static const struct sp_graph_edge *find_shorter(const struct sp_front *front, const struct sp_graph_edge *edge,
+                                                const struct sp_graph_edge *end, double so_far) {
     const double *distances = front->distance, *other = front->other, most = front->most, farthest = front->farthest;
-    while (front->count > 0 && front->heap[0].key < limit) {
-        int32_t vertex = front->heap[0].vertex;
-        struct sp_queued last = front->heap[--front->count];
-        front->slot[vertex] = front->target ? CLOSED : -1;
-        if (front->count > 0) sink(front, 0, last);
-        double so_far = distances[vertex];
-        /* Most edges lead to no shorter way: asked before the call. */
-        for (const struct sp_graph_edge *edge = graph->edges + graph->first[vertex], *end = graph->edges + graph->first[vertex + 1];
-             edge < end; edge++) {
-            double distance = so_far + (double)edge->length;
-            if (!(distance < distances[edge->to]) || distance >= farthest || (other && other[edge->to] + distance > most) ||
-                bends(front, vertex, edge->to))
-                continue;
-            sp_front_offer(front, edge->to, vertex, distance);
+    for (; edge < end; edge++) {
+        double distance = so_far + (double)edge->length;
+        if ((distance < distances[edge->to]) & (distance < farthest) && !(other && other[edge->to] + distance > most)) break;
+    }
+    return edge;
+}
+
+static void visit(struct sp_front *front, int32_t vertex) {
+    const struct sp_graph *graph = front->graph;
+    const struct sp_graph_edge *edge = graph->edges + graph->first[vertex], *end = graph->edges + graph->first[vertex + 1];
+    double so_far = front->distance[vertex];
+    for (; (edge = find_shorter(front, edge, end, so_far)) < end; edge++)
+        if (!bends(front, vertex, edge->to)) sp_front_offer(front, edge->to, vertex, so_far + (double)edge->length);
+}
+
+/* Those of the far ones that are not beyond a bound come near, and those that came near by a shorter way are dropped. */
+static void divide(struct sp_front *front, double bound) {
+    int32_t count = 0;
+    front->bound = bound;
+    front->least = __builtin_inf();
+    for (int32_t i = 0; i < front->far_count; i++) {
+        int32_t vertex = front->far[i];
+        double key = front->key[vertex];
+        if (key <= bound) {
+            come_near(front, vertex);
+        } else if (key <= GREATEST) {
+            front->far[count++] = vertex;
+            front->least = key < front->least ? key : front->least;
         }
+    }
+    front->far_count = count;
+}
+
+void sp_front_advance(struct sp_front *front, double limit) {
+    for (;;) {
+        while (front->near_count > 0) {
+            int32_t vertex = front->near[front->head];
+            front->near_count--;
+            if (++front->head == front->graph->vertex_count) front->head = 0;
+            front->key[vertex] = __builtin_inf();
+            visit(front, vertex);
+        }
+        if (!(front->least < limit)) break;
+        double until = front->least + front->graph->step;
+        divide(front, until < limit ? until : limit);
     }
 }
 

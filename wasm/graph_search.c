@@ -22,6 +22,7 @@ struct search {
     const double *ends[2];
     struct sp_attachment attached[2];
     struct sp_front front[2], taken;              /* distances from the ends, and from the ways already found */
+    int32_t *listed, *listed_end;                 /* vertices that ways of interest lead over */
     int32_t *vertices;                            /* those of one way */
     double longest, best, target[SP_GRAPH_WIDTH]; /* ways of interest, in units of the best; its length; sample at the second end */
 };
@@ -33,10 +34,18 @@ static enum sp_status attach(struct search *search) {
     return status;
 }
 
-/* Leaves the vertices that no way of interest leads over out of the distances from ways: as near as can be, they are never offered. */
+/* Lists the vertices that ways of interest lead over, and leaves the others out of the distances from ways: as near as can be, they are
+ * never offered. */
 static void leave_out(struct search *search, double most) {
-    for (int32_t i = 0; i < search->graph->vertex_count; i++)
-        if (!(search->front[0].distance[i] + search->front[1].distance[i] <= most)) search->taken.distance[i] = -__builtin_inf();
+    int32_t *listed = search->listed;
+    for (int32_t i = 0; i < search->graph->vertex_count; i++) {
+        *listed = i;
+        if (search->front[0].distance[i] + search->front[1].distance[i] <= most)
+            listed++;
+        else
+            search->taken.distance[i] = -__builtin_inf();
+    }
+    search->listed_end = listed;
 }
 
 /* No way to the second end is shorter than its chord times this: neither edges are, nor what joins the end to them. */
@@ -61,16 +70,14 @@ static enum sp_status measure(struct search *search) {
     for (int end = 0; end < 2; end++)
         for (int32_t i = 0; i < search->attached[end].count; i++)
             sp_front_offer(front + end, search->attached[end].vertex[i], -1, search->attached[end].length[i]);
-    double limit = 0;
-    for (;;) {
+    for (double limit = 0;;) {
         search->best = sp_front_reach(front, search->attached + 1);
-        int all = front->count == 0; /* is visited: then the end may be the farthest of it */
-        if (search->best <= limit || (all && search->best < __builtin_inf())) break;
-        if (all) return SP_DISCONNECTED;
-        double nearest = front->heap[0].key;
-        limit = GROWTH * (limit > nearest ? limit : nearest) + 1e-300;
+        if (search->best <= limit || !(front->least < __builtin_inf())) break;
+        limit = GROWTH * (limit > front->least ? limit : front->least) + 1e-300;
         sp_front_advance(front, limit);
     }
+    /* Where all is visited the end may be the farthest of it. */
+    if (!(search->best < __builtin_inf())) return SP_DISCONNECTED;
     double most = (search->longest + ROUNDING) * search->best;
     front[0].farthest = front[1].farthest = search->longest * search->best;
     front[1].other = front[0].distance, front[1].most = most;
@@ -84,10 +91,10 @@ static enum sp_status measure(struct search *search) {
 static int32_t best_via(const struct search *search, double apart) {
     double least = search->longest * search->best;
     int32_t best = -1;
-    for (int32_t i = 0; i < search->graph->vertex_count; i++) {
-        double length = search->front[0].distance[i] + search->front[1].distance[i];
-        if (!(length < least) || search->taken.distance[i] < apart * search->best) continue;
-        least = length, best = i;
+    for (const int32_t *listed = search->listed; listed < search->listed_end; listed++) {
+        double length = search->front[0].distance[*listed] + search->front[1].distance[*listed];
+        if (!(length < least) || search->taken.distance[*listed] < apart * search->best) continue;
+        least = length, best = *listed;
     }
     return best;
 }
@@ -108,10 +115,10 @@ static int32_t trace(const struct search *search, int32_t via) {
 static void part_at_edges(struct search *search) {
     struct sp_front *taken = &search->taken;
     taken->flat = FLAT;
-    for (int32_t i = 0; i < search->graph->vertex_count; i++) {
-        double distance = taken->distance[i];
-        if (distance >= 0) taken->distance[i] = __builtin_inf();
-        if (distance == 0) sp_front_offer(taken, i, -1, 0);
+    for (const int32_t *listed = search->listed; listed < search->listed_end; listed++) {
+        double distance = taken->distance[*listed];
+        taken->distance[*listed] = __builtin_inf();
+        if (distance == 0) sp_front_offer(taken, *listed, -1, 0);
     }
     sp_front_advance(taken, taken->farthest);
 }
@@ -141,9 +148,9 @@ static enum sp_status find_ways(struct search *search, struct sp_arena *arena, s
 static int32_t clamped_points(int32_t point_count) { return clamp(point_count, 3, SP_GRAPH_MAX_POINTS); }
 
 double sp_graph_search_bytes(const struct sp_graph *graph, int32_t point_count) {
-    double front = graph->vertex_count * (double)(sizeof(double) + sizeof(struct sp_queued) + 2 * sizeof(int32_t)) + 4 * 16;
+    double front = graph->vertex_count * (double)SP_FRONT_BYTES + 16;
     double answer = SP_GRAPH_MAX_CANDIDATES * 3.0 * clamped_points(point_count) * sizeof(double) + 16;
-    return 3 * front + 2.0 * graph->vertex_count * sizeof(int32_t) + 16 + answer + sp_way_bytes(graph);
+    return 3 * front + 3.0 * graph->vertex_count * sizeof(int32_t) + 16 + answer + sp_way_bytes(graph);
 }
 
 int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph *graph, const double ends[6], int32_t point_count,
@@ -155,8 +162,9 @@ int32_t sp_graph_search(const struct sp_surface *surface, const struct sp_graph 
     arena->used = 0;
     *answer = (struct sp_graph_answer){.distance = not_a_number(), .point_count = clamped_points(point_count)};
     answer->places = sp_arena_take(arena, places, (graph->kind == SP_IMPLICIT ? 3 : 2) * sizeof(double));
-    search.vertices = sp_arena_take(arena, 2 * (size_t)graph->vertex_count, sizeof(int32_t));
-    int fits = answer->places && search.vertices;
+    search.listed = sp_arena_take(arena, 3 * (size_t)graph->vertex_count, sizeof(int32_t));
+    search.vertices = search.listed + graph->vertex_count;
+    int fits = answer->places && search.listed;
     for (int end = 0; end < 2; end++)
         fits = fits && sp_front_take(search.front + end, graph, arena);
     if (!fits || !sp_front_take(&search.taken, graph, arena)) return SP_OUT_OF_MEMORY;

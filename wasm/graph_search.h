@@ -1,4 +1,4 @@
-/* Dijkstra's algorithm on a graph, or A*, resumable, and the ways it finds. */
+/* Distances through a graph, as of Dijkstra's algorithm or A*, resumable, and the ways they tell of. */
 #ifndef SURFPATH_GRAPH_SEARCH_H
 #define SURFPATH_GRAPH_SEARCH_H
 
@@ -35,20 +35,16 @@ static const double SP_ATTACHED_NEAR = 1.5;
 /* The length of the surface between two places that are so near that one could be attached to the other; else infinite. */
 double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to);
 
-/* A vertex still to be visited; no way to the target over it is shorter than its key. */
-struct sp_queued {
-    double key;
-    int32_t vertex;
-};
-
 /* Distances from some seeds, settled as far as the search has gone. */
 struct sp_front {
     const struct sp_graph *graph;
-    double *distance;       /* infinite: not reached */
-    int32_t *before;        /* the vertex before this one; -1: a seed */
-    struct sp_queued *heap; /* least key first */
-    int32_t *slot;          /* where a vertex is in the heap; -1: not in it */
-    int32_t count;
+    double *distance; /* infinite: not reached */
+    int32_t *before;  /* the vertex before this one; -1: a seed */
+    double *key;      /* of a vertex to be visited: no way to the target over it is shorter */
+    int32_t *near;    /* those to be visited next, near_count from `head` on, around the end: their keys are at most `bound` */
+    int32_t *far;     /* the others, far_count, with some that have come near since */
+    int32_t near_count, far_count, head;
+    double bound, least; /* no key of the far ones is less than `least` */
     /* The sample to which ways lead, where none is shorter than its chord times `stretch`: a key is the distance and so much from there
      * (A*). NULL: the distance alone. */
     const double *target;
@@ -58,6 +54,9 @@ struct sp_front {
     double most, farthest; /* nor are those that are as far as `farthest` */
     double flat;           /* implicit: edges lead nowhere between whose normals the cosine is less */
 };
+
+/* Bytes a vertex. */
+enum { SP_FRONT_BYTES = 2 * sizeof(double) + 3 * sizeof(int32_t) };
 
 /* Takes the arrays, nothing reached. Returns 0 if the arena is full. */
 int sp_front_take(struct sp_front *front, const struct sp_graph *graph, struct sp_arena *arena);

@@ -247,7 +247,7 @@ SP_AT(sp_graph_options, resolution, 56);
 SP_AT(sp_graph_options, loose, 60);
 SP_AT(sp_graph_options, reach, 64);
 SP_AT(sp_graph_options, level, 72);
-SP_SIZE(sp_graph, 128);
+SP_SIZE(sp_graph, 136);
 SP_AT(sp_graph, spacing, 0);
 SP_AT(sp_graph, vertex_count, 36);
 SP_AT(sp_graph, unique, 44);

@@ -264,7 +264,7 @@ export class Heap extends Memory {
     const lengths = base + 8 * places.length;
     this.writeDoubles(base, places);
     this.writePoint(this.#request, from);
-    this.words(this.#request + layout.sp_field_request_places, 3).set([base, lengths, count]);
+    this.writeWords(this.#request + layout.sp_field_request_places, base, lengths, count);
     const status = this.exports.sp_graph_field(surface, graph.at, this.#request, this.openArena(own));
     return { status, lengths: this.copyDoubles(lengths, count) };
   }

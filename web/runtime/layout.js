@@ -100,7 +100,7 @@ export const sp_graph_options_loose = 60;
 export const sp_graph_options_reach = 64;
 export const sp_graph_options_level = 72;
 
-export const sp_graph_bytes = 128;
+export const sp_graph_bytes = 136;
 export const sp_graph_spacing = 0;
 export const sp_graph_vertex_count = 36;
 export const sp_graph_unique = 44;
