@@ -51,11 +51,14 @@ build/coverage/core.so: $(WASM:%.c=build/coverage/native/%.o)
 build/coverage/%_test: tests/native/%_test.c $(NATIVE_SHARED) $(WASM:%.c=build/coverage/native/%.o)
 	@clang -std=c17 -ffp-contract=off -fno-math-errno -Iwasm -O1 -fprofile-instr-generate $^ -lm -o $@
 
+# But for tests of what was built, and of how much memory it takes, which counters are a part of.
+COUNTED := find tests/unit -name '*.test.js' ! -name build.test.js ! -name memory-limits.test.js
+
 coverage: all build/native/core.o build/coverage/surfpath.wasm build/coverage/core.so $(COVERAGE_TESTS) ## branches of the C and lines of the JavaScript that the tests run; 95 % of each are wanted
 	@rm -rf build/coverage/counters build/coverage/v8 build/coverage/*.prof*
 	@for test in $(COVERAGE_TESTS); do LLVM_PROFILE_FILE=$$test.profraw $$test tests/data >/dev/null || exit 1; done
 	@NODE_OPTIONS=--import=$(CURDIR)/tests/coverage/preload.js NODE_V8_COVERAGE=build/coverage/v8 \
-	    node --test --test-reporter=dot --test-timeout=300000 $$(find tests/unit -name '*.test.js' | sort)
+	    node --test --test-reporter=dot --test-timeout=300000 $$($(COUNTED) | sort)
 	@NODE_OPTIONS=--import=$(CURDIR)/tests/coverage/pages.js \
 	    node --test --test-reporter=dot --test-timeout=300000 --test-concurrency=1 tests/browser/element.test.js tests/browser/three.test.js
 	@node tests/coverage/merge.js build/coverage/counters >build/coverage/wasm.proftext
