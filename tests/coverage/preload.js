@@ -32,8 +32,12 @@ WebAssembly.Instance = new Proxy(Instance, {
   // A test may make a class of it, which hides some of the exports.
   construct(target, given, made) {
     const instance = Reflect.construct(target, given, made);
-    const exports = Reflect.get(target.prototype, 'exports', instance);
-    if (typeof exports.coverage_functions === 'function') remember(exports);
+    const exports = /** @type {any} */ (Reflect.get(target.prototype, 'exports', instance));
+    if (typeof exports.coverage_functions === 'function') {
+      /* Functions tell the counters of themselves; the module without counters has nothing to begin with. */
+      exports._initialize();
+      remember(exports);
+    }
     return instance;
   },
 });
