@@ -59,7 +59,7 @@ static const struct sp_graph_edge *find_shorter(const struct sp_front *front, co
     const double *distances = front->distance, *other = front->other, most = front->most, farthest = front->farthest;
     for (; edge < end; edge++) {
         double distance = so_far + (double)edge->length;
-        if ((distance < distances[edge->to]) & (distance < farthest) && !(other && other[edge->to] + distance > most)) break;
+        if ((distance < farthest) & (distance < distances[edge->to]) && !(other && other[edge->to] + distance > most)) break;
     }
     return edge;
 }

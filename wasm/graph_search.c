@@ -115,6 +115,7 @@ static int32_t trace(const struct search *search, int32_t via) {
 static void part_at_edges(struct search *search) {
     struct sp_front *taken = &search->taken;
     taken->flat = FLAT;
+    taken->far_count = 0; /* none waits */
     for (const int32_t *listed = search->listed; listed < search->listed_end; listed++) {
         double distance = taken->distance[*listed];
         taken->distance[*listed] = __builtin_inf();
