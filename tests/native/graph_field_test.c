@@ -1,7 +1,9 @@
-/* Distances from one point to many through a graph: against closed forms in space and in a metric, unreachable places, memory; and the
- * curvature of a metric, by which geodesics are known to be unique. */
+/* Distances from one point to many through a graph: against closed forms in space and in a metric, and in what order they are found;
+ * unreachable places, memory; and the curvature of a metric, by which geodesics are known to be unique. */
 #include "graph_field.h"
+#include "graph_search.h"
 #include "metric.h"
+#include "scalar.h"
 #include "surfaces.h"
 #include "testing.h"
 
@@ -103,9 +105,60 @@ static void check_unique(void) {
     free(arena.base);
 }
 
+/* As long as some edge leads to a shorter way it is taken: what Dijkstra's algorithm, and any order of visits, must come to, to the bit. */
+static void relax(const struct sp_graph *graph, double *distance) {
+    for (int changed = 1; changed;) {
+        changed = 0;
+        for (int32_t i = 0; i < graph->vertex_count; i++)
+            for (int32_t k = graph->first[i]; k < graph->first[i + 1]; k++) {
+                double by = distance[i] + (double)graph->edges[k].length;
+                if (by < distance[graph->edges[k].to]) distance[graph->edges[k].to] = by, changed = 1;
+            }
+    }
+}
+
+/* A search in stages: at the end of each all that is nearer than its limit is known exactly, whatever waits beyond, and nothing known as
+ * nearer than it is. With a target the keys are those of A*. More seeds may come when all was visited. */
+static void check_order(const struct sp_surface *surface, const struct sp_graph_options *options, int led) {
+    struct sp_arena build = allocate_arena(4 * sp_graph_build_bytes(surface->kind, options));
+    struct sp_graph graph;
+    struct sp_front front;
+    CHECK(sp_graph_build(surface, options, &build, &graph) == SP_CONVERGED, "the graph");
+    struct sp_arena arena = allocate_arena(graph.vertex_count * (double)SP_FRONT_BYTES + 16);
+    CHECK(sp_front_take(&front, &graph, &arena), "room for a front");
+    double *exact = malloc((size_t)graph.vertex_count * sizeof(double));
+    for (int32_t i = 0; i < graph.vertex_count; i++)
+        exact[i] = (double)INFINITY;
+    if (led) front.target = graph.samples + (size_t)graph.width * (size_t)(graph.vertex_count / 3), front.stretch = 0.5 * graph.stretch;
+    for (int32_t seed = 0; seed < graph.vertex_count; seed += graph.vertex_count / 2) {
+        sp_front_offer(&front, seed, -1, 0);
+        exact[seed] = 0;
+        relax(&graph, exact);
+        for (double limit = graph.step; front.least < (double)INFINITY || front.near_count; limit *= 2) {
+            int32_t wrong = 0;
+            sp_front_advance(&front, limit);
+            for (int32_t i = 0; i < graph.vertex_count; i++) {
+                double key = exact[i], known = front.distance[i];
+                if (front.target) key += front.stretch * distance_between(graph.samples + (size_t)graph.width * (size_t)i, front.target);
+                wrong += known < exact[i] || (key < limit * (1 - 1e-12) && known > exact[i]);
+            }
+            CHECK(wrong == 0, "%d distances below %g, seed %d", wrong, limit, seed);
+            CHECK(front.far_count <= graph.vertex_count, "%d wait", front.far_count);
+        }
+        for (int32_t i = 0; i < graph.vertex_count; i++)
+            CHECK(!(front.distance[i] != exact[i]), "vertex %d: %g, not %g", i, front.distance[i], exact[i]);
+    }
+    free(exact);
+    free(arena.base);
+    free(build.base);
+}
+
 int main(void) {
     check_curvature();
     check_unique();
+    check_order(&half_plane, &half_plane_box, 0);
+    check_order(&heavy_sphere, &sphere_box, 0);
+    check_order(&heavy_sphere, &sphere_box, 1);
     check_field(&half_plane, &half_plane_box, half_plane_distance, half_plane_place, 2);
     check_field(&heavy_sphere, &sphere_box, heavy_distance, sphere_place, 3);
     return checks_failed();
