@@ -204,8 +204,9 @@ BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--ext
 SHORTER = --module --ecma 2022 --compress passes=3,inline=1,unsafe_arrows --mangle
 SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@
 
-# Properties with names as isPlain are of no object that a caller, a worker or another entry gets: their names get short.
-dist/index.js dist/slim.js: SHORTER += --mangle-props regex=/^is[A-Z]/
+# Properties with these names, or names as isPlain, are of no object that a caller, a worker or another entry gets: their names get short.
+INNER = signs|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena
+dist/index.js dist/slim.js dist/worker.js: SHORTER += --mangle-props 'regex=/^(is[A-Z].*|$(INNER))$$/'
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'
@@ -244,7 +245,7 @@ build/site/main.js: $(shell find demo -type f) dist/wasm.js $(WEB) Makefile $(NP
 	@rm -rf $(@D)
 	@mkdir -p $(@D)
 	@$(BIN)/esbuild demo/main.js demo/worker.js demo/style.css --bundle --splitting --minify --format=esm --target=es2022 \
-	    --alias:surfpath=./web/index.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' --log-level=warning --outdir=$(@D)
+	    --alias:surfpath=./web/index.js --alias:surfpath/gallery=./web/gallery.js --alias:surfpath/three=./web/view/three.js '--external:node:*' '--mangle-props=^($(INNER))$$' --log-level=warning --outdir=$(@D)
 	@cd $(@D) && largest=$$(ls -S *.js | head -1) && ls *.js | grep -v $$largest | xargs -P2 -I{} $(CURDIR)/$(BIN)/terser {} $(SHORTER) --output {} && \
 	    $(CURDIR)/$(BIN)/terser $$largest --module --ecma 2022 --compress passes=2,pure_getters --mangle --output $$largest
 	@sed 's/^ *//' demo/index.html >$(@D)/index.html

@@ -15,6 +15,9 @@ export function unit(a) {
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
+/** The product of two lists, of any length; what counts nothing may be infinite. @param {number[]} weights @param {ArrayLike<number>} b */
+export const product = (weights, b) => weights.reduce((sum, x, j) => (x === 0 ? sum : sum + x * b[j]), 0);
+
 /** The difference of two lists, of any length. @param {readonly number[]} a @param {readonly number[]} b */
 export const minus = (a, b) => a.map((x, k) => x - b[k]);
 

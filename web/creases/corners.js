@@ -1,11 +1,11 @@
 /** Corners, where creases meet: one past which all ways are longer holds a path, as a nail holds a string. MATH.md, "Corners". */
 
-import { largest } from '../vector.js';
+import { largest, product } from '../vector.js';
 import { directions, meet, ROUNDING, slopeOf } from './crease.js';
 import { Survey } from './cut.js';
 import { ALIKE, isBeyond, turnBetween } from './fan.js';
 import { isInside, span } from './legs.js';
-import { apart, product, sizeBy, steepnessBy } from './linear.js';
+import { apart, sizeBy, steepnessBy } from './linear.js';
 
 /** @typedef {import('./legs.js').Leg} Leg */
 /** @typedef {import('./legs.js').Question} Question */

@@ -1,7 +1,7 @@
 /** Places on a crease, and ways along it. Knows sides, nothing of paths. */
 
-import { cross, largest, minus } from '../vector.js';
-import { ahead, apart, inner, product, sizeBy, solveLinear } from './linear.js';
+import { cross, largest, minus, product } from '../vector.js';
+import { ahead, apart, inner, sizeBy, solveLinear } from './linear.js';
 import { isSame } from './same.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
@@ -36,9 +36,12 @@ const NOWHERE = new Array(4).fill(Number.NaN);
 export function settle(sides, on, place) {
   const at = approach(sides, place, (there) => [vanishing(sides, on, there), ...implicit(sides, on, there)]);
   if (at.length > 2) return at;
-  const steep = [on.signs, beyond(on.signs, on.crease)].find((signs) => sides.on(signs)?.jets(at)[0].every(Number.isFinite) === false);
-  return steep ? ahead(at, directions(sides, on, at).across, steep[on.crease] * ROUNDED * largest(at)) : at;
+  const steep = [on.signs, beyond(on.signs, on.crease)].filter((signs) => isSteep(sides, signs, at));
+  return steep.length === 1 ? ahead(at, directions(sides, on, at).across, steep[0][on.crease] * ROUNDED * largest(at)) : at;
 }
+
+/** Whether a side has no derivatives at a place: a slope is infinite there. @param {Sides} sides @param {number[]} signs @param {number[]} place */
+export const isSteep = (sides, signs, place) => sides.on(signs)?.jets(place)[0].every(Number.isFinite) === false;
 
 /**
  * Whether sides are in different places in space, or not where this place is: what leads over a step, or from sheet to sheet, is no path.

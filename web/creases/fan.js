@@ -1,8 +1,7 @@
 /** What lies around a corner: sectors of its sides, one after the other, how far they turn, and whether ways through them are longer than through the corner. Angles are kept as tangents and unit vectors: no function of an engine is called. */
 
-import { cross, largest } from '../vector.js';
+import { cross, largest, product } from '../vector.js';
 import { slopeOf } from './crease.js';
-import { product } from './linear.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ place: number[], creases: number[] }} Corner creases: that meet there */

@@ -4,8 +4,8 @@ import { holdsPoint } from '../manifold/domain.js';
 import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { listOf, sumOf } from '../vector.js';
-import { product, scaled } from './linear.js';
+import { listOf, product, sumOf } from '../vector.js';
+import { scaled } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */

@@ -1,9 +1,6 @@
 /** Lists of numbers as vectors of any length, and small systems of linear equations. */
 
-import { minus } from '../vector.js';
-
-/** @param {number[]} a @param {number[]} b */
-export const product = (a, b) => a.reduce((sum, x, j) => sum + x * b[j], 0);
+import { minus, product } from '../vector.js';
 
 /** The product of two vectors whose coordinates count by a scale. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
 export const inner = (a, b, scale) => a.reduce((sum, x, j) => sum + x * b[j] * scale[j] * scale[j], 0);

@@ -1,10 +1,9 @@
 /** Where a geodesic on one side first comes to a crease. */
 
 import { CONVERGED } from '../runtime/status.js';
-import { largest } from '../vector.js';
+import { largest, product } from '../vector.js';
 import { beyond, ROUNDING, slopeOf } from './crease.js';
 import { nodesOf } from './legs.js';
-import { product } from './linear.js';
 import { differ, isSame } from './same.js';
 import { traceOn } from './tangent.js';
 

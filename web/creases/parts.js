@@ -1,10 +1,10 @@
 /** What a path across creases is put together from: legs where they stay on their sides, shores where they bulge, corners between them. MATH.md, "Shores". */
 
-import { listOf, sumOf } from '../vector.js';
-import { bothWays, meetEdge, settle, walk } from './crease.js';
+import { listOf, minus, sumOf } from '../vector.js';
+import { bothWays, isSteep, meetEdge, settle, walk } from './crease.js';
 import { leavings, Survey } from './cut.js';
 import { isInside, isOnEdge, LEG, middleOf, nodesOf, placesOf, solveAll, solveLeg, span } from './legs.js';
-import { apart } from './linear.js';
+import { ahead, apart } from './linear.js';
 import { isSame } from './same.js';
 import { isBulging, land, sidesOf } from './shores.js';
 
@@ -13,6 +13,7 @@ import { isBulging, land, sidesOf } from './shores.js';
 /** @typedef {import('./legs.js').Route} Route */
 /** @typedef {import('./shores.js').Shore} Shore */
 /** @typedef {import('./crease.js').On} On */
+/** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {{ signs: number[], line: number[], shore: Shore | null, on: On, isCorner?: boolean }} Piece on: where it begins; isCorner: at a corner, which holds it */
 
 /** In the end legs are looked at in so many points, whether they leave their sides; where they seem to by this part of them, it may be what lies between points, and they are looked at in so many. */
@@ -25,6 +26,9 @@ const BESIDE = 1e-3;
 const INWARD = 1e-3;
 /** Where on the line past a corner, in parts of it, is looked whether that stays outside. */
 const SHORTLY = [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9];
+
+/** Where slopes are infinite nodes lie, in parts of a chord. */
+const HALVED = Array.from({ length: 40 }, (_, k) => 0.5 ** (40 - k));
 
 /** A leg, or a part of it, as it is. @param {Pick<Piece, 'signs' | 'shore'> & { line: ArrayLike<number> }} leg @param {import('./legs.js').Joint | undefined} joint at which it begins @returns {Piece} */
 const whole = ({ signs, line, shore }, joint) => ({
@@ -70,9 +74,24 @@ export function join(question, pieces) {
     const place = line.slice(0, width);
     return { crease, signs, place: isCorner ? place : onto(question, { crease, signs }, place), moved: 0, isCorner };
   });
-  const legs = joined.map(({ signs, line, shore }) => ({ signs, line: Float64Array.from(line), length: 0, shore }));
+  const legs = joined.map(({ signs, line, shore }, i) => {
+    const nodes = nodesOf(line, width);
+    /* Exactly there: beyond a crease, by rounding, a root has no value. */
+    if (i > 0) nodes[0] = joints[i - 1].place;
+    if (i < joints.length) nodes[nodes.length - 1] = joints[i].place;
+    return { signs, line: closer(sides, signs, nodes), length: 0, shore };
+  });
   const solved = solveAll(question, { legs, joints });
   return solved && { legs: solved, joints };
+}
+
+/** A polyline with more nodes, ever nearer to where it begins, and ends, where a slope is infinite there. @param {Sides} sides @param {number[]} signs @param {number[][]} nodes */
+function closer(sides, signs, nodes) {
+  const last = nodes.length - 1;
+  const near = (/** @type {number} */ end, /** @type {number} */ next) =>
+    isSteep(sides, signs, nodes[end]) ? HALVED.map((part) => ahead(nodes[end], minus(nodes[next], nodes[end]), part)) : [];
+  const all = [nodes[0], ...near(0, 1), ...nodes.slice(1, -1), ...near(last, last - 1).reverse(), nodes[last]];
+  return Float64Array.from(all.flat());
 }
 
 /** A place moved onto a crease, and from beyond the rectangle into it, a little: derivatives want both sides. @param {Question} question @param {On} on @param {number[]} place */

@@ -1,9 +1,9 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
-import { dot, largest, minus, norm, sumOf } from '../vector.js';
+import { dot, largest, minus, norm, product, sumOf } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { changes, isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
-import { ahead, product, scaled } from './linear.js';
+import { ahead, scaled } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -18,6 +18,8 @@ const FLAT = 1e-7;
 const [MOST_STEPS, MOST_HALVINGS] = [30, 12];
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
+/** As is, after so many, one that gains less than this part of what legs leave open. */
+const [PATIENCE, LOOSE] = [3, 0.01];
 /** So many steps of springs come first; no spring is slacker than one of this part of the length. */
 const [MOST_SPRINGS, SLACK] = [4, 0.05];
 /** Joints between which a leg shrinks to this part of the length have come to a corner. */
@@ -28,10 +30,11 @@ export function refract(question, route) {
   const { isPlain } = question.field;
   if (route.joints.length === 0) return route;
   let now = isPlain ? pull(question, route) : route;
-  for (let step = 0; step < MOST_STEPS; step++) {
+  for (let step = 0, near = 0; step < MOST_STEPS; step++) {
     const next = improve(question, now);
     if (!next) return null;
-    if (next.isLast) return next.isMinimum ? next.route : null;
+    if (next.isNear) near++;
+    if (next.isLast || near === PATIENCE) return next.isMinimum ? next.route : null;
     now = next.route;
     const total = lengthOf(now.legs);
     const isGone = now.legs.some(({ length }, i) => length < GONE * total && !(route.legs[i].length < total * Math.sqrt(GONE)));
@@ -91,7 +94,7 @@ function tension(question, { legs, joints }, ways) {
 function lift({ sides }, { signs }, place, way) {
   if (place.length === 3) return { at: place, along: way };
   const [jet] = sides.on(signs)?.jets(place) ?? [[]];
-  return { at: jet.slice(0, 3), along: [0, 1, 2].map((k) => way[0] * jet[3 + k] + way[1] * jet[6 + k]) };
+  return { at: jet.slice(0, 3), along: [0, 1, 2].map((k) => product(way, [jet[3 + k], jet[6 + k]])) };
 }
 
 /** How joints may move: along which directions, and where one is that has moved. @param {Question} question @param {Joint[]} joints */
@@ -104,7 +107,7 @@ function motion({ sides }, joints) {
 /**
  * One step of Newton for the joints; null: none makes the path shorter.
  * @param {Question} question @param {Route} route
- * @returns {{ route: Route, isLast: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing
+ * @returns {{ route: Route, isLast: boolean, isNear: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing; isNear: or less than legs are exact
  */
 function improve(question, { legs, joints }) {
   const ways = motion(question, joints);
@@ -114,14 +117,15 @@ function improve(question, { legs, joints }) {
   if (!down) return null;
   const gain = -0.5 * product(down.step, slopes);
   const before = lengthOf(legs);
+  const isNear = gain <= LOOSE * (question.budget.finest ?? 0) * before;
   let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
   for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
     const tried = joints.map((joint, j) => ({ ...joint, place: ways.moved(j, factor * down.step[j]) }));
     const solved = tried.every(({ place }) => isInside(question, place)) ? solveAll(question, { legs, joints: tried }) : null;
     if (solved && lengthOf(solved) <= before * (1 + ENOUGH))
-      return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isMinimum: !down.shifted };
+      return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isNear, isMinimum: !down.shifted };
   }
-  return null;
+  return isNear ? { route: { legs, joints }, isLast: true, isNear, isMinimum: !down.shifted } : null;
 }
 
 /** First and second derivatives of the length by where the joints lie on their creases. @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {ReturnType<typeof motion>} motion of the joints */

@@ -4,10 +4,10 @@ import { stepBy } from '../manifold/extent.js';
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
 import { relax } from '../search/routes.js';
-import { gap } from '../vector.js';
+import { gap, sumOf } from '../vector.js';
 import { beyond, slopeOf } from './crease.js';
-import { divide } from './cut.js';
-import { nodesOf, span } from './legs.js';
+import { cut, divide } from './cut.js';
+import { lineOf, nodesOf, span } from './legs.js';
 import { sizeOf, steepnessBy } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -54,7 +54,7 @@ export function sketch(field, sides, ends, ways, { within, points }) {
   const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
       const line = path.parameters ?? path.points;
-      return { line, length: field.chords ? measureLine(field, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
+      return { line, length: field.chords ? measureLine(field, sides, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
     })
     .filter(({ length }) => length >= 0);
   const leaping = drawn.filter(({ path }) => !field.domain && !(path.length >= 0));
@@ -62,14 +62,13 @@ export function sketch(field, sides, ends, ways, { within, points }) {
 }
 
 /**
- * How long a polyline in the rectangle is on the surface as it is; NaN: that is not known. A part across a fold, which it cuts off, is shorter than both beside it, and counts as the longer of these.
- * @param {Field} field @param {Float64Array} line
+ * How long a polyline in the rectangle is on the surface as it is; NaN: that is not known. Where length is that of space it is measured to creases and from there: a chord cuts off a fold.
+ * @param {Field} field @param {Sides} sides @param {Float64Array} line
  */
-export function measureLine({ chords, isPlain }, line) {
-  const lengths = chords?.(divide(line, 2, Math.ceil(MEASURED / (line.length / 2 - 1))));
-  const cut = (/** @type {number} */ length, /** @type {number} */ before, /** @type {number} */ after) =>
-    isPlain && length < before && length < after ? Math.max(before, after) : length;
-  return lengths ? lengths.reduce((sum, length, i) => sum + cut(length, lengths[i - 1], lengths[i + 1]), 0) : Number.NaN;
+export function measureLine({ chords, isPlain }, sides, line) {
+  const parts = Math.ceil(MEASURED / (line.length / 2 - 1));
+  const route = isPlain ? cut(sides, line, { parts }) : null;
+  return sumOf([...(chords?.(route ? lineOf(route.legs, 2) : divide(line, 2, parts)) ?? [Number.NaN])]);
 }
 
 /**

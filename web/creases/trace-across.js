@@ -2,10 +2,10 @@
 
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED, ITERATION_LIMIT, NOT_FINITE, SINGULAR_METRIC, TOLERANCE_NOT_MET } from '../runtime/status.js';
-import { diagonalOf, minus, sumOf } from '../vector.js';
+import { diagonalOf, minus, product, sumOf } from '../vector.js';
 import { bend } from './bend.js';
 import { beyond, directions, isTorn, settle, slopeOf } from './crease.js';
-import { inner, product, sizeBy, sizeOf, steepnessBy } from './linear.js';
+import { inner, sizeBy, sizeOf, steepnessBy } from './linear.js';
 import { endOf, look, vanishes } from './meeting.js';
 import { isSame } from './same.js';
 import { traceOn, velocityOn } from './tangent.js';

@@ -1,5 +1,7 @@
 /** Points of a glued rectangle, moved to other places that are the same point of the surface: by whole periods, and by turns after which it is turned over. */
 
+import { product } from '../vector.js';
+
 /** @typedef {import('./seams.js').Glued} Glued */
 
 /**
@@ -59,7 +61,7 @@ export function liftEnds(glued, from, to, start) {
 }
 
 /** The product of two directions of the rectangle. @param {ArrayLike<number>} form e, f, g @param {number[]} a @param {number[]} b */
-export const product = ({ 0: e, 1: f, 2: g }, a, b) => e * a[0] * b[0] + f * (a[0] * b[1] + a[1] * b[0]) + g * a[1] * b[1];
+export const productBy = (form, a, b) => product([a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[1] * b[1]], form);
 
 /**
  * Whole periods, two where both directions have them, of which all others are made; as short as possible (Lagrange, Gauss), so that the shortest straight
@@ -71,12 +73,12 @@ function latticeOf({ lower, upper, periodic, turn }, form) {
   if (turn || !periodic[0] || !periodic[1]) return lattice;
   for (;;) {
     const [a, b] = lattice;
-    const large = product(form, a, a) <= product(form, b, b) ? 1 : 0;
+    const large = productBy(form, a, a) <= productBy(form, b, b) ? 1 : 0;
     const short = lattice[1 - large];
-    const before = product(form, lattice[large], lattice[large]);
-    const times = Math.round(product(form, a, b) / product(form, short, short));
+    const before = productBy(form, lattice[large], lattice[large]);
+    const times = Math.round(productBy(form, a, b) / productBy(form, short, short));
     const reduced = lattice[large].map((x, i) => x - times * short[i]);
-    if (!(product(form, reduced, reduced) < before)) return lattice;
+    if (!(productBy(form, reduced, reduced) < before)) return lattice;
     lattice[large] = reduced;
   }
 }
@@ -94,7 +96,7 @@ function shearOf({ periodic, turn }, form, [a, b], away) {
   /* What the way between the walls leads along the period. */
   return [a, b].map((period, j) => {
     const across = away.map((x, i) => (i === j ? 0 : x));
-    return periodic[j] ? whole(product(form, period, across) / product(form, period, period)) : 0;
+    return periodic[j] ? whole(productBy(form, period, across) / productBy(form, period, period)) : 0;
   });
 }
 

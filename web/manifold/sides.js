@@ -7,7 +7,7 @@ import { compile } from '../expression/compile.js';
 import { Creases } from '../expression/creases.js';
 import { dot, listOf } from '../vector.js';
 import { SHAPE } from './kind.js';
-import { product } from './lifts.js';
+import { productBy } from './lifts.js';
 import { compileMetric, METRIC, nodesOf } from './metric.js';
 import { compileShape } from './shapes.js';
 
@@ -247,7 +247,7 @@ function productOf(kind, code, jet) {
   const [u, v] = [jet.slice(3, 6), jet.slice(6, 9)];
   const space = [dot(u, u), dot(u, v), dot(v, v)].map((x) => (code === METRIC.density ? jet[21] * x : x));
   const form = kind === 'metric' ? jet : code === METRIC.tensor ? jet.slice(18) : space;
-  return (a, b) => product(form, a, b);
+  return (a, b) => productBy(form, a, b);
 }
 
 /**

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { load } from '../../../web/index.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
+import { simpson } from '../../helpers/simpson.js';
 
 const surfpath = await load();
 /** Two tolerances of 1e-9, relative. */
@@ -35,6 +36,34 @@ test('over the upright rim of a half cylinder that lies on the ground: as long a
     );
   }
   half.dispose();
+});
+
+test('across a crease on which slopes are infinite on both sides: as long as unrolled, seed 3', () => {
+  const root = surfpath.graph({ z: 'sqrt(abs(x))', x: [-1, 1], y: [-1, 1] });
+  /* As a function of z x is smooth up to the crease. */
+  const unrolled = (/** @type {number} */ x) => Math.sign(x) * simpson((z) => Math.hypot(1, 2 * z), 0, Math.sqrt(Math.abs(x)));
+  const random = createRandom(3);
+  for (let i = 0; i < ofAll(8, 40); i++) {
+    const [from, to] = [-1, 1].map((side) => [side * random.between(0.01, 1), random.between(-1, 1)]);
+    const exact = Math.hypot(unrolled(to[0]) - unrolled(from[0]), to[1] - from[1]);
+    const path = root.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - exact) <= RIGHT * exact, `${from} to ${to}: ${path.length}, exact ${exact}`);
+  }
+  root.dispose();
+});
+
+test('over a roof of roots along both axes, and to its edge: as long as mirrored, seed 5', () => {
+  const roof = surfpath.graph({ z: 'sqrt(abs(x)) + sqrt(abs(y))', x: [-1, 1], y: [-1, 1] });
+  const random = createRandom(5);
+  const mirrored = (/** @type {number[]} */ [x, y]) => [y, x];
+  for (let i = 0; i < ofAll(4, 20); i++) {
+    const [from, to] = [0, 1].map(() => [random.between(-1, 1), random.between(-1, 1)]);
+    const [path, other] = [roof.shortestPath(from, to), roof.shortestPath(mirrored(from), mirrored(to))];
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - other.length) <= RIGHT * path.length, `${from} to ${to}: ${path.length}, ${other.length}`);
+  }
+  roof.dispose();
 });
 
 test('over the upright rim of a dome, and around it: as long as on the body that is half space and ellipsoid, seed 7', () => {
