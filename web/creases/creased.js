@@ -81,7 +81,7 @@ export function findCreased(field, ends, options, start, finer = 0) {
 }
 
 /** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Way | null, most: number }} */
-function findRoute(question, { ways, distance: seen }, start) {
+function findRoute(question, { ways, distance: told }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
   const isBody = field.isPlain && !field.domain;
@@ -93,7 +93,7 @@ function findRoute(question, { ways, distance: seen }, start) {
   let least = measured.reduce(shortestOf, null);
   /* Edges of the graph cut folds off, as chords of its ways do. */
   const cutOff = field.isPlain && least && least.line.length > 4 ? least.measured / sumOf([...(field.chords?.(least.line) ?? [])]) : 1;
-  const distance = cutOff * seen;
+  const distance = (cutOff || 1) * told;
   /** @type {Route | null} */
   let best = null;
   /** @type {Understood[]} */
@@ -146,10 +146,10 @@ function findRoute(question, { ways, distance: seen }, start) {
   }
   /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
-  const wanted = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
+  const seen = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
   const most = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
-    : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...wanted);
+    : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
   return { best, least, most };
 }
 

@@ -109,10 +109,10 @@ export function divide(line, width, parts) {
 
 /**
  * Cuts a polyline where it crosses creases at which the surface, or what measures length, bends.
- * @param {Sides} sides @param {Float64Array} line @param {{ parts?: number, near?: number, lead?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own; lead: what begins beside one comes to it over this part of that
+ * @param {Sides} sides @param {Float64Array} line @param {{ parts?: number, near?: number, lead?: number, most?: number }} [how] parts of each chord; near: where it is nearer to a crease than this part of its length, that is a leg of its own; lead: what begins beside one comes to it over this part of that; most: joints
  * @returns {Route | null}
  */
-export function cut(sides, line, { parts = PARTS, near = 0, lead = 0 } = {}) {
+export function cut(sides, line, { parts = PARTS, near = 0, lead = 0, most = MOST_JOINTS } = {}) {
   const survey = new Survey(sides, line, parts);
   const { last, creases } = survey;
   const runs = near ? runsOf(survey, near, lead) : [];
@@ -165,7 +165,7 @@ export function cut(sides, line, { parts = PARTS, near = 0, lead = 0 } = {}) {
     leg = begin(at, place, null);
   }
   finish(last, survey.placeAt(last));
-  return route.joints.length > MOST_JOINTS ? null : route;
+  return route.joints.length > most ? null : route;
 }
 
 /** Where a polyline comes to the other side of a crease. @param {Survey} survey @param {number[]} signs at its beginning @returns {{ at: number, crease: number, run?: Run, isEnd?: boolean }[]} */

@@ -57,8 +57,13 @@ test('over a roof of roots along both axes, and to its edge: as long as mirrored
   const roof = surfpath.graph({ z: 'sqrt(abs(x)) + sqrt(abs(y))', x: [-1, 1], y: [-1, 1] });
   const random = createRandom(5);
   const mirrored = (/** @type {number[]} */ [x, y]) => [y, x];
-  for (let i = 0; i < ofAll(4, 20); i++) {
-    const [from, to] = [0, 1].map(() => [random.between(-1, 1), random.between(-1, 1)]);
+  const toEdge = [
+    [0.7, 0.825],
+    [0.953, -0.763],
+  ];
+  assert.ok(roof.shortestPath(toEdge[0], toEdge[1]).touchesBoundary);
+  const others = Array.from({ length: ofAll(4, 20) }, () => [0, 1].map(() => [random.between(-1, 1), random.between(-1, 1)]));
+  for (const [from, to] of [toEdge, ...others]) {
     const [path, other] = [roof.shortestPath(from, to), roof.shortestPath(mirrored(from), mirrored(to))];
     assert.equal(path.status, 'converged', `${from} to ${to}`);
     assert.ok(Math.abs(path.length - other.length) <= RIGHT * path.length, `${from} to ${to}: ${path.length}, ${other.length}`);
