@@ -71,6 +71,16 @@ test('over a roof of roots along both axes, and to its edge: as long as mirrored
   roof.dispose();
 });
 
+test('from a place to itself, and by a start that goes nowhere, the path has length 0', () => {
+  const fold = surfpath.graph({ z: 'abs(x)', x: [-1, 1], y: [-1, 1] });
+  const place = [0.3, 0.2];
+  for (const start of ['global', [...place, ...place, ...place]]) {
+    const path = fold.shortestPath(place, place, { start: /** @type {'global' | number[]} */ (start) });
+    assert.deepEqual([path.status, path.length], ['converged', 0]);
+  }
+  fold.dispose();
+});
+
 test('over the upright rim of a dome, and around it: as long as on the body that is half space and ellipsoid, seed 7', () => {
   const [radius, height] = [0.6, 0.5];
   const rise = (/** @type {number[]} */ [x, y]) => height * Math.sqrt(Math.max(0, 1 - (x * x + y * y) / radius ** 2));
