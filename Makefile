@@ -206,7 +206,9 @@ SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false
 
 # Properties with these names, or names as isPlain, are of no object that a caller, a worker or another entry gets: their names get short.
 INNER = signs|integerPower|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena
-dist/index.js dist/slim.js dist/worker.js: SHORTER += --mangle-props 'regex=/^(is[A-Z].*|$(INNER))$$/'
+# On the page these gain nothing.
+FEW = squareRoot|operands|precedence|uninstall|installAll|releaseGraph|meshImplicit
+dist/index.js dist/slim.js dist/worker.js: SHORTER += --mangle-props 'regex=/^(is[A-Z].*|$(FEW)|$(INNER))$$/'
 
 # The pool shares the default entry's file with the rest of a page, and so its classes.
 dist/pool.js: BUNDLE += '--external:./index.*'

@@ -79,13 +79,16 @@ export class Heap extends Memory {
     const input = this.arenaBase >> 3;
     for (let i = 0; i < 2 * pairs; i++) {
       const point = Math.min(i, count - 1) * inputs;
-      for (let j = 0; j < inputs; j++) numbers[input + 2 * (inputs * (i >> 1) + j) + (i & 1)] = points[point + j];
+      const lane = input + 2 * inputs * (i >> 1) + (i & 1);
+      for (let j = 0; j < inputs; j++) numbers[lane + 2 * j] = points[point + j];
     }
     const output = input + 2 * pairs * inputs;
     evaluate(pairs, input << 3, output << 3);
     const result = new Float64Array(count * outputs);
-    for (let i = 0; i < count; i++)
-      for (let j = 0; j < outputs; j++) result[outputs * i + j] = numbers[output + 2 * (outputs * (i >> 1) + j) + (i & 1)];
+    for (let i = 0; i < count; i++) {
+      const lane = output + 2 * outputs * (i >> 1) + (i & 1);
+      for (let j = 0; j < outputs; j++) result[outputs * i + j] = numbers[lane + 2 * j];
+    }
     return result;
   }
 

@@ -164,7 +164,8 @@ function makeNet(positions, jets, { lower, upper }, asked) {
   const [us, vs] = [0, 1].map((j) => spread([lower[j], upper[j], asked[0][j], asked[1][j]]));
   const width = us.length;
   const corners = width * vs.length;
-  const grid = Float64Array.from(vs.flatMap((v) => us.flatMap((u) => [u, v])));
+  const grid = new Float64Array(2 * corners);
+  for (let q = 0; q < corners; q++) [grid[2 * q], grid[2 * q + 1]] = [us[q % width], vs[Math.floor(q / width)]];
   const [from, to] = asked.map(([u, v]) => us.indexOf(u) + width * vs.indexOf(v));
   const saddles = moveToSaddles(jets, us, vs, grid, positions(grid), [from, to]);
   const seen = positions(grid);
@@ -174,7 +175,7 @@ function makeNet(positions, jets, { lower, upper }, asked) {
     new Set([heights[from], heights[to], ...quantiles(heights), ...quantiles(saddles.map((q) => heights[q]))]),
   ).sort();
   /* Band k lies below level k. A corner on a level is in two. */
-  const [lowest, highest] = [false, true].map((orSame) => Int32Array.from(heights, (z) => countBelow(levels, z, orSame)));
+  const [lowest, highest] = [false, true].map((orSame) => Int32Array.from(heights.map((z) => countBelow(levels, z, orSame))));
   const first = new Int32Array(3 * corners + 1);
   /* Of each edge the level of its first crossing. */
   const base = new Int32Array(3 * corners);
@@ -183,8 +184,10 @@ function makeNet(positions, jets, { lower, upper }, asked) {
     const q = Math.floor(edge / 3);
     const step = STEPS[edge % 3];
     const other = q % width < width - step[0] && q < corners - step[1] * width ? q + step[0] + step[1] * width : q;
-    const [low, high] = heights[other] < heights[q] ? [other, q] : [q, other];
-    ends.set([low, high], 2 * edge);
+    const low = heights[other] < heights[q] ? other : q;
+    const high = other + q - low;
+    ends[2 * edge] = low;
+    ends[2 * edge + 1] = high;
     base[edge] = highest[low];
     first[edge + 1] = first[edge] + Math.max(0, lowest[high] - highest[low]);
   }

@@ -64,9 +64,12 @@ function draw({ domain, jets }, way) {
     for (let i = 1; i < count; i++) {
       const [zu, zv] = [at[18 * i + 5], at[18 * i + 8]];
       const factor = (heights[i] - at[18 * i + 2]) / (zu * zu + zv * zv);
-      const moved = [zu, zv].map((slope, j) => Math.min(Math.max(line[2 * i + j] + factor * slope, lower[j]), upper[j]));
-      const isNear = moved.every((x, j) => Math.abs(x - drawn[2 * i + j]) < FARTHEST * (upper[j] - lower[j]));
-      for (let j = 0; j < 2; j++) line[2 * i + j] = isNear ? moved[j] : drawn[2 * i + j];
+      const u = Math.min(Math.max(line[2 * i] + factor * zu, lower[0]), upper[0]);
+      const v = Math.min(Math.max(line[2 * i + 1] + factor * zv, lower[1]), upper[1]);
+      const isNear =
+        Math.abs(u - drawn[2 * i]) < FARTHEST * (upper[0] - lower[0]) && Math.abs(v - drawn[2 * i + 1]) < FARTHEST * (upper[1] - lower[1]);
+      line[2 * i] = isNear ? u : drawn[2 * i];
+      line[2 * i + 1] = isNear ? v : drawn[2 * i + 1];
     }
   }
   return line;
