@@ -6,13 +6,14 @@
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
 enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */, WALK_ROUNDS = 20 };
-/* Panels along an edge agree to this part; so many, and none narrower than this part of it, where those of one width do not. */
-static const double AGREES = 1e-13, NARROWEST = 1e-15;
+/* Panels along an edge agree to the first part for its length, as many make up for what rounding does to the speed, to the second for
+ * points along it; so many, and none narrower than this part of it, where those of one width do not. */
+static const double EXACT = 1e-15, AGREES = 1e-13, NARROWEST = 1e-15;
 enum { MOST_GRADED = 4000 };
 /* Step across an edge, in parts of the range, for what its length changes by. */
 static const double ACROSS = 1e-5;
-/* Where points along an edge lie, in parts of what they are apart. */
-static const double ENOUGH = 1e-14;
+/* Where points along an edge lie, in parts of what they are apart, and of where they are. */
+static const double ENOUGH = 1e-14, ROUNDING = 4.4e-16;
 
 /* The metric beside an edge, `by` from it: that along it, across it, and between both. */
 struct beside {
@@ -60,27 +61,34 @@ static double graded_length(const struct sp_surface *surface, const struct sp_ar
     return at < 1 ? not_a_number() : sum;
 }
 
-/* Length of an edge arc from its start to `to`: panels, doubled until they agree. */
-static double edge_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double to) {
+/* Length of an edge arc from its start to `to`: panels, doubled until they agree to `part`. */
+static double edge_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double to,
+                          double part) {
     double last = -1, sum = 0, span = to - arc->ends[0];
     for (int32_t panels = 1; panels <= PANELS; panels *= 2) {
         last = sum, sum = 0;
         for (int32_t k = 0; k < panels; k++)
             sum += panel(surface, arc, reference, arc->ends[0] + span * k / panels, span / panels);
-        if (absolute(sum - last) <= 1e-15 * sum) return sum;
+        if (absolute(sum - last) <= part * sum) return sum;
     }
     return absolute(sum - last) <= AGREES * sum ? sum : graded_length(surface, arc, reference, span);
 }
 
+double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
+    struct sp_reference reference;
+    size_t bottom = arena->used;
+    int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
+    arena->used = bottom;
+    return fits ? edge_length(surface, arc, &reference, arc->ends[1], EXACT) : not_a_number();
+}
+
 /* Sets the lengths of the pieces of edges and returns the whole length; NaN if the arena is full. */
 static double measure(struct sp_arcs *arcs, const struct sp_surface *surface, struct sp_arena *arena) {
-    struct sp_reference reference;
-    if (!sp_reference_make(&reference, EDGE_DEGREE, arena)) return not_a_number();
     double length = 0;
     for (int32_t i = 0; i < arcs->count; i++) {
         struct sp_arc *arc = arcs->arc + i;
         arc->system.line.surface = surface;
-        if (arc->on_edge) arc->length = edge_length(surface, arc, &reference, arc->ends[1]), arc->energy = arc->length * arc->length;
+        if (arc->on_edge) arc->length = sp_arcs_edge_length(surface, arc, arena), arc->energy = arc->length * arc->length;
         length += arc->length;
     }
     return length;
@@ -131,14 +139,6 @@ double sp_arcs_edge_gain(const struct sp_surface *surface, const struct sp_arc *
     return most;
 }
 
-double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
-    struct sp_reference reference;
-    size_t bottom = arena->used;
-    int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
-    arena->used = bottom;
-    return fits ? edge_length(surface, arc, &reference, arc->ends[1]) : not_a_number();
-}
-
 /* An arc that takes the part l/L of the time has L/l times the energy, and as much the gradient, that it has in a unit of time. */
 struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, double slopes, struct sp_arena *arena) {
     struct sp_refined whole = {.outcome = {.status = SP_CONVERGED}, .length = measure(arcs, newton->system.line.surface, arena)};
@@ -153,18 +153,21 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
     return whole;
 }
 
-/* The coordinate along an edge arc that is `distance` further than `from`: by Newton, halved where its speed changes too much for that. */
+/* The coordinate along an edge arc that is `distance` further than `from`: by Newton, halved where its speed changes too much for that,
+ * until the length or the coordinate is as right as rounding lets it be. */
 static double walk_edge(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
                         double distance) {
     double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from, short_of = from, beyond = arc->ends[1];
     struct sp_arc rest = *arc;
     rest.ends[0] = from;
     for (int round = 0; round < WALK_ROUNDS; round++) {
-        double missing = distance - edge_length(surface, &rest, reference, to);
+        double missing = distance - edge_length(surface, &rest, reference, to, AGREES);
         if (round > 0 && absolute(missing) <= ENOUGH * distance) break;
+        double before = to;
         *(missing > 0 ? &short_of : &beyond) = to;
         to += direction * missing / edge_speed_at(surface, arc, to);
         if (!((to - short_of) * (beyond - to) >= 0)) to = 0.5 * (short_of + beyond);
+        if (absolute(to - before) <= ROUNDING * absolute(to)) break;
     }
     return to;
 }
