@@ -6,14 +6,14 @@
 
 /* Stored paths beyond those of the arcs: two sets of a bridge's, and what lies beyond walls at both its ends. */
 enum { PANELS = 64, EDGE_DEGREE = 16, SPARE = 6, STRETCHES = 128 /* of an edge, looked at one by one */, WALK_ROUNDS = 20 };
-/* Panels along an edge agree to the first part for its length, as many make up for what rounding does to the speed, to the second for
- * points along it; so many, and none narrower than this part of it, where those of one width do not. */
-static const double EXACT = 1e-15, AGREES = 1e-13, NARROWEST = 1e-15;
+/* Panels along an edge agree to the first part for its length, to the second for points along it, or as far as the coordinate is known, to
+ * the third; so many, and none narrower than this part of it, where those of one width do not. */
+static const double EXACT = 1e-15, AGREES = 1e-13, ROUNDING = 4.4e-16, NARROWEST = 1e-15;
 enum { MOST_GRADED = 4000 };
 /* Step across an edge, in parts of the range, for what its length changes by. */
 static const double ACROSS = 1e-5;
-/* Where points along an edge lie, in parts of what they are apart, and of where they are. */
-static const double ENOUGH = 1e-14, ROUNDING = 4.4e-16;
+/* Where points along an edge lie, in parts of what they are apart. */
+static const double ENOUGH = 1e-14;
 
 /* The metric beside an edge, `by` from it: that along it, across it, and between both. */
 struct beside {
@@ -43,16 +43,22 @@ static double panel(const struct sp_surface *surface, const struct sp_arc *arc, 
     return sum * absolute(width);
 }
 
+/* Whether two lengths of a piece of an edge differ by more than its coordinate, of so much `span`, and its rounding account for. */
+static int differ(double from, double span, double length, double other) {
+    return absolute(length - other) > (AGREES + ROUNDING * absolute(from / span)) * length;
+}
+
 /* The same of all of it, where panels of one width do not agree: ever narrower ones where the speed grows, as beside a place where it is
  * infinite, and wider ones beyond. */
-static double graded_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double span) {
+static double graded_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double start,
+                            double span) {
     double sum = 0, at = 0, width = 1;
     for (int32_t step = 0; step < MOST_GRADED && at < 1; step++) {
         if (at + width > 1) width = 1 - at;
-        double from = arc->ends[0] + span * at, whole = panel(surface, arc, reference, from, span * width), halves = 0;
+        double from = start + span * at, whole = panel(surface, arc, reference, from, span * width), halves = 0;
         for (int32_t half = 0; half < 2; half++)
             halves += panel(surface, arc, reference, from + 0.5 * half * span * width, 0.5 * span * width);
-        if (absolute(halves - whole) > AGREES * halves && width > NARROWEST) {
+        if (width > NARROWEST && differ(from, span * width, halves, whole)) {
             width *= 0.5;
             continue;
         }
@@ -61,17 +67,18 @@ static double graded_length(const struct sp_surface *surface, const struct sp_ar
     return at < 1 ? not_a_number() : sum;
 }
 
-/* Length of an edge arc from its start to `to`: panels, doubled until they agree to `part`. */
-static double edge_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double to,
-                          double part) {
-    double last = -1, sum = 0, span = to - arc->ends[0];
+/* Length of an edge from one coordinate along it to another: panels, doubled until they agree; `exactly`: until as many make up for what
+ * the rounding of the coordinate does to the speed. */
+static double edge_length(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
+                          double to, int32_t exactly) {
+    double last = 0, sum = 0, span = to - from;
     for (int32_t panels = 1; panels <= PANELS; panels *= 2) {
         last = sum, sum = 0;
         for (int32_t k = 0; k < panels; k++)
-            sum += panel(surface, arc, reference, arc->ends[0] + span * k / panels, span / panels);
-        if (absolute(sum - last) <= part * sum) return sum;
+            sum += panel(surface, arc, reference, from + span * k / panels, span / panels);
+        if (!(exactly ? absolute(sum - last) > EXACT * sum : differ(from, span, sum, last))) return sum;
     }
-    return absolute(sum - last) <= AGREES * sum ? sum : graded_length(surface, arc, reference, span);
+    return differ(from, span, sum, last) ? graded_length(surface, arc, reference, from, span) : sum;
 }
 
 double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc *arc, struct sp_arena *arena) {
@@ -79,7 +86,7 @@ double sp_arcs_edge_length(const struct sp_surface *surface, const struct sp_arc
     size_t bottom = arena->used;
     int fits = sp_reference_make(&reference, EDGE_DEGREE, arena);
     arena->used = bottom;
-    return fits ? edge_length(surface, arc, &reference, arc->ends[1], EXACT) : not_a_number();
+    return fits ? edge_length(surface, arc, &reference, arc->ends[0], arc->ends[1], 1) : not_a_number();
 }
 
 /* Sets the lengths of the pieces of edges and returns the whole length; NaN if the arena is full. */
@@ -157,17 +164,14 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
  * until the length or the coordinate is as right as rounding lets it be. */
 static double walk_edge(const struct sp_surface *surface, const struct sp_arc *arc, const struct sp_reference *reference, double from,
                         double distance) {
-    double direction = arc->ends[1] < arc->ends[0] ? -1 : 1, to = from, short_of = from, beyond = arc->ends[1];
-    struct sp_arc rest = *arc;
-    rest.ends[0] = from;
-    for (int round = 0; round < WALK_ROUNDS; round++) {
-        double missing = distance - edge_length(surface, &rest, reference, to, AGREES);
-        if (round > 0 && absolute(missing) <= ENOUGH * distance) break;
-        double before = to;
+    double to = from, short_of = from, beyond = arc->ends[1], missing = distance;
+    for (int round = 0; round < WALK_ROUNDS && !(absolute(missing) <= ENOUGH * distance); round++) {
+        double before = to, move = missing / edge_speed_at(surface, arc, to);
         *(missing > 0 ? &short_of : &beyond) = to;
-        to += direction * missing / edge_speed_at(surface, arc, to);
+        to += arc->ends[1] < from ? -move : move;
         if (!((to - short_of) * (beyond - to) >= 0)) to = 0.5 * (short_of + beyond);
-        if (absolute(to - before) <= ROUNDING * absolute(to)) break;
+        if (absolute(before - to) <= absolute(ROUNDING * to)) break;
+        missing = distance - edge_length(surface, arc, reference, from, to, 0);
     }
     return to;
 }

@@ -258,3 +258,23 @@ for (const { name, width, definition, height } of bands)
       }
       band.dispose();
     });
+
+test('walls of a surface a few units wide whose coordinates are as large as a map has them: as long as at the origin, seed 5', () => {
+  const [east, north] = [500000, 4649776];
+  const hillAt = (/** @type {number} */ x, /** @type {number} */ y) =>
+    surfpath.graph({ z: `3 exp(-(x - ${x})^2 - (y - ${y})^2)`, x: [x - 2, x + 2], y: [y - 0.6, y + 0.6] });
+  const [here, there] = [hillAt(0, 0), hillAt(east, north)];
+  const random = createRandom(5);
+  let walls = 0;
+  for (let i = 0; i < ofAll(10, PAIRS); i++) {
+    const place = () => [random.between(-2, 2), i % 3 ? random.between(-0.6, 0.6) : 0.6];
+    const ends = [place(), place()];
+    const { length } = here.shortestPath(ends[0], ends[1], { start: 'straight' });
+    const [from, to] = ends.map(([x, y]) => [east + x, Math.min(north + y, north + 0.6)]);
+    const path = there.shortestPath(from, to, { start: 'straight', tolerance: 1e-6 });
+    assert.ok(path.converged, `${ends}: ${path.status}`);
+    assert.ok(Math.abs(path.length - length) <= 1e-6 * length, `${ends}: ${path.length}, not ${length}`);
+    walls += Number(path.touchesBoundary);
+  }
+  assert.ok(walls >= ofAll(10, PAIRS) / 4, `${walls} touch a wall`);
+});
