@@ -11,8 +11,8 @@ enum { REACH = 2, ANYHOW = 1 };
 
 /* A centre that moves farther than this many cells, or is left this far from f = 0, is not a point of its cell's piece of the surface. */
 static const double FARTHEST = 1.0, SETTLED = 1e-3;
-/* A centre is moved to a face of its cell, or beyond by rounding: surfaces may lie in planes of cells. */
-static const double WITHIN = 1 + 1e-9;
+/* A centre is moved to a face of its cell, or beyond by rounding, of the width or of coordinates: surfaces may lie in planes of cells. */
+static const double WITHIN = 1 + 1e-9, ROUNDING = 1e-14;
 
 /* Cells that share a face, but not a sheet, are joined: as far apart as they are over a crease, but at most so many times their chord. */
 static const double LOOSE = 2;
@@ -79,8 +79,8 @@ static void write_vertex(const struct sp_cells *cells, const struct sp_block *bl
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
                   distance_between(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
-        double moved = position[c] - center[c];
-        if (!settled || 2 * moved > WITHIN * cells->width[c] || -2 * moved > WITHIN * cells->width[c]) cells->list[vertex].faces = 0;
+        double moved = absolute(center[c] - position[c]);
+        if (!settled || 2 * moved > WITHIN * cells->width[c] + ROUNDING * absolute(center[c])) cells->list[vertex].faces = 0;
         graph->normals[3 * (size_t)vertex + (size_t)c] = (float)(settled ? gradient[c] / length : 0);
         if (!settled) position[c] = center[c];
     }

@@ -377,3 +377,32 @@ test('a plano-convex lens: from its edge over the dome', () => {
   assert.ok(Math.abs(length - known) <= RIGHT * known, `${length}, ${known}`);
   lens.dispose();
 });
+
+test('a box whose coordinates are as large as those of maps: over its edges as far as with faces unfolded, seed 11', () => {
+  const random = createRandom(11);
+  for (let i = 0; i < ofAll(4, 25); i++) {
+    const middle = [500000, 4649776, 100].map((far) => far + random.between(-1, 1) * (i % 2 ? 1000 : 0));
+    const [x, y, z] = middle;
+    const box = surfpath.implicit({
+      f: `max(abs(x - ${x}) - 1, abs(y - ${y}) - 1.5, abs(z - ${z}) - 0.7)`,
+      bounds: [
+        [x - 2, x + 2],
+        [y - 2, y + 2],
+        [z - 1.5, z + 1.5],
+      ],
+    });
+    for (const [from, to, length] of /** @type {[number[], number[], number][]} */ ([
+      [[1, 0.2, 0.1], [0.3, 1.5, 0.3], Math.hypot(2, 0.2)],
+      [[1, 0.2, 0.1], [0.3, -1.5, 0.3], Math.hypot(2.4, 0.2)],
+      [[0.1, 0.2, 0.7], [1, -0.4, 0.3], Math.hypot(1.3, 0.6)],
+    ])) {
+      const path = box.shortestPath(
+        from.map((c, j) => c + middle[j]),
+        to.map((c, j) => c + middle[j]),
+      );
+      assert.ok(path.converged, `${middle}, ${from} to ${to}: ${path.status}`);
+      assert.ok(Math.abs(path.length - length) <= 1e-8, `${middle}, ${from} to ${to}: ${path.length}, not ${length}`);
+    }
+    box.dispose();
+  }
+});
