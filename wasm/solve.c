@@ -183,12 +183,12 @@ static struct sp_refined solve_elements(struct sp_newton *newton, const struct s
     return sp_cusp_run(newton, options, &start, arena, arcs);
 }
 
-/* A start of that many inner nodes, with its charts. */
-static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner,
+/* A start of that many inner nodes, with its charts; `keep`: as sp_start_polyline. */
+static enum sp_status start_with(struct sp_newton *newton, const struct sp_request *request, double ends[2][3], int32_t inner, int32_t keep,
                                  struct sp_arena *arena, struct sp_result *result) {
     struct sp_polyline *line = &newton->system.line;
     line->fold = (struct sp_fold){inner};
-    enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, arena);
+    enum sp_status status = sp_start_polyline(line, request, ends[0], ends[1], newton->scale, keep, arena);
     if (status != SP_CONVERGED) return status;
     sp_polyline_charts(line, &line->nodes);
     newton->size = size_of(line);
@@ -204,10 +204,10 @@ static enum sp_status start_points(struct sp_newton *newton, const struct sp_req
                                    double ends[2][3], struct sp_arena *arena, struct sp_result *result) {
     int32_t count = options->point_count + 1, coarse = sp_refine_coarsest(count);
     int climbs = options->algorithm == SP_POLYLINE && coarse < count && !request->start && newton->system.line.kind->components == 0;
-    if (climbs && start_with(newton, request, ends, coarse - 1, arena, result) == SP_CONVERGED &&
+    if (climbs && start_with(newton, request, ends, coarse - 1, 1, arena, result) == SP_CONVERGED &&
         sp_refine_polyline(newton, options, count, arena))
         return SP_CONVERGED;
-    return start_with(newton, request, ends, options->point_count, arena, result);
+    return start_with(newton, request, ends, options->point_count, 1, arena, result);
 }
 
 /* A path of many points, as an earlier one that is followed: with arcs along walls. Where that leads nowhere, or has to do with singular
@@ -219,11 +219,11 @@ static enum sp_status start_fine(struct sp_newton *newton, const struct sp_reque
     size_t used = arena->used;
     struct sp_elements chords = newton->system.elements;
     int may = surface->kind == SP_PARAMETRIC && way_of(surface, &request->passage) == SP_FREE;
-    enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, arena, result);
+    enum sp_status status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
     if (status == SP_CONVERGED && may && !(may_cross(&newton->system.line) && sp_cusp_divides(newton))) {
         if (sp_contact_follow(newton, options, arena, arcs, refined)) return refined->outcome.status;
         arcs->count = 0, arena->used = used, newton->system.elements = chords;
-        status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, arena, result);
+        status = start_with(newton, request, ends, SP_REFINE_CHORDS - 1, 0, arena, result);
     }
     if (status != SP_CONVERGED) return status;
     *refined = solve_elements(newton, options, request, 1, arena, arcs, result);
@@ -237,7 +237,7 @@ static enum sp_status start_coarse(struct sp_newton *newton, const struct sp_req
     size_t used = arena->used;
     struct sp_elements chords = newton->system.elements;
     for (int32_t inner = first_inner(request);; inner = 2 * inner + 1, arena->used = used, newton->system.elements = chords) {
-        enum sp_status status = start_with(newton, request, ends, inner, arena, result);
+        enum sp_status status = start_with(newton, request, ends, inner, 1, arena, result);
         if (status == SP_CONVERGED) {
             *refined = solve_elements(newton, options, request, 0, arena, arcs, result);
             status = refined->outcome.status;

@@ -121,11 +121,11 @@ int sp_start_is_smooth(const struct sp_polyline *line, const struct sp_request *
     return along && thinned >= (1 - THINNED) * measure(line, request, 1, along);
 }
 
-/* Where node i of the new polyline lies on the given one: a segment and a place within it, at i/(n + 1) of the length; one of as many
- * points as there are nodes gives each its own. `segment` only grows. */
-static double locate(const struct sp_request *request, const double *along, int32_t i, int32_t last, int32_t *segment) {
+/* Where node i of the new polyline lies on the given one: a segment and a place within it, at i/(n + 1) of the length. With `keep` and as
+ * many points as nodes: each node its point. `segment` only grows. */
+static double locate(const struct sp_request *request, const double *along, int32_t i, int32_t last, int32_t keep, int32_t *segment) {
     int32_t end = request->start_count - 1;
-    if (end == last) {
+    if (keep && end == last) {
         *segment = i < last ? i : last - 1;
         return i - *segment;
     }
@@ -138,12 +138,12 @@ static double locate(const struct sp_request *request, const double *along, int3
 
 /* Nodes on the given polyline; the gap at either end is closed by a shift that fades along the path. */
 static void resample(const struct sp_polyline *line, const struct sp_request *request, const double *along, const double from[3],
-                     const double to[3]) {
+                     const double to[3], int32_t keep) {
     int dimension = line->kind->dimension;
     int32_t last = line->fold.inner + 1, segment = 0, end = request->start_count - 1;
     const double *start = request->start;
     for (int32_t i = 0; i <= last; i++) {
-        double t = (double)i / last, local = locate(request, along, i, last, &segment);
+        double t = (double)i / last, local = locate(request, along, i, last, keep, &segment);
         const double *a = start + dimension * segment, *b = a + dimension;
         for (int j = 0; j < dimension; j++) {
             double gap = (1 - t) * (from[j] - start[j]) + t * (to[j] - start[dimension * end + j]);
@@ -154,13 +154,13 @@ static void resample(const struct sp_polyline *line, const struct sp_request *re
 }
 
 enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
-                                 double scale, struct sp_arena *arena) {
+                                 double scale, int32_t keep, struct sp_arena *arena) {
     if (request->start) {
         double *along = sp_arena_take(arena, (size_t)request->start_count, sizeof(double));
         if (!along) return SP_OUT_OF_MEMORY;
         double total = measure(line, request, 1, along);
         if (!is_finite(total)) return SP_NOT_FINITE;
-        resample(line, request, along, from, to);
+        resample(line, request, along, from, to, keep);
     } else {
         straight_line(line, from, to);
     }

@@ -16,11 +16,10 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
 int sp_start_is_multiple(const struct sp_surface *surface, const double place[3], double near);
 
 /* Fills line->nodes.places with n nodes between the ends: along the straight line of the places (implicit: of space, put onto the surface),
- * or along request->start, resampled by length, unless it has as many points: so a polyline at rest stays, and one whose points
- * lie closer where it turns is known there. `from` and `to` are the ends already put onto the surface. Needs arena for start_count points.
- */
+ * or along request->start, resampled by length, unless it has as many points and is to `keep` them, so that a polyline at rest stays.
+ * `from` and `to` are the ends already put onto the surface. Needs arena for start_count points. */
 enum sp_status sp_start_polyline(struct sp_polyline *line, const struct sp_request *request, const double from[3], const double to[3],
-                                 double scale, struct sp_arena *arena);
+                                 double scale, int32_t keep, struct sp_arena *arena);
 
 /* Whether no more than `chords` of its chords would tell the shape of request->start: it is hardly shorter then. Needs arena for
  * start_count points. */

@@ -206,6 +206,17 @@ describe('options', () => {
     assert.ok(other.length > 10);
   });
 
+  test('start: thousands of points that lie unevenly lead where others of that line do, however many they are', () => {
+    const hill = surfpath.graph({ z: '40*sin(x*y)', x: [-1, 1], y: [-1, 1] });
+    for (const count of [4096, 4097, 4098]) {
+      const along = Array.from({ length: count }, (_, i) => (i / (count - 1)) ** 16);
+      const start = along.flatMap((t) => [1.8 * t - 0.9, 0.9 * t - 0.5 + (t < 1 ? 0.2 * Math.sin(9 * Math.PI * t) : 0)]);
+      const path = hill.shortestPath([-0.9, -0.5], [0.9, 0.4], { start });
+      assert.equal(path.status, 'converged', `${count} points`);
+      close(path.length, 31.621165361527, 1e-9);
+    }
+  });
+
   test('start: a path that has no points is refused', () => {
     const failed = sphere.shortestPath([3, 0, 0], [0, 1, 0]);
     refuses(
