@@ -1,7 +1,9 @@
 // The demo page in headless Chromium: first scene, formulas, ends, options, playing. The sites of the page that need other hands have files of their own.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import { ENTRIES } from '../../demo/state/entries.js';
 import { KINDS } from '../../demo/state/kinds.js';
+import { load } from '../../web/index.js';
 import {
   COARSE,
   measurePicture,
@@ -98,6 +100,40 @@ describe('each kind of surface has its own fields', () => {
       const { warm } = await measurePicture(page, await pictureOfView(page));
       assert.ok(warm > 60, `only ${warm} pixels of the path are seen`);
     });
+  }
+});
+
+test('all that the gallery has comes to rest; across creases, whose names the build made short, too', async () => {
+  for (const name of process.env.EVERY_RELEASE ? Object.keys(ENTRIES) : ['lake']) {
+    await openEntry(page, name);
+    assert.equal(await status(), 'converged', name);
+  }
+});
+
+test('where abs, min, max and sign leave creases the built page finds what the library does', async () => {
+  const surfpath = await load();
+  const [across, around] = [
+    [
+      [-1.9, -1.2],
+      [1.8, 1.4],
+    ],
+    [
+      [1, 0.2, -0.3],
+      [-0.4, 1, 0.3],
+    ],
+  ];
+  /** @type {[object, number[][]][]} */
+  const asked = [
+    [{ kind: 'graph', z: 'abs(x)-abs(y)' }, across],
+    [{ kind: 'graph', z: '0', density: '2 + sign(sin(3x)*sin(3y))' }, across],
+    [{ kind: 'implicit', f: 'max(abs(x),abs(y),abs(z))-1' }, around],
+  ];
+  for (const [{ kind, density, ...formula }, ends] of /** @type {[any, number[][]][]} */ (asked)) {
+    const { title: _, ...own } = ENTRIES[`own-${kind}`];
+    const path = surfpath.surface(/** @type {any} */ ({ ...own, ...formula, density })).shortestPath(ends[0], ends[1]);
+    await openSketch(page, { entry: `own-${kind}`, texts: formula, density, ends });
+    assert.equal(await status(), 'converged', JSON.stringify(formula));
+    assert.ok(path.converged && Math.abs((await length()) - path.length) <= 1e-7, `${await length()}, not ${path.length}`);
   }
 });
 

@@ -1,7 +1,7 @@
 // What was built keeps its promises: sizes, imports, exports, symbols, dependencies.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { compileFunction } from 'node:vm';
@@ -57,6 +57,20 @@ test('the core calls no library function but memcpy, memmove and memset, so no l
   const names = execFileSync('nm', ['--undefined-only', '--format=just-symbols', core], { encoding: 'utf8' }).trim().split('\n');
   const foreign = names.filter((name) => !/^(memcpy|memmove|memset|_GLOBAL_OFFSET_TABLE_|)$/.test(name));
   assert.deepEqual(foreign, []);
+});
+
+test('what has a short name in the build is told by no string, which would keep the long one', () => {
+  const makefile = readFileSync(`${root}/Makefile`, 'utf8');
+  const [inner, few] = ['INNER', 'FEW'].map((list) => new RegExp(`^${list} = (.*)$`, 'm').exec(makefile)?.[1]);
+  const short = new RegExp(`^(is[A-Z].*|${few}|${inner})$`);
+  assert.ok(short.test('sides') && short.test('writePoint'));
+  for (const folder of ['web', 'demo'])
+    for (const file of /** @type {string[]} */ (readdirSync(`${root}/${folder}`, { recursive: true })).filter((name) =>
+      name.endsWith('.js'),
+    )) {
+      const code = readFileSync(`${root}/${folder}/${file}`, 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
+      for (const [, , word] of code.matchAll(/(['"`])([a-z]\w*)\1/gi)) assert.doesNotMatch(word, short, `${folder}/${file}`);
+    }
 });
 
 test('bundlers keep what is imported for its effect alone: the element, and the script of the workers', () => {

@@ -5,7 +5,7 @@
 /** @typedef {import('./differentiate.js').Jet} Jet */
 /** @typedef {import('./graph.js').Graph} Graph */
 
-/** @typedef {{ sides: readonly number[] } | { widths: readonly number[] }} Way sides: of each crease, 1 or −1: the sign of what vanishes there; widths: the parameter that tells how widely each is rounded */
+/** @typedef {{ sides?: readonly number[], widths?: readonly number[] }} Way one of both; sides: of each crease, 1 or −1: the sign of what vanishes there; widths: the parameter that tells how widely each is rounded */
 
 /** Takes down where formulas have creases, or writes them for given sides of these, or rounded. */
 export class Creases {
@@ -17,8 +17,8 @@ export class Creases {
 
   /** @param {Way | null} [way] in which formulas are written; null: as they are */
   constructor(way = null) {
-    if (way && 'sides' in way) this.#sides = way.sides;
-    if (way && 'widths' in way) this.#widths = way.widths;
+    this.#sides = way?.sides;
+    this.#widths = way?.widths;
   }
 
   /** How many parameters the widths are. */
