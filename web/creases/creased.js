@@ -6,11 +6,10 @@
 import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, poseNear, settleEnd } from '../search/routes.js';
-import { gap, largest, sumOf } from '../vector.js';
-import { ROUNDED } from './crease.js';
+import { gap, sumOf } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
-import { isOnEdge, LEG, lengthOf, lineOf, placesOf } from './legs.js';
+import { isOnEdge, LEG, lengthOf, lineOf, placesOf, roundingOf } from './legs.js';
 import { followPinned } from './pinned.js';
 import { writeShore } from './shores.js';
 import { isBeside, measureLength, measureLine, roundingsOf, sketch } from './sketches.js';
@@ -201,8 +200,9 @@ function followBest(question, line, shores, most) {
 const shorter = (one, other) => (one && lengthOf(one.legs) <= lengthOf(other.legs) ? one : other);
 
 /** @param {Question} question @param {Route} route @param {SolveOptions} options @returns {Path} */
-function write(question, { legs, joints }, options) {
+function write(question, route, options) {
   const { field, sides } = question;
+  const { legs, joints } = route;
   const places = placesOf(question, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
     if (legs[k].shore) return writeShore(question, legs[k], asked);
@@ -211,11 +211,7 @@ function write(question, { legs, joints }, options) {
     return finish(solveLeg(asked));
   };
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, field.domain);
-  for (const [j, { place }] of joints.entries()) {
-    /* What rounding of a joint makes of the length, as where the surface stands upright on a crease; where that is known by no derivatives, at a corner of two, nothing. */
-    const pulls = legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? []);
-    path.lengthError += 4 * ROUNDED * largest(place) * largest(pulls.filter(Number.isFinite));
-    path.touchesBoundary ||= isOnEdge(question, place);
-  }
+  path.lengthError += roundingOf(route);
+  for (const { place } of joints) path.touchesBoundary ||= isOnEdge(question, place);
   return path;
 }

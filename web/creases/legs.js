@@ -4,7 +4,8 @@ import { holdsPoint } from '../manifold/domain.js';
 import { ELEMENTS, holds } from '../search/candidates.js';
 import { concatenate } from '../search/join.js';
 import { poseNear } from '../search/routes.js';
-import { listOf, product, sumOf } from '../vector.js';
+import { largest, listOf, product, sumOf } from '../vector.js';
+import { ROUNDED } from './crease.js';
 import { scaled } from './linear.js';
 
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -74,6 +75,15 @@ export function solvePulled(field, ends, line, options) {
 
 /** How the length of a leg changes as one of its ends, 0 or 1, moves in a direction: by the first variation. @param {Pulled} leg @param {number} end @param {number[]} way */
 export const slopeAlong = ({ pulls }, end, way) => product(way, pulls?.[end] ?? []);
+
+/** What rounding of joints makes of the length, as where the surface stands upright on a crease; where that is known by no derivatives, at a corner of two, nothing. @param {Route} route */
+export const roundingOf = ({ legs, joints }) =>
+  sumOf(
+    joints.map(({ place }, j) => {
+      const pulls = legs.slice(j, j + 2).flatMap(({ pulls }, k) => pulls?.[1 - k] ?? []);
+      return 4 * ROUNDED * largest(place) * largest(pulls.filter(Number.isFinite));
+    }),
+  );
 
 /**
  * How the length of all legs changes with the joints between them: first derivatives, and second ones by differences; NaN where a leg does not hold. A leg's length depends on the two joints beside it.

@@ -2,7 +2,7 @@
 
 import { dot, largest, minus, norm, product, sumOf } from '../vector.js';
 import { directions, settle } from './crease.js';
-import { changes, isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, solveAll, solveLeg } from './legs.js';
+import { changes, isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, roundingOf, solveAll, solveLeg } from './legs.js';
 import { ahead, scaled } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
@@ -18,7 +18,7 @@ const FLAT = 1e-7;
 const [MOST_STEPS, MOST_HALVINGS] = [30, 12];
 /** A step that gains less, in parts of the length, is the last. */
 const ENOUGH = 1e-13;
-/** As is, after so many, one that gains less than this part of what legs leave open. */
+/** As is, after so many, one that gains less than this part of what legs leave open, or what rounding makes of it. */
 const [PATIENCE, LOOSE] = [3, 0.01];
 /** So many steps of springs come first; no spring is slacker than one of this part of the length. */
 const [MOST_SPRINGS, SLACK] = [4, 0.05];
@@ -107,17 +107,18 @@ function motion({ sides }, joints) {
 /**
  * One step of Newton for the joints; null: none makes the path shorter.
  * @param {Question} question @param {Route} route
- * @returns {{ route: Route, isLast: boolean, isNear: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing; isNear: or less than legs are exact
+ * @returns {{ route: Route, isLast: boolean, isNear: boolean, isMinimum: boolean } | null} isLast: the step promised next to nothing; isNear: or less than legs and joints are exact
  */
-function improve(question, { legs, joints }) {
+function improve(question, route) {
+  const { legs, joints } = route;
   const ways = motion(question, joints);
-  const least = leastBeside({ legs, joints }, question.sides.scale);
-  const { slopes, matrix } = differentiate(question, { legs, joints }, least, ways);
+  const least = leastBeside(route, question.sides.scale);
+  const { slopes, matrix } = differentiate(question, route, least, ways);
   const down = descend(matrix, slopes);
   if (!down) return null;
   const gain = -0.5 * product(down.step, slopes);
   const before = lengthOf(legs);
-  const isNear = gain <= LOOSE * (question.budget.finest ?? 0) * before;
+  const isNear = gain <= LOOSE * (question.budget.finest ?? 0) * before + roundingOf(route);
   let factor = Math.min(1, ...down.step.map((x, j) => (FARTHEST * least[j]) / Math.abs(x)));
   for (let halving = 0; halving < MOST_HALVINGS; halving++, factor /= 2) {
     const tried = joints.map((joint, j) => ({ ...joint, place: ways.moved(j, factor * down.step[j]) }));
@@ -125,7 +126,7 @@ function improve(question, { legs, joints }) {
     if (solved && lengthOf(solved) <= before * (1 + ENOUGH))
       return { route: { legs: solved, joints: tried }, isLast: gain <= ENOUGH * before, isNear, isMinimum: !down.shifted };
   }
-  return isNear ? { route: { legs, joints }, isLast: true, isNear, isMinimum: !down.shifted } : null;
+  return isNear ? { route, isLast: true, isNear, isMinimum: !down.shifted } : null;
 }
 
 /** First and second derivatives of the length by where the joints lie on their creases. @param {Question} question @param {Route} route @param {number[]} least how long the shorter leg beside each joint is @param {ReturnType<typeof motion>} motion of the joints */

@@ -604,3 +604,27 @@ test('two valleys of cost that cross: paths along one through the crossing, and 
     assert.ok(converged >= ofAll(3, 10), `${converged}`);
   }
 });
+
+test('by the bank of a lake whose coordinates are as large as a map has them: as long as at the origin, seed 3', () => {
+  const lakeAt = (/** @type {number} */ x, /** @type {number} */ y) =>
+    surfpath.graph({ z: `max(0.3(x - ${x})^2 + 0.2(y - ${y}), 0.1)`, x: [x - 2, x + 2], y: [y - 2, y + 2] });
+  const [east, north] = [500000, 4649776];
+  const [here, there] = [lakeAt(0, 0), lakeAt(east, north)];
+  const random = createRandom(3);
+  const place = () => [random.between(-1.9, 1.9), random.between(-1.9, 1.9)];
+  for (let i = 0; i < ofAll(10, PAIRS); i++) {
+    const ends = [place(), place()];
+    const { length } = here.shortestPath(ends[0], ends[1]);
+    const [from, to] = ends.map(([x, y]) => [east + x, north + y]);
+    const path = there.shortestPath(from, to);
+    assert.ok(path.converged, `${ends}: ${path.status}`);
+    assert.ok(Math.abs(path.length - length) <= 1e-8 * length, `${ends}: ${path.length}, not ${length}`);
+  }
+});
+
+test('past a corner where roots meet on four sides: a path that Newton could not better than rounding has come to rest', () => {
+  const roofs = surfpath.graph({ z: 'sqrt(max(0, sin(2x)*cos(y)))', x: [-2, 2], y: [-2, 2] });
+  const path = roofs.shortestPath([-1.4535271383821964, 1.6771294080186636], [1.597036890918389, 0.17654810389503828]);
+  assert.equal(path.status, 'converged');
+  assert.ok(path.lengthError <= 1e-6, String(path.lengthError));
+});
