@@ -170,7 +170,7 @@ static double walk_edge(const struct sp_surface *surface, const struct sp_arc *a
         *(missing > 0 ? &short_of : &beyond) = to;
         to += arc->ends[1] < from ? -move : move;
         if (!((to - short_of) * (beyond - to) >= 0)) to = 0.5 * (short_of + beyond);
-        if (absolute(to - before) <= ROUNDING * absolute(to)) break;
+        if (absolute(before - to) <= absolute(ROUNDING * to)) break;
         missing = distance - edge_length(surface, arc, reference, from, to, 0);
     }
     return to;

@@ -57,9 +57,10 @@ int sp_implicit_between(const struct sp_surface *surface, const double *const en
                         double scale, double at[3]);
 
 /* Implicit: whether the gradient of f at a place is nothing beside that not farther away than `near`, or no number: sheets meet there, in a
- * node, or one ends in an apex. That of an end is looked at no nearer to it than this part of the size of things. */
+ * node, or one ends in an apex. That of an end is looked at no nearer to it than this part of the size of things. `seen`: f and its
+ * gradient, there and beside. */
 #define SP_NODE_FAR 5e-3
-int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near);
+int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near, sp_pair seen[SP_IMPLICIT_VALUES]);
 
 /* `move` of the parametric kinds whose charts lie in space: q + d - Gamma(d, d)/2, in the rectangle. */
 int sp_parametric_move(const struct sp_surface *surface, int32_t pair_count, const sp_pair *places, const sp_pair *charts,

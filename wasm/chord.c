@@ -115,8 +115,9 @@ int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3]
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
 static void mend_normals(const struct sp_polyline *line, double far, struct chord *chord) {
+    sp_pair seen[SP_IMPLICIT_VALUES];
     for (int end = 0; end < 2; end++)
-        if (sp_implicit_is_node(line->surface, chord->place[end], far))
+        if (sp_implicit_is_node(line->surface, chord->place[end], far, seen))
             memcpy(chord->normal[end], chord->normal[!end], sizeof chord->normal[0]);
 }
 

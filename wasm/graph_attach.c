@@ -4,7 +4,8 @@
 #include "scalar.h"
 
 enum { PATCH = 4 };
-static const double BESIDE = 1e-2;
+/* A place has no normal of its own where that so near by, in parts of the spacing, is another one. */
+static const double BESIDE = 1e-2, SMOOTH = 0.9;
 
 /* The place in its period that lies in the rectangle. */
 static double reduce(const struct sp_graph *graph, int direction, double x) {
@@ -82,30 +83,25 @@ static void attach_parametric(const struct sp_surface *surface, const struct sp_
     }
 }
 
-/* The unit normal of an implicit surface. */
-static void implicit_normal(const struct sp_surface *surface, const double place[3], double normal[3]) {
-    struct sp_block block;
-    sp_block_open(&block, surface, 0);
-    sp_block_put(&block, place);
-    sp_block_evaluate(&block);
-    for (int32_t c = 0; c < 3; c++)
-        normal[c] = sp_block_get(&block, 0, 1 + c);
-    double size = norm(normal);
-    for (int c = 0; c < 3; c++)
-        normal[c] /= size;
-}
-
 /* A place of an implicit surface to which vertices are attached. */
 struct place {
     const double *at;
     double normal[3], sample[SP_GRAPH_WIDTH], near;
-    int is_node; /* beside a node no normal tells which sheet it lies on */
+    int is_node; /* beside a node no normal tells which sheet it lies on, nor where faces meet */
 };
 
 static void read_place(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct place *place) {
+    sp_pair seen[SP_IMPLICIT_VALUES];
     place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing;
-    place->is_node = sp_implicit_is_node(surface, at, BESIDE * graph->spacing);
-    implicit_normal(surface, at, place->normal);
+    place->is_node = sp_implicit_is_node(surface, at, BESIDE * graph->spacing, seen);
+    sp_pair size = sp_square_root(sp_dot(sp_load(seen + 1), sp_load(seen + 1)));
+    double cosine = 0;
+    for (int c = 0; c < 3; c++) {
+        sp_pair slope = seen[1 + c] / size;
+        cosine += slope[0] * slope[1];
+        place->normal[c] = slope[0];
+    }
+    if (cosine < SMOOTH) place->is_node = 1;
     sp_graph_sample(surface, at, place->sample);
 }
 
@@ -170,13 +166,11 @@ enum sp_status sp_graph_attach(const struct sp_surface *surface, const struct sp
 }
 
 static double near_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {
-    double normal[2][3], sample[2][SP_GRAPH_WIDTH];
-    if (!(distance_between(from, to) <= SP_ATTACHED_NEAR * graph->spacing)) return __builtin_inf();
-    implicit_normal(surface, from, normal[0]);
-    implicit_normal(surface, to, normal[1]);
-    sp_graph_sample(surface, from, sample[0]);
-    sp_graph_sample(surface, to, sample[1]);
-    return sp_graph_sheet_length(surface, sample[0], normal[0], sample[1], normal[1]);
+    struct place places[2];
+    read_place(surface, graph, from, &places[0]);
+    if (near_chord(&places[0], to) == __builtin_inf()) return __builtin_inf();
+    read_place(surface, graph, to, &places[1]);
+    return sp_graph_sheet_length(surface, places[0].sample, places[0].normal, places[1].sample, places[1].normal);
 }
 
 double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {

@@ -79,7 +79,7 @@ static void write_vertex(const struct sp_cells *cells, const struct sp_block *bl
     int settled = length > 0 && value <= SETTLED * graph->spacing * length && -value <= SETTLED * graph->spacing * length &&
                   distance_between(position, center) <= FARTHEST * graph->spacing;
     for (int32_t c = 0; c < 3; c++) {
-        double moved = absolute(position[c] - center[c]);
+        double moved = absolute(center[c] - position[c]);
         if (!settled || 2 * moved > WITHIN * cells->width[c] + ROUNDING * absolute(center[c])) cells->list[vertex].faces = 0;
         graph->normals[3 * (size_t)vertex + (size_t)c] = (float)(settled ? gradient[c] / length : 0);
         if (!settled) position[c] = center[c];

@@ -239,8 +239,8 @@ int sp_implicit_between(const struct sp_surface *surface, const double *const en
     return 0;
 }
 
-int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near) {
-    sp_pair both[3], seen[SP_IMPLICIT_VALUES];
+int sp_implicit_is_node(const struct sp_surface *surface, const double place[3], double near, sp_pair seen[SP_IMPLICIT_VALUES]) {
+    sp_pair both[3];
     for (int j = 0; j < 3; j++)
         both[j] = (sp_pair){place[j], place[j] + BESIDE[j] * near};
     surface->value(1, both, seen);

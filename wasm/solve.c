@@ -273,7 +273,8 @@ static const double CORNER = 1e-2;
 /* Puts an end on the surface. Where sheets meet in a point it stays, and is an end: a polyline's charts are those of its inner nodes. Not
  * so where there is no normal anywhere. */
 static enum sp_status put_end(const struct sp_surface *surface, double scale, double end[3]) {
-    int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, SP_NODE_FAR * scale);
+    sp_pair seen[SP_IMPLICIT_VALUES];
+    int is_node = surface->kind == SP_IMPLICIT && sp_implicit_is_node(surface, end, SP_NODE_FAR * scale, seen);
     enum sp_status status = is_node ? SP_CONVERGED : sp_start_end(surface, scale, end);
     int is_open = is_node || status == SP_OFF_SURFACE;
     return is_open && sp_start_is_multiple(surface, end, CORNER * scale) ? SP_SINGULAR_METRIC : status;

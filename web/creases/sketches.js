@@ -54,6 +54,8 @@ export function sketch(field, sides, ends, ways, { within, points }) {
   const relaxed = distinct(drawn.filter(({ path }) => path.length >= 0))
     .map(({ path }) => {
       const line = path.parameters ?? path.points;
+      /* A tip of a body that is rounded lies elsewhere. */
+      if (!field.domain) for (const [k, end] of ends.entries()) line.set(end, k * (line.length - end.length));
       return { line, length: field.chords ? measureLine(field, sides, line) : path.length, isAtRest: isGeodesic(path), isRelaxed: true };
     })
     .filter(({ length }) => length >= 0);

@@ -157,3 +157,34 @@ test('all around a corner it is a full turn, from the direction of a node that i
     assert.ok(Math.abs(turn - 2 * Math.PI) < 1e-9, `${steep}: ${JSON.stringify(around)}`);
   }
 });
+
+test('from and to tips of an octahedron, and from beside them: as long as unfolded, and a field is finite on all of it', () => {
+  const octahedron = surfpath.implicit({
+    f: 'abs(x) + abs(y) + abs(z) - 1',
+    bounds: [
+      [-1.2, 1.2],
+      [-1.2, 1.2],
+      [-1.2, 1.2],
+    ],
+  });
+  /* Two triangles of sides √2 laid flat side by side: from tip to tip it is twice their height. */
+  for (const k of [0, 1, 2]) {
+    const tip = [0, 1, 2].map((i) => Number(i === k));
+    const path = octahedron.shortestPath(
+      tip,
+      tip.map((x) => -x),
+    );
+    assert.equal(path.status, 'converged');
+    assert.ok(Math.abs(path.length - Math.sqrt(6)) <= RIGHT, String(path.length));
+  }
+  for (const [from, to, exact] of /** @type {[number[], number[], number][]} */ ([
+    [[1, 0, 0], [-0.627281989140146, 0.161054018344248, 0.21166399251560603], 1.993326539484356],
+    [[0.98, 0.015, 0.005], [-1, 0, 0], 2.425005154633696],
+    [[0.999, 0.001, 0], [-0.999, 0, 0.001], 2.447040661697307],
+  ])) {
+    const path = octahedron.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    assert.ok(Math.abs(path.length - exact) <= RIGHT, `${from} to ${to}: ${path.length}`);
+  }
+  assert.ok(octahedron.distanceField([1, 0, 0]).distances.every(Number.isFinite));
+});
