@@ -131,7 +131,7 @@ export async function rebuild({ frame, direction, view }) {
     stage?.refit();
     // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
     if (areFar(endPlaces(), state.seen)) {
-      moveEnds(mended(state.seen), true);
+      moveEnds(mended(), true);
       look(mesh);
       stage?.refit();
       fetched = solve(true);

@@ -7,9 +7,9 @@ import { chosenPath, state } from '../state/state.js';
 /** @typedef {import('../state/sketch.js').Sketch} Sketch */
 /** @typedef {import('./drawable.js').SurfaceMesh} SurfaceMesh */
 
-/** The ends of the sketch, put onto the surface that is seen. @param {number[][]} [seen] that part of it */
-export function mended(seen) {
-  const { surface, drawn, mesh, shown, sketch } = /** @type {any} */ (state);
+/** The ends of the sketch, put onto what is seen of the surface. */
+export function mended() {
+  const { surface, drawn, mesh, shown, sketch, seen } = /** @type {any} */ (state);
   return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends, seen);
 }
 

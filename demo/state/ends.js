@@ -128,7 +128,9 @@ export const describeFar = (places, seen) => (areFar(places, seen) ? 'An end lie
  * @returns {number[][]}
  */
 export function chooseEnds(surface, mesh, seen = []) {
-  const vertices = mesh.indices.filter((i) => isWithin(mesh.positions.subarray(3 * i, 3 * i + 3), seen));
+  const inside = mesh.indices.filter((i) => isWithin(mesh.positions.subarray(3 * i, 3 * i + 3), seen));
+  // What is seen may be narrower than its rounding to 32 bits.
+  const vertices = inside.length > 0 ? inside : mesh.indices;
   let ends = randomPair(surface, mesh, vertices);
   for (let i = 0; i < 20 && !isJoined(surface, ends); i++) ends = randomPair(surface, mesh, vertices);
   return ends;

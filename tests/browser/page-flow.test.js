@@ -110,6 +110,26 @@ describe('changes that overtake each other', () => {
     assert.equal(outside, 0);
   });
 
+  test('of one that has no value there, or one too large, they are brought to the rest, and so is the view', async () => {
+    for (const z of ['x^y', 'exp(x^2*9)']) {
+      await openEntry(page, 'own-graph');
+      for (const next of [z, 'x^2']) {
+        await page.fill('#field-z', next);
+        await rest();
+        assert.equal(await status(), 'converged', await text('#advice'));
+        const { view, heights } = await page.evaluate(() => {
+          const { view, camera } = /** @type {any} */ (window).surfpathView;
+          return {
+            view: [...view, ...camera.position],
+            heights: [...document.querySelectorAll('.surfpath-handle')].map((one) => one.getBoundingClientRect().y),
+          };
+        });
+        assert.ok(view.every(Number.isFinite), `${next} after ${z}: ${view}`);
+        assert.ok(heights.length === 2 && heights.every((y) => y > 0 && y < 500), `${next} after ${z}: ${heights}`);
+      }
+    }
+  });
+
   test('but where a link says that they are, they stay', async () => {
     await openSketch(page, { entry: 'own-graph', texts: { z: 'x^9' } });
     assert.match(await text('#advice'), /far outside what is seen/);

@@ -29,9 +29,10 @@ function dropUndrawable(mesh) {
     const corners = mesh.indices.subarray(i, i + 3);
     if (corners.every(good)) indices.push(...corners);
   }
-  // Vertices of no triangle are put onto one that is drawn: what is fitted into the view is what is seen.
+  // Vertices of no triangle are put onto those that are drawn, as evenly as these lie: what is fitted into the view is what is seen, and where most of it is.
   const used = new Set(indices);
-  const place = (/** @type {Float64Array} */ list) =>
-    list.map((x, i) => (used.has(Math.floor(i / 3)) ? x : indices.length > 0 ? list[3 * indices[0] + (i % 3)] : 0));
+  const count = positions.length / 3;
+  const from = Array.from({ length: count }, (_, i) => (used.has(i) ? i : indices[Math.floor((i / count) * indices.length)]));
+  const place = (/** @type {Float64Array} */ list) => list.map((_, i) => list[3 * from[Math.floor(i / 3)] + (i % 3)] ?? 0);
   return { ...mesh, positions: place(positions), normals: place(normals), indices: Uint32Array.from(indices) };
 }

@@ -84,7 +84,7 @@ export function fitView(points, center, towards, up, slopes) {
     for (const [k, places] of across.entries()) {
       let [low, high] = [Infinity, -Infinity];
       for (let i = 0; i < places.length; i++) {
-        const seen = ((places[i] - shift[k]) * distance) / (distance - depths[i]);
+        const seen = ((places[i] - shift[k]) * distance) / (distance - depths[i] || 1);
         low = Math.min(low, seen);
         high = Math.max(high, seen);
       }

@@ -43,6 +43,11 @@ test('ends at random are two places, however small the surface is', () => {
   }
 });
 
+test('where no vertex is seen, ends are points of the surface all the same', () => {
+  const surface = surfpath.graph({ z: 'x', x: [-1, 1], y: [-1, 1] });
+  for (const end of chooseEnds(surface, surface.mesh(), [[2, 2]])) assert.equal(findBadEnd('graph', surface, [end]), null);
+});
+
 test('a point far from an implicit surface has no place on it, as the solver has it', () => {
   const definition = gallery.ellipsoid;
   const surface = surfpath.surface(definition);

@@ -3,8 +3,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BufferAttribute, Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { shareOfView } from '../../../demo/stage/fit.js';
+import { drawableMesh } from '../../../web/view/drawable.js';
 import { fitView } from '../../../web/view/fit.js';
 import { pointsWithin, rangesWithoutSpikes } from '../../../web/view/spikes.js';
+import { load } from 'surfpath';
 
 const SLOPES = [0.4, 0.3];
 const CUBE = new BufferAttribute(Float32Array.from([-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].flatMap((z) => [x, y, z])))), 3);
@@ -95,6 +97,22 @@ test('of what is as steep everywhere, and would be a thread, a part near its mid
     const [low, high] = rangesWithoutSpikes(graphOf(z))[2];
     assert.ok(high - low < 6 && Math.abs(low) < 0.05 * z(2.45, 2.45), `${z}: ${low} … ${high}`);
   }
+});
+
+test('what is too high to be drawn, or has no value, does not tell which part is looked at', async () => {
+  const surfpath = await load();
+  for (const z of ['exp(9*x^2)', 'x^y', 'exp(20*x)']) {
+    const surface = surfpath.graph({ z, x: [-2.5, 2.5], y: [-2.5, 2.5] });
+    const [low, high] = rangesWithoutSpikes(new BufferAttribute(drawableMesh(surface, surface.mesh()).positions, 3))[2];
+    assert.ok(low >= 0 && low <= 1 && high > 4 && high < 12, `${z}: ${low} … ${high}`);
+    surface.dispose();
+  }
+});
+
+test('of a single place the camera is there, not nowhere', () => {
+  const point = new BufferAttribute(Float32Array.of(1, 2, 3), 3);
+  const { target, distance } = fitView(point, new Vector3(1, 2, 3), new Vector3(1, 0, 0), new Vector3(0, 0, 1), SLOPES);
+  assert.deepEqual([...target, distance], [1, 2, 3, 0]);
 });
 
 test('spikes may be along two axes', () => {
