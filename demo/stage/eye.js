@@ -22,7 +22,7 @@ const [GROWTH, SHIFT] = [1.15, 0.02];
 const ROUNDING = 1e-6;
 /** A side of the surface is the same but for rounding. */
 const SAME = 1e-4;
-/** What is thinner, in parts of the whole surface, is looked at as if it were so wide. */
+/** What has no width is looked at as if it had so much, in parts of the whole surface. */
 const THREAD = 1e-6;
 /** How much farther than the surface without its spikes these are drawn. */
 const DEEP = 200;
@@ -77,7 +77,7 @@ export class Eye {
     this.#points = bulk ?? all;
     if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);
     else this.#bounds.copy(this.#whole);
-    this.#bounds.radius = Math.max(this.#bounds.radius, THREAD * this.#whole.radius);
+    this.#bounds.radius ||= THREAD * this.#whole.radius;
     return ranges;
   }
 

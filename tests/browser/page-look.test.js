@@ -295,6 +295,14 @@ test('a surface in nanometres or picometres fills the view as one in metres', as
   }
 });
 
+test('what can be seen of a formula that grows by twenty orders is drawn', async () => {
+  for (const z of ['exp(12*x)', 'exp(20*x)', 'exp(x^2*6)']) {
+    await openSketch(page, { entry: 'own-graph', texts: { z } });
+    const { lit } = await measurePicture(page, await pictureOfView(page));
+    assert.ok(lit > 0.15, `${z}: ${lit}`);
+  }
+});
+
 test('a scale has the numbers of its surface, however large that is and wherever', async () => {
   const ball = (/** @type {number[]} */ middle, /** @type {number} */ radius) => {
     const f = ['x', 'y', 'z'].map((name, k) => `(${name} - ${middle[k]})^2`).join(' + ');
