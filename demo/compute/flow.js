@@ -5,6 +5,7 @@ import { areFar, chooseEnds, describeFar, findBadEnd } from '../state/ends.js';
 import {
   areInside,
   areLeftBehind,
+  areNear,
   endPlaces,
   lineOfEnds,
   mended,
@@ -121,6 +122,8 @@ export async function rebuild({ frame, direction, view }) {
   let isSeen = false;
   const receive = (/** @type {{ mesh: SurfaceMesh }} */ { mesh }) => {
     if (mine !== builds) return;
+    // Ends of another entry are none of the surface that is still seen.
+    const wereNear = !framing && areNear();
     adopt(sketch, /** @type {Surfaces} */ (opened), mesh);
     isSeen = true;
     framed = framing ?? {};
@@ -129,9 +132,10 @@ export async function rebuild({ frame, direction, view }) {
       return stage?.frame(lineOfEnds(), framed.direction, framed.view);
     }
     stage?.refit();
-    // A link, or an entry of the gallery, says where they are; a formula that grew away from them does not.
-    if (areFar(endPlaces(), state.seen)) {
-      moveEnds(mended(), true);
+    // A link, or an entry of the gallery, says where they are; a formula that grew away from them, or beside which they became one dot, does not.
+    const isFar = areFar(endPlaces(), state.seen);
+    if (isFar || (areNear() && !wereNear)) {
+      moveEnds(mended(), isFar ? 'far' : 'near');
       look(mesh);
       stage?.refit();
       fetched = solve(true);

@@ -1,6 +1,6 @@
 /** Where the sketch's points stand on the surface that is seen; and moved back onto it, where it has left them behind. */
 
-import { describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { areOneDot, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
 import { surfaceOf } from '../state/sketch.js';
 import { chosenPath, state } from '../state/state.js';
 
@@ -13,9 +13,9 @@ export function mended() {
   return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends, seen);
 }
 
-/** Ends elsewhere, as the note says; points on the way go. @param {number[][]} ends @param {boolean} [wereFar] */
-export function moveEnds(ends, wereFar) {
-  state.note = describeMoved(state.sketch.ends, ends, wereFar) ?? state.note;
+/** Ends elsewhere, as the note says; points on the way go. @param {number[][]} ends @param {import('../state/ends.js').Why} [why] */
+export function moveEnds(ends, why) {
+  state.note = describeMoved(state.sketch.ends, ends, why) ?? state.note;
   state.sketch = { ...state.sketch, ends, via: [] };
 }
 
@@ -47,6 +47,12 @@ export const endPlaces = () =>
     const place = state.drawn && placeOf(state.drawn, end);
     return place ? [place] : [];
   });
+
+/** Whether the ends are one dot in the view. */
+export function areNear() {
+  const { drawn, mesh, sketch, seen } = state;
+  return drawn && mesh && areOneDot(drawn, mesh, sketch.ends, seen);
+}
 
 /** What to look at: the line from one end to the other, x y z of each place. */
 export function lineOfEnds() {

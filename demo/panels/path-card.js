@@ -4,10 +4,8 @@ import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { runsOf } from '../compute/legs.js';
-import { chooseEnds, letterOf, onto, rangesOf, shorten } from '../state/ends.js';
+import { chooseEnds, letterOf, onto, radiusOf, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
-import { boxOf } from '../../web/view/origin.js';
-import { isWithin } from '../../web/vector.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
 
@@ -58,10 +56,7 @@ const [FARTHEST, USUAL] = [40, 6];
 /** The power of ten up to the size of what is seen of the surface. @param {Pick<State, 'mesh' | 'seen'>} state */
 function unitOf({ mesh, seen }) {
   if (!mesh || mesh === measured.mesh) return measured.unit;
-  const { positions } = mesh;
-  const isWhole = seen.flat().every((x) => !Number.isFinite(x));
-  const shown = isWhole ? positions : positions.filter((_, i) => isWithin(positions.subarray(i - (i % 3)), seen));
-  measured = { mesh, unit: 10 ** Math.floor(Math.log10(boxOf(shown).radius || 1)) };
+  measured = { mesh, unit: 10 ** Math.floor(Math.log10(radiusOf(mesh, seen) || 1)) };
   return measured.unit;
 }
 

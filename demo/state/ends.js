@@ -2,14 +2,19 @@
 
 import { coordinates } from './definition.js';
 import { boxOf } from '../../web/view/origin.js';
-import { isWithin } from '../../web/vector.js';
+import { gap, isWithin } from '../../web/vector.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
 /** @typedef {{ end: number, coordinate: number, message: string }} EndProblem end: A, B, then the points on the way; −1: none of them alone is at fault */
 
+/** @typedef {'far' | 'near' | 'lost'} Why ends are moved: they are outside what is seen, one dot in it, or not on the surface */
+
 /** In a direction that closes, as the library has it. */
 const MOST_TURNS = 1e9;
+
+/** Ends that are nearer to each other, in parts of the radius of what is seen, are one dot there. */
+const DOT = 0.02;
 
 /** What a point is called: A, B, then the points on the way by number. @param {number} index */
 export const letterOf = (index) => (index < 2 ? 'AB'[index] : String(index - 1));
@@ -76,8 +81,8 @@ export function placeOf(drawn, point) {
 }
 
 /**
- * Each end that is not on a surface, or not where it is seen, moved to the nearest vertex of its mesh; both to places at random, where there is no nearest, or it
- * is the other end.
+ * Each end that is not on a surface, or not where it is seen, moved to the nearest vertex of its mesh; both to places at random, where there is no nearest, or they
+ * would be one dot.
  * @param {import('./kinds.js').Kind} kind @param {{ surface: Surface, drawn: Surface, mesh: SurfaceMesh }} shown @param {any} definition @param {number[][]} ends
  * @param {number[][]} [seen] from and to along each axis
  */
@@ -87,7 +92,20 @@ export function mendEnds(kind, { surface, drawn, mesh }, definition, ends, seen 
     return isWithin(placeOf(drawn, end) ?? [], seen);
   };
   const [from, to] = ends.map((end) => (isGood(end) ? end : nearestVertex(surface, mesh, end, isGood)));
-  return from && to && from.some((x, k) => x !== to[k]) ? [from, to] : chooseEnds(surface, mesh, seen);
+  if (!from || !to || areOneDot(drawn, mesh, [from, to], seen)) return chooseEnds(surface, mesh, seen);
+  return [from, to];
+}
+
+/** Half the diagonal of what is seen of a surface. @param {SurfaceMesh} mesh @param {number[][]} seen from and to along each axis */
+export function radiusOf({ positions }, seen) {
+  const isWhole = !seen.flat().some(Number.isFinite);
+  return boxOf(isWhole ? positions : positions.filter((_, i) => isWithin(positions.subarray(i - (i % 3)), seen))).radius;
+}
+
+/** Whether ends are one dot in the view; not, where one has no place. @param {Surface} drawn @param {SurfaceMesh} mesh @param {number[][]} ends @param {number[][]} seen from and to along each axis */
+export function areOneDot(drawn, mesh, ends, seen) {
+  const [from, to] = ends.map((end) => placeOf(drawn, end) ?? []);
+  return gap(from, to) < DOT * radiusOf(mesh, seen);
 }
 
 /** @param {Surface} surface @param {SurfaceMesh} mesh @param {number[]} point @param {(vertex: number[]) => boolean} isGood */
@@ -105,15 +123,17 @@ function nearestVertex(surface, mesh, point, isGood) {
   return nearest;
 }
 
-/** That ends were moved by the page; null: none was. @param {number[][]} before @param {number[][]} now @param {boolean} [wereFar] outside what is seen */
-export function describeMoved(before, now, wereFar = false) {
+/** That ends were moved by the page; null: none was. @param {number[][]} before @param {number[][]} now @param {Why} [why] */
+export function describeMoved(before, now, why = 'lost') {
   const names = now.flatMap((end, i) => (end.every((x, k) => x === before[i][k]) ? [] : [letterOf(i)]));
   if (names.length === 0) return null;
   const [they, were] = names.length > 1 ? ['they', 'were'] : ['it', 'was'];
-  const moved = `${names.join(' and ')} ${were} moved`;
-  return wereFar
-    ? `${moved} to where the surface is seen: ${they} lay far outside.`
-    : `${moved}: there is no surface where ${they} ${were}.`;
+  const reasons = {
+    far: ` to where the surface is seen: ${they} lay far outside.`,
+    near: ' apart: they were one dot.',
+    lost: `: there is no surface where ${they} ${were}.`,
+  };
+  return `${names.join(' and ')} ${were} moved${reasons[why]}`;
 }
 
 /** Whether an end lies where it cannot be seen. @param {number[][]} places of the ends @param {number[][]} seen from and to along each axis */
@@ -128,13 +148,16 @@ export const describeFar = (places, seen) => (areFar(places, seen) ? 'An end lie
  * @returns {number[][]}
  */
 export function chooseEnds(surface, mesh, seen = []) {
-  const inside = mesh.indices.filter((i) => isWithin(mesh.positions.subarray(3 * i, 3 * i + 3), seen));
+  const inside = mesh.indices.filter((i) => isWithin(placeAt(mesh, i), seen));
   // What is seen may be narrower than its rounding to 32 bits.
   const vertices = inside.length > 0 ? inside : mesh.indices;
   let ends = randomPair(surface, mesh, vertices);
   for (let i = 0; i < 20 && !isJoined(surface, ends); i++) ends = randomPair(surface, mesh, vertices);
   return ends;
 }
+
+/** @param {SurfaceMesh} mesh @param {number} vertex */
+const placeAt = ({ positions }, vertex) => positions.subarray(3 * vertex, 3 * vertex + 3);
 
 /** @param {Surface} surface @param {number[][]} ends */
 function isJoined(surface, ends) {
@@ -148,9 +171,8 @@ function isJoined(surface, ends) {
 /** The farthest but one of six random pairs. @param {Surface} surface @param {SurfaceMesh} mesh @param {Uint32Array} vertices to choose from */
 function randomPair(surface, mesh, vertices) {
   const pick = () => vertices[Math.floor(Math.random() * vertices.length)];
-  const gap = (/** @type {number[]} */ [a, b]) =>
-    Math.hypot(...[0, 1, 2].map((k) => mesh.positions[3 * a + k] - mesh.positions[3 * b + k]));
-  const pairs = Array.from({ length: 6 }, () => [pick(), pick()]).sort((one, other) => gap(one) - gap(other));
+  const apart = (/** @type {number[]} */ [a, b]) => gap(placeAt(mesh, a), placeAt(mesh, b));
+  const pairs = Array.from({ length: 6 }, () => [pick(), pick()]).sort((one, other) => apart(one) - apart(other));
   return pairs[4].map((vertex) => pointAt(surface, mesh, vertex));
 }
 

@@ -130,6 +130,27 @@ describe('changes that overtake each other', () => {
     }
   });
 
+  test('ends beside which wide ranges make them one dot are moved apart; those that a link has so stay', async () => {
+    await openEntry(page, 'own-graph');
+    const ranges = { 'x-from': '-1000', 'x-to': '1000', 'y-from': '-1000', 'y-to': '1000' };
+    await writeAtOnce(Object.fromEntries(Object.entries({ z: '0', ...ranges }).map(([name, value]) => [`field-${name}`, value])));
+    await rest();
+    assert.ok((await length()) > 20, await text('#length'));
+    assert.match(await text('#advice'), /A and B were moved/);
+    await openSketch(page, { entry: 'own-graph', texts: { z: '0', ...ranges } });
+    assert.ok((await length()) < 5, await text('#length'));
+    await page.fill('#field-z', 'x');
+    await rest();
+    assert.ok((await length()) < 8, 'nor does another formula move what the reader has put there');
+  });
+
+  test('an end in the middle of a sphere is too far from it', async () => {
+    await openEntry(page, 'sphere');
+    for (const i of [0, 1, 2]) await page.fill(`#end-0-${i}`, '0');
+    await rest();
+    assert.match(await text('#advice'), /An end lies too far from the surface/);
+  });
+
   test('but where a link says that they are, they stay', async () => {
     await openSketch(page, { entry: 'own-graph', texts: { z: 'x^9' } });
     assert.match(await text('#advice'), /far outside what is seen/);

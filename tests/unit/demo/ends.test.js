@@ -43,6 +43,21 @@ test('ends at random are two places, however small the surface is', () => {
   }
 });
 
+test('ends that would be one dot on what is seen are chosen anew, others stay', () => {
+  const definition = /** @type {const} */ ({ kind: 'graph', z: '0', x: [-1000, 1000], y: [-1000, 1000] });
+  const surface = surfpath.surface(definition);
+  const shown = { surface, drawn: surface, mesh: surface.mesh() };
+  const before = [
+    [-1.9, -1.2],
+    [1.8, 1.4],
+  ];
+  const [[x, y], [otherX, otherY]] = mendEnds('graph', shown, definition, before);
+  assert.ok(Math.hypot(x - otherX, y - otherY) > 28, `${[x, y, otherX, otherY]}`);
+  const apart = [before[0], [30, 20]];
+  assert.deepEqual(mendEnds('graph', shown, definition, apart), apart);
+  assert.equal(describeMoved(before, apart.toReversed(), 'near'), 'A and B were moved apart: they were one dot.');
+});
+
 test('where no vertex is seen, ends are points of the surface all the same', () => {
   const surface = surfpath.graph({ z: 'x', x: [-1, 1], y: [-1, 1] });
   for (const end of chooseEnds(surface, surface.mesh(), [[2, 2]])) assert.equal(findBadEnd('graph', surface, [end]), null);
@@ -78,7 +93,7 @@ test('an end far from what is seen goes to the nearest place that is, the other 
   const now = mendEnds('graph', shown, definition, before, seen);
   assert.deepEqual(now[1], before[1]);
   assert.ok(Math.exp(now[0][0] ** 4) <= 6 && now[0][0] < -1.05 && Math.abs(now[0][1] + 1.2) < 0.06, `${now[0]}`);
-  assert.equal(describeMoved(before, now, true), 'A was moved to where the surface is seen: it lay far outside.');
+  assert.equal(describeMoved(before, now, 'far'), 'A was moved to where the surface is seen: it lay far outside.');
   assert.equal(describeMoved(before, now), 'A was moved: there is no surface where it was.');
   assert.equal(describeMoved(before, before), null);
 });
