@@ -2,6 +2,8 @@
 
 import { mayLeap, unbroken } from '../compute/curves.js';
 import { find } from './dom.js';
+import { isOnSurface } from '../state/ends.js';
+import { surfaceOf } from '../state/sketch.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
 
@@ -36,7 +38,8 @@ function describeStart(length, start) {
 }
 
 /** @param {import('../state/state.js').State} state */
-function renderResult({ sketch, solved, problem, endProblem, note, live, moving, building, surface, gauge }) {
+function renderResult(state) {
+  const { sketch, solved, problem, endProblem, note, live, moving, building, surface, gauge } = state;
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   const busy = live !== null || building;
@@ -62,7 +65,7 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   if (isWaiting) return renderWaiting(building, sketch);
   if (busy && !problem && (!surface || !path)) return;
   const isOld = path !== null && problem !== null;
-  const [words, advice] = isOld ? OLD : path ? describePath(path, sketch, moving) : ['No path', (problem ?? endProblem)?.message ?? ''];
+  const [words, advice] = isOld ? OLD : path ? describePath(path, state) : ['No path', (problem ?? endProblem)?.message ?? ''];
   write('status', words);
   // What the reader must know of the ends stands before what to do, which a path that is one leaves out.
   write('advice', note && (isOld || path?.converged) ? note : [note, advice].filter(Boolean).join(' '));
@@ -70,8 +73,13 @@ function renderResult({ sketch, solved, problem, endProblem, note, live, moving,
   if (!moving) find('status').dataset.status = path?.status ?? 'none';
 }
 
-/** @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch @param {boolean} moving */
-const describePath = (path, sketch, moving) => describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
+/** @param {import('surfpath').Path} path @param {import('../state/state.js').State} state */
+function describePath(path, { sketch, moving, drawn, shown }) {
+  // In the middle of a sphere no way leads to it: to the solver that is a tip.
+  const isOff =
+    path.status === 'singular-metric' && drawn && shown && sketch.ends.some((end) => !isOnSurface(drawn, surfaceOf(shown), end));
+  return describeStatus(isOff ? 'off-surface' : path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
+}
 
 /** Whether a path leaps over what is no surface. @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch */
 const leaps = (path, sketch) => mayLeap(path, sketch) && unbroken(path.points).length > 1;
