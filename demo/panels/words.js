@@ -97,6 +97,7 @@ function adviseStuck({ kind, texts, density, tensor, algorithm }, advice, leaps)
 function describeSingular(sketch) {
   const conditions = conditionsOf(sketch);
   if (sketch.kind === 'metric') return `On the way ${conditions}: change them, narrow the ranges or move the ends.`;
+  if (sketch.density.trim() && Number(sketch.density) <= 0) return 'The density must be greater than 0.';
   const also = conditions && `; or its measure of length fails there: ${conditions}`;
   return `The surface has a crease or a tip on the way: narrow its ranges or move the ends${also}.`;
 }

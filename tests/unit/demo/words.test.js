@@ -53,6 +53,9 @@ test('a measure of length that is none is told as what it is', () => {
   assert.match(advice('hindered'), /crease or a tip.*density must be greater than 0/);
   assert.match(advice('own-metric'), /E, F and G must be positive definite/);
   assert.doesNotMatch(advice('own-metric'), /crease/);
+  const first = (/** @type {string} */ density) => describeStatus('singular-metric', { ...sketchOf('saddle'), density })[1];
+  for (const density of ['-1', ' 0']) assert.match(first(density), /^The density must be greater than 0/);
+  for (const density of ['', ' ', 'x']) assert.match(first(density), /^The surface has a crease/);
   assert.match(describeNoMeasure(sketchOf('hindered')), /nowhere: the density must be/);
 });
 
