@@ -74,10 +74,14 @@ function renderResult(state) {
 }
 
 /** @param {import('surfpath').Path} path @param {import('../state/state.js').State} state */
-function describePath(path, { sketch, moving, drawn, shown }) {
-  // In the middle of a sphere no way leads to it: to the solver that is a tip.
+function describePath(path, { sketch, moving, building, drawn, shown }) {
+  // In the middle of a sphere no way leads to it: to the solver that is a tip. Ends of a surface that is on its way are none of the one that is seen.
   const isOff =
-    path.status === 'singular-metric' && drawn && shown && sketch.ends.some((end) => !isOnSurface(drawn, surfaceOf(shown), end));
+    path.status === 'singular-metric' &&
+    !building &&
+    drawn &&
+    shown &&
+    sketch.ends.some((end) => !isOnSurface(drawn, surfaceOf(shown), end));
   return describeStatus(isOff ? 'off-surface' : path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
 }
 
