@@ -21,18 +21,13 @@ export function drawableMesh(surface, mesh) {
 /** Triangles whose corners can be drawn: a formula may have no value on a part of its range, or a huge one. @param {SurfaceMesh} mesh @returns {SurfaceMesh} */
 function dropUndrawable(mesh) {
   const { positions, normals } = mesh;
-  const isPlace = (/** @type {number} */ x) => Math.abs(x) <= LARGEST;
-  if (positions.every(isPlace) && normals.every(Number.isFinite)) return mesh;
-  const good = (/** @type {number} */ i) => [0, 1, 2].every((k) => isPlace(positions[3 * i + k]) && Number.isFinite(normals[3 * i + k]));
-  /** @type {number[]} */ const indices = [];
-  for (let i = 0; i < mesh.indices.length; i += 3) {
-    const corners = mesh.indices.subarray(i, i + 3);
-    if (corners.every(good)) indices.push(...corners);
-  }
+  const isDrawable = (/** @type {number} */ x) => Math.abs(x) <= LARGEST;
+  if (positions.every(isDrawable) && normals.every(isDrawable)) return mesh;
+  const good = (/** @type {number} */ i) => [positions, normals].every((list) => list.subarray(3 * i, 3 * i + 3).every(isDrawable));
+  const indices = mesh.indices.filter((_, i, all) => all.subarray(i - (i % 3), i - (i % 3) + 3).every(good));
   // Vertices of no triangle are put onto those that are drawn, as evenly as these lie: what is fitted into the view is what is seen, and where most of it is.
   const used = new Set(indices);
-  const count = positions.length / 3;
-  const from = Array.from({ length: count }, (_, i) => (used.has(i) ? i : indices[Math.floor((i / count) * indices.length)]));
-  const place = (/** @type {Float64Array} */ list) => list.map((_, i) => list[3 * from[Math.floor(i / 3)] + (i % 3)] ?? 0);
-  return { ...mesh, positions: place(positions), normals: place(normals), indices: Uint32Array.from(indices) };
+  const drawn = (/** @type {number} */ i) => (used.has(i) ? i : indices[Math.floor((3 * i * indices.length) / positions.length)]);
+  const place = (/** @type {Float64Array} */ list) => list.map((_, i) => list[3 * drawn(Math.floor(i / 3)) + (i % 3)] ?? 0);
+  return { ...mesh, positions: place(positions), normals: place(normals), indices };
 }

@@ -75,7 +75,7 @@ export function fitView(points, center, towards, up, slopes) {
   const right = new Vector3().crossVectors(up, towards).normalize();
   const axes = [right, new Vector3().crossVectors(towards, right)];
   const [depths, ...across] = [towards, ...axes].map((axis) => placesAlong(points, center, axis));
-  const shift = axes.map(() => 0);
+  const shift = [0, 0];
   let distance = 0;
   for (let round = 0; round < ROUNDS; round++) {
     distance = 0;
