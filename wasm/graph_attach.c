@@ -87,13 +87,13 @@ static void attach_parametric(const struct sp_surface *surface, const struct sp_
 struct place {
     const double *at;
     double normal[3], sample[SP_GRAPH_WIDTH], near;
-    int is_node; /* beside a node no normal tells which sheet it lies on, nor where faces meet */
+    int has_no_normal; /* beside a node, and where faces meet: no normal tells which sheet it lies on */
 };
 
 static void read_place(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct place *place) {
     sp_pair seen[SP_IMPLICIT_VALUES];
     place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing;
-    place->is_node = sp_implicit_is_node(surface, at, BESIDE * graph->spacing, seen);
+    place->has_no_normal = sp_implicit_is_node(surface, at, BESIDE * graph->spacing, seen);
     sp_pair size = sp_square_root(sp_dot(sp_load(seen + 1), sp_load(seen + 1)));
     double cosine = 0;
     for (int c = 0; c < 3; c++) {
@@ -101,7 +101,7 @@ static void read_place(const struct sp_surface *surface, const struct sp_graph *
         cosine += slope[0] * slope[1];
         place->normal[c] = slope[0];
     }
-    if (cosine < SMOOTH) place->is_node = 1;
+    if (cosine < SMOOTH) place->has_no_normal = 1;
     sp_graph_sample(surface, at, place->sample);
 }
 
@@ -117,7 +117,7 @@ static double length_to(const struct sp_surface *surface, const struct sp_graph 
     for (int c = 0; c < 3; c++)
         normal[c] = (double)graph->normals[3 * (size_t)vertex + (size_t)c];
     const double *sample = graph->samples + (size_t)graph->width * (size_t)vertex;
-    return sp_graph_sheet_length(surface, place->sample, place->is_node ? normal : place->normal, sample, normal);
+    return sp_graph_sheet_length(surface, place->sample, place->has_no_normal ? normal : place->normal, sample, normal);
 }
 
 static void attach_implicit(const struct sp_surface *surface, const struct sp_graph *graph, const double *end,

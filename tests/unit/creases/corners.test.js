@@ -167,7 +167,7 @@ test('from and to tips of an octahedron, and from beside them: as long as unfold
       [-1.2, 1.2],
     ],
   });
-  /* Two triangles of sides √2 laid flat side by side: from tip to tip it is twice their height. */
+  /* Two triangles of sides √2 laid flat side by side: from tip to tip it is twice their height. The other lengths are the least over all rows of up to five faces, by where these are crossed. */
   for (const k of [0, 1, 2]) {
     const tip = [0, 1, 2].map((i) => Number(i === k));
     const path = octahedron.shortestPath(
