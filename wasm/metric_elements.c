@@ -170,19 +170,24 @@ static int assemble_node(const struct sp_polyline *line, int32_t k, const sp_pai
 static void couple(const struct sp_metric_element *element, int32_t i, int32_t j, sp_pair block[4]) {
     const struct sp_reference *reference = element->reference;
     int32_t size = reference->degree + 1, components = element->components;
-    sp_pair sum[SP_METRIC_COMPONENTS] = {{0}};
-    for (int32_t q = 0; q < size; q++) {
-        double factor = reference->weight[q] * reference->derivative[q * size + i] * reference->derivative[q * size + j];
-        const sp_pair *metric = metric_at(element, q, SP_METRIC_T);
-        for (int32_t c = 0; c < components; c++)
-            sum[c] += factor * metric[c];
+    sp_pair mean[SP_METRIC_COMPONENTS];
+    for (int32_t c = 0; c < components; c += 3) { /* three sums in registers; of a density's the first is used */
+        sp_pair x = sp_splat(0.0), y = x, z = x;
+        for (int32_t q = 0; q < size; q++) {
+            double factor = reference->weight[q] * reference->derivative[q * size + i] * reference->derivative[q * size + j];
+            const sp_pair *metric = metric_at(element, q, SP_METRIC_T) + c;
+            x += factor * metric[0];
+            y += factor * metric[1];
+            z += factor * metric[2];
+        }
+        mean[c] = x, mean[c + 1] = y, mean[c + 2] = z;
     }
     double ij = reference->weight[i] * reference->derivative[i * size + j], ji = reference->weight[j] * reference->derivative[j * size + i];
     for (int32_t k = 0; k < 4; k++) {
         int32_t a = k / 2, b = k % 2;
         const sp_pair *here = element->charts + SP_CHART * i + SP_CHART_1 + 3 * a,
                       *there = element->charts + SP_CHART * j + SP_CHART_1 + 3 * b;
-        sp_pair value = product(components, sum, here, there) + ij * sp_dot(element->pull[a][i], sp_load(there)) +
+        sp_pair value = product(components, mean, here, there) + ij * sp_dot(element->pull[a][i], sp_load(there)) +
                         ji * sp_dot(element->pull[b][j], sp_load(here));
         block[k] = element->factor * value;
     }
