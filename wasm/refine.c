@@ -243,6 +243,8 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         }
         if (measure(climb) && agrees) return finish(climb, climb->error);
         if (now->outcome.active && !climb->astray && nodes >= TOUCHING_NODES) break;
+        /* Elements that close in on an end beside which sheets meet see another sheet, however many they are. */
+        if (climb->astray && elements->fixed && r > 0) break;
         climb->moved = climb->follows && first->elements.reference.degree == 1 ? now->moved : 0;
         climb->before = climb->astray ? *first : sp_storage_keep(&storage, &newton->system);
         if (!climb->astray && !elements->fixed && nodes >= least) uneven = sp_spread_elements(&newton->system, newton->step, spread);
