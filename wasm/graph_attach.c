@@ -4,8 +4,8 @@
 #include "scalar.h"
 
 enum { PATCH = 4 };
-/* A place has no normal of its own where that so near by, in parts of the spacing, is another one. */
-static const double BESIDE = 1e-2, SMOOTH = 0.9;
+/* A place has no normal of its own where those so far to two sides of it, in parts of the spacing, differ. */
+static const double BESIDE = 3e-2, SMOOTH = 0.9;
 
 /* The place in its period that lies in the rectangle. */
 static double reduce(const struct sp_graph *graph, int direction, double x) {
@@ -91,17 +91,15 @@ struct place {
 };
 
 static void read_place(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct place *place) {
-    sp_pair seen[SP_IMPLICIT_VALUES];
-    place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing;
-    place->has_no_normal = sp_implicit_is_node(surface, at, BESIDE * graph->spacing, seen);
-    sp_pair size = sp_square_root(sp_dot(sp_load(seen + 1), sp_load(seen + 1)));
-    double cosine = 0;
-    for (int c = 0; c < 3; c++) {
-        sp_pair slope = seen[1 + c] / size;
-        cosine += slope[0] * slope[1];
-        place->normal[c] = slope[0];
-    }
-    if (cosine < SMOOTH) place->has_no_normal = 1;
+    sp_pair seen[2][SP_IMPLICIT_VALUES]; /* here, and beside it: of two faces that meet here one is seen on one side, one on the other */
+    place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing, place->has_no_normal = 0;
+    for (int side = 0; side < 2; side++)
+        place->has_no_normal |= sp_implicit_is_node(surface, at, (1 - 2 * side) * BESIDE * graph->spacing, seen[side]);
+    struct sp_vector one = sp_load(seen[0] + 1), other = sp_load(seen[1] + 1);
+    sp_pair size = sp_square_root(sp_dot(one, one)), cosine = sp_dot(one, other) / (size * sp_square_root(sp_dot(other, other)));
+    for (int c = 0; c < 3; c++)
+        place->normal[c] = seen[0][1 + c][0] / size[0];
+    if (cosine[1] < SMOOTH) place->has_no_normal = 1;
     sp_graph_sample(surface, at, place->sample);
 }
 

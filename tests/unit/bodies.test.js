@@ -406,3 +406,24 @@ test('a box whose coordinates are as large as those of maps: over its edges as f
     box.dispose();
   }
 });
+
+test('a ring cut from a plate: from the rim of its hole on top to its outer rim below, down the hole or over the outside, as unfolded, seed 12', () => {
+  const half = 0.05;
+  const ring = surfpath.implicit({ f: `max(hypot(x, y) - 1, 0.5 - hypot(x, y), abs(z) - ${half})`, bounds: cube(1.2) });
+  const random = createRandom(12);
+  for (let k = 0; k < 12; k++) {
+    const [at, turn] = [random.between(0, 2 * Math.PI), random.between(-0.8, 0.8)];
+    const rim = (/** @type {number} */ radius, /** @type {number} */ angle, /** @type {number} */ z) => [
+      radius * Math.cos(at + angle),
+      radius * Math.sin(at + angle),
+      z,
+    ];
+    const across = (/** @type {number} */ angle) => Math.hypot(1 - 0.5 * Math.cos(angle), 0.5 * Math.sin(angle));
+    const over = (/** @type {number} */ radius) =>
+      least((angle) => Math.hypot(2 * half, radius * angle) + across(turn - angle), Math.min(0, turn), Math.max(0, turn));
+    const length = Math.min(over(0.5), over(1));
+    const path = ring.shortestPath(rim(0.5, 0, half), rim(1, turn, -half));
+    assert.equal(path.status, 'converged', `${at}, ${turn}`);
+    assert.ok(Math.abs(path.length - length) < RIGHT * length, `${at}, ${turn}: ${path.length} ${length}`);
+  }
+});
