@@ -572,3 +572,13 @@ test('a path that comes to where another one was raised from is not raised again
   assert.ok(paths > 5 && raised.length - paths <= 3, `${raised.length} solves of ${paths} paths`);
   surface.dispose();
 });
+
+test('a steep plane, and a steep saddle: geodesics are unique there, so nothing else is looked for', () => {
+  for (const z of ['5x', '50x + 3y', '2(x^2 - y^2)']) {
+    const surface = surfpath.graph({ z, x: [-2, 2], y: [-2, 2] });
+    const path = surface.shortestPath([-1.8, 0.6], [1.4, -1.2]);
+    assert.equal(path.status, 'converged', z);
+    const solves = solvesOf(() => surface.shortestPath([-1.8, 0.5], [1.4, -1.2]));
+    assert.ok(solves.length <= 3, `${z}: ${solves.length} solves`);
+  }
+});

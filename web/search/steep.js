@@ -130,12 +130,13 @@ export function hasNet(field, options) {
 export const isNoLonger = (line, path) => path.status === STALLED || line.length * (isGeodesic(path) ? 1 + ROUGH : 1) <= mostOf(path);
 
 /**
- * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, or nothing better is found. Exchanged ends reverse it.
+ * The path that is the shortest where the surface is steep, as far as can be told; the given one where it is not, where geodesics are unique, or nothing better is found. Exchanged ends reverse it.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path as other searches found it @returns {Path}
  */
 export function findSteep(field, ends, options, path) {
   const steep = steepOf(field, options);
-  if (!steep) return path;
+  const isOnly = () => isGeodesic(path) && field.run((heap, record) => field.graphs.find(heap, record, field, 0)?.unique);
+  if (!steep || isOnly()) return path;
   if (!isAfter(ends[0], ends[1])) return findForwards(steep, field, ends, options, path);
   const turned = reverse(path);
   const found = findForwards(steep, field, [ends[1], ends[0]], options, turned);
