@@ -13,7 +13,7 @@ import { inOrder, turned } from './join.js';
 /** @typedef {import('../pieces/pieces.js').Start} Start */
 /** @typedef {import('./routes.js').Field} Field */
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
-/** @typedef {{ end: number[], across: number, depth: number, isEdge: boolean }} Infinite an end, a coordinate that leads away from where lengths are infinite, what that changes by from there to an edge, and whether the end lies on the other one */
+/** @typedef {{ end: number[], across: number, depth: number, isEdge: boolean }} Infinite an end, a coordinate that leads away from where lengths are infinite, what that changes by from there to an edge, or less where the other end is near, and whether the end lies on the other one */
 /** @typedef {{ place: number[], length: number, error: number }} Leg from an end to a place inside */
 /** @typedef {{ path: Path, legs: Leg[], length: number, change: number, missed: number }} Found path: between the legs; length: with its legs; change: of that, from the depth before */
 
@@ -115,10 +115,14 @@ const isMeasured = ({ forms }, places) => forms(places).every((form) => Number.i
 function infiniteAt(field, end, other) {
   const { lower, upper, periodic } = domainOf(field);
   if (isMeasured(field, end)) return null;
+  /* Between near ends less of the range is looked at. */
+  const near = Math.min(Math.max(...end.map((x, j) => Math.abs(other[j] - x) / (upper[j] - lower[j]))) || 1, 1);
   const ways = [0, 1].flatMap((across) => {
     const sides = [upper[across] - end[across], lower[across] - end[across]];
     if (other[across] < end[across]) sides.reverse();
-    return sides.filter((depth) => depth && !periodic[across]).map((depth) => ({ end, across, depth, isEdge: sides.includes(0) }));
+    return sides
+      .filter((depth) => depth && !periodic[across])
+      .map((depth) => ({ end, across, depth: near * depth, isEdge: sides.includes(0) }));
   });
   return ways.find((way) => isMeasured(field, placeOf(way, DEPTHS[0], 0))) ?? null;
 }

@@ -43,6 +43,15 @@ test('a body that falls from rest takes the cycloid, to the tolerance', () => {
   assert.equal(fall.lengths([0, 0, 3, -1])[0], fall.shortestPath([0, 0], [3, -1]).length);
 });
 
+test('short falls, into less than a thousandth of the rectangle, are as right as deep ones', () => {
+  for (const radius of [0.3, 1])
+    for (const angle of [0.01, 0.05, 0.1, 1]) {
+      const [x, y] = [radius * (angle - Math.sin(angle)), radius * (1 - Math.cos(angle))];
+      holds(fall.shortestPath([0, 0], [x, -y]), Math.sqrt(2 * radius) * angle, 1e-13);
+    }
+  for (const x of [0.01, 0.1]) holds(fall.shortestPath([1, 0], [1 + x, 0]), 2 * Math.sqrt(Math.PI * x), 1e-13);
+});
+
 test('of random falls all are right, also between two places of rest, by E, F and G, and with slanted coordinates', () => {
   const random = createRandom(4);
   const metric = surfpath.metric({ u: plane.u, v: plane.v, E: '-1/v', F: 0, G: '-1/v' });
