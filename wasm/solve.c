@@ -280,6 +280,9 @@ static enum sp_status put_end(const struct sp_surface *surface, double scale, do
     return is_open && sp_start_is_multiple(surface, end, CORNER * scale) ? SP_SINGULAR_METRIC : status;
 }
 
+/* Many ways are as long as each other if their length is known to this part: else they may seem so, of too few nodes. */
+static const double KNOWN = 1e-4;
+
 /* The stages in order; the first that fails decides. */
 static enum sp_status solve(const struct sp_surface *surface, const struct sp_request *request, const struct sp_options *options,
                             struct sp_arena *arena, struct sp_result *result) {
@@ -319,6 +322,9 @@ static enum sp_status solve(const struct sp_surface *surface, const struct sp_re
     }
     if (status == SP_CONVERGED && result->length_error > result->length) status = SP_TOLERANCE_NOT_MET; /* rounding is all there is */
     if (written < 0 || status > 0) return written < 0 ? written : status;
+    if (elements && refined.outcome.status == SP_ILL_CONDITIONED &&
+        result->length_error > larger(options->tolerance, KNOWN) * result->length)
+        return SP_TOLERANCE_NOT_MET;
     return refined.outcome.status == SP_CONVERGED && result->index > 0 ? SP_SADDLE : (enum sp_status)refined.outcome.status;
 }
 

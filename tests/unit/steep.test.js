@@ -582,3 +582,30 @@ test('a steep plane, and a steep saddle: geodesics are unique there, so nothing 
     assert.ok(solves.length <= 3, `${z}: ${solves.length} solves`);
   }
 });
+
+test('across a smooth dear band: by Snell, where chords of few points leave all ways as long as each other', () => {
+  for (const [height, narrow] of [
+    [1000, 10],
+    [500, 30],
+    [300, 10],
+  ]) {
+    const density = (/** @type {number} */ x) => 1 + height * Math.exp(-narrow * x * x);
+    const surface = surfpath.parametric({
+      ...{ x: 'u', y: 'v', z: 0, u: [-2, 2], v: [-2, 2] },
+      density: `1 + ${height}exp(-${narrow}x^2)`,
+    });
+    /* Where ρ sin θ = c everywhere, y changes by ∫ c / √(ρ² − c²) dx. */
+    const over = (/** @type {(rho: number) => number} */ of) => simpson((x) => of(density(x)), -1, 1.5, 20000);
+    let [low, high] = [0, Math.min(density(-1), density(1.5))];
+    for (let halving = 0; halving < 60; halving++) {
+      const c = (low + high) / 2;
+      if (over((rho) => c / Math.sqrt(rho * rho - c * c)) < 0.7) low = c;
+      else high = c;
+    }
+    const exact = over((rho) => (rho * rho) / Math.sqrt(rho * rho - low * low));
+    const path = surface.shortestPath([-1, 0.3], [1.5, -0.4]);
+    assert.ok(path.converged, `${height}, ${narrow}: ${path.status}`);
+    assert.ok(Math.abs(path.length - exact) < 1e-9 * exact, `${height}, ${narrow}: ${path.length} ${exact}`);
+    surface.dispose();
+  }
+});
