@@ -56,6 +56,18 @@ export function connect(solver, solved) {
   onSolved = solved;
 }
 
+/** What a formula of constants comes to; NaN: it is none. @param {string} text */
+export function numberIn(text) {
+  try {
+    const surface = surfpath.graph({ z: text, x: [0, 1], y: [0, 1] });
+    const height = surface.evaluate([Number.NaN, Number.NaN])[2];
+    surface.dispose();
+    return height;
+  } catch {
+    return Number.NaN;
+  }
+}
+
 /** Surfaces are shown in a view from now on; one that is there already, at once. @param {Stage | null} view null: there is no 3D */
 export function showIn(view) {
   stage = view;

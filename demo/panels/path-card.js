@@ -3,6 +3,7 @@
 import { change } from '../state/change.js';
 import { coordinates } from '../state/definition.js';
 import { create, find, say } from './dom.js';
+import { numberIn } from '../compute/flow.js';
 import { runsOf } from '../compute/legs.js';
 import { chooseEnds, letterOf, onto, radiusOf, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
@@ -76,11 +77,21 @@ function checkPoints(input) {
   return good;
 }
 
+/** What has been written as coordinates, in numbers. @type {Map<string, number>} */
+const numbers = new Map();
+
+/** @param {string} text */
+function numberOf(text) {
+  const number = numbers.get(text) ?? (Number(text.trim() || Number.NaN) || numberIn(text));
+  numbers.set(text, number);
+  return number;
+}
+
 /** @param {HTMLInputElement} input */
-function typeEnd({ name, valueAsNumber }) {
+function typeEnd({ name, value }) {
   const [, row, coordinate] = name.split('-').map(Number);
   const { ends, via } = state.sketch;
-  const typed = written[row].place.map((x, k) => (k === coordinate ? valueAsNumber : x));
+  const typed = written[row].place.map((x, k) => (k === coordinate ? numberOf(value) : x));
   const replace = (/** @type {number[][]} */ list, /** @type {number} */ at) => list.map((point, i) => (i === at ? typed : point));
   change(row < 2 ? { ends: replace(ends, row) } : { via: replace(via, row - 2) }, `type ${name}`);
 }
@@ -115,7 +126,8 @@ function middleOf(runs, legs, leg) {
 /** @param {string[]} names @param {string} letter @param {number} row */
 function endRow(names, letter, row) {
   const inputs = names.map((name, i) => {
-    const input = create('input', { type: 'number', name: `end-${row}-${i}`, id: `end-${row}-${i}` });
+    // With letters: phones' keys for numbers may have no minus, and no pi.
+    const input = create('input', { name: `end-${row}-${i}`, id: `end-${row}-${i}`, spellcheck: false, autocapitalize: 'off' });
     input.setAttribute('aria-label', `${name} of ${letter}`);
     input.setAttribute('aria-describedby', 'ends-problem');
     return create('label', { className: 'coordinate' }, create('span', { className: 'variable' }, name), input);
@@ -186,12 +198,6 @@ function placeOfRow({ drawn, shown, building, sketch }, row, point) {
   return place;
 }
 
-/** What an arrow key adds to a coordinate: 0.05 in a range of 1 to 100, a hundred times as much in one that is a hundred times as wide. @param {readonly number[]} range */
-function stepOf([low, high]) {
-  const hundreds = Math.floor(Math.log10(high - low) / 2);
-  return Number.isFinite(hundreds) ? `5e${2 * hundreds - 2}` : 'any';
-}
-
 /** @param {State} state */
 function renderEnds(state) {
   const { kind, ends, via, task } = state.sketch;
@@ -209,10 +215,8 @@ function renderEnds(state) {
     for (const [i, x] of placeOfRow(state, row, point).entries()) {
       const input = /** @type {HTMLInputElement | null} */ (document.getElementById(`end-${row}-${i}`));
       if (!input) continue;
-      const range = ranges[i] ?? [-Infinity, Infinity];
-      input.step = stepOf(range);
       // What is being written is the number itself, and stays as it is written.
-      if (!Object.is(input.valueAsNumber, x)) input.value = Number.isFinite(x) ? shorten(x, range) : '';
+      if (!Object.is(numberOf(input.value), x)) input.value = Number.isFinite(x) ? shorten(x, ranges[i] ?? [-Infinity, Infinity]) : '';
     }
   }
 }

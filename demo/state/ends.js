@@ -28,7 +28,7 @@ export function findBadEnd(kind, { domain }, points) {
     for (const [coordinate, name] of coordinates(kind).entries()) {
       const axis = coordinate === 0 ? 'u' : 'v';
       const value = point[coordinate];
-      if (!Number.isFinite(value)) return { end, coordinate, message: `${nameOf(end)} needs a number for ${name}.` };
+      if (!Number.isFinite(value)) return { end, coordinate, message: `${nameOf(end)} needs a number for ${name}, such as 0.5 or pi/2.` };
       if (!domain) continue;
       const range = domain[axis];
       const slack = (domain.periodic[axis] ? MOST_TURNS : 1e-9) * (range[1] - range[0]);

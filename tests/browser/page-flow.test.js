@@ -77,7 +77,7 @@ describe('changes that overtake each other', () => {
 
   test('but an end that has a place stays, the other one goes to the nearest, and the page says so', async () => {
     await openEntry(page, 'own-graph');
-    const ends = () => page.$$eval('#ends input', (all) => all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber));
+    const ends = () => page.$$eval('#ends input', (all) => all.map((one) => Number(/** @type {HTMLInputElement} */ (one).value)));
     const [ax, ay, ...b] = await ends();
     await page.fill('#field-z', 'sqrt(x)');
     await page.waitForTimeout(300);
@@ -155,7 +155,7 @@ describe('changes that overtake each other', () => {
     await openSketch(page, { entry: 'own-graph', texts: { z: 'x^9' } });
     assert.match(await text('#advice'), /far outside what is seen/);
     assert.deepEqual(
-      await page.$$eval('#ends input', (all) => all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber)),
+      await page.$$eval('#ends input', (all) => all.map((one) => Number(/** @type {HTMLInputElement} */ (one).value))),
       [-1.9, -1.2, 1.8, 1.4],
     );
   });

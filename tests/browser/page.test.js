@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { ENTRIES } from '../../demo/state/entries.js';
 import { KINDS } from '../../demo/state/kinds.js';
+import { fromHash } from '../../demo/state/link.js';
 import { load } from '../../web/index.js';
 import {
   COARSE,
@@ -240,6 +241,16 @@ test('end points are numbers: a wrong one is said in words, a right one moves th
   assert.equal(await page.locator('#plane .end-handle').count(), 1);
   await page.fill('#end-1-0', '');
   assert.match(await text('#ends-problem'), /B needs a number for u/);
+  // What is written is not read as other digits, and stays.
+  await page.locator('#end-1-0').pressSequentially('0,5');
+  await page.locator('#points').focus();
+  assert.match(await text('#ends-problem'), /B needs a number for u, such as/);
+  assert.equal(await page.inputValue('#end-1-0'), '0,5');
+  await page.fill('#end-1-0', '');
+  await page.locator('#end-1-0').pressSequentially('pi/8');
+  assert.equal(await text('#ends-problem'), '');
+  assert.equal(await page.inputValue('#end-1-0'), 'pi/8');
+  assert.equal(fromHash(await page.evaluate(() => location.hash))?.ends[1][0], Math.PI / 8);
   await page.fill('#end-1-0', '0.5');
   await page.waitForTimeout(300);
   await settled(page);

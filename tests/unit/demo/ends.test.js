@@ -16,8 +16,12 @@ test('a number that is missing or outside is named with its point', () => {
   ];
   const check = (/** @type {number[][]} */ ...points) => findBadEnd('parametric', surface, points);
   assert.equal(check(a, b, via), null);
-  assert.deepEqual(check(a, [Number.NaN, 0]), { end: 1, coordinate: 0, message: 'B needs a number for u.' });
-  assert.deepEqual(check(a, b, via, [0, Number.NaN]), { end: 3, coordinate: 1, message: 'Point 2 needs a number for v.' });
+  assert.deepEqual(check(a, [Number.NaN, 0]), { end: 1, coordinate: 0, message: 'B needs a number for u, such as 0.5 or pi/2.' });
+  assert.deepEqual(check(a, b, via, [0, Number.NaN]), {
+    end: 3,
+    coordinate: 1,
+    message: 'Point 2 needs a number for v, such as 0.5 or pi/2.',
+  });
   assert.match(check(a, b, [99, 0])?.message ?? '', /^u of Point 1 must lie between /);
   const torus = surfpath.surface(gallery.parametricTorus);
   assert.equal(findBadEnd('parametric', torus, [a, [99, 0]]), null);
