@@ -171,8 +171,10 @@ function placeLetters(view) {
   const covered = letters.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
-    const [ox, oy] = beside ? view.toScreen(beside) : [x, y + 1];
-    const gap = Math.max(Math.hypot(x - ox, y - oy), 1);
+    let [ox, oy] = beside ? view.toScreen(beside) : [x, y];
+    // Where the path is a point, too: over its end, or under it, as the other letter is over it.
+    if (Math.hypot(x - ox, y - oy) < 1) [ox, oy] = [x, y + (i === 1 ? -1 : 1)];
+    const gap = Math.hypot(x - ox, y - oy);
     const places = TURNS.map(([cos, sin]) => {
       const [across, down] = [(cos * (x - ox) - sin * (y - oy)) / gap, (sin * (x - ox) + cos * (y - oy)) / gap];
       const far = MARKER + Math.abs(across) * half[0] + Math.abs(down) * half[1];

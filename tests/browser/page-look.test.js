@@ -83,6 +83,18 @@ test('letters stand beside their points, however large the type is', async () =>
   await page.setViewportSize({ width: 1040, height: 640 });
 });
 
+test('ends at the same place are seen, and both letters beside them', async () => {
+  await openSketch(page, { entry: 'saddle', ends: [0, 1].map(() => [0.3, 0.4]) });
+  await nextFrame(page);
+  const [ball, ...letters] = await page.evaluate(() =>
+    ['#handle-A', '#handle-A .letter-tag', '#handle-B .letter-tag'].map((selector) => {
+      const { top, bottom } = /** @type {Element} */ (document.querySelector(selector)).getBoundingClientRect();
+      return { middle: (top + bottom) / 2, top, bottom };
+    }),
+  );
+  assert.ok(letters[0].bottom < ball.middle - 8 && letters[1].top > ball.middle + 8, JSON.stringify({ ball, letters }));
+});
+
 test('letters stand beside what is over the view', async () => {
   for (const [name, width, height] of /** @type {[string, number, number][]} */ ([
     ['ellipsoid', 820, 520],
