@@ -35,7 +35,9 @@ export function startPathCard() {
   find('swap-ends').addEventListener('click', () =>
     change({ ends: [...state.sketch.ends].reverse(), via: [...state.sketch.via].reverse() }),
   );
-  find('add-via').addEventListener('click', addVia);
+  find('add-via').addEventListener('click', () => {
+    adding = adding.then(addVia);
+  });
   onRender(renderPathCard);
 }
 
@@ -102,19 +104,23 @@ function whyNoVia({ sketch }) {
   return Number.isFinite(chosenPath()?.length) ? null : 'There is no path to put a point on.';
 }
 
+/** Until there is a path through the last point that was added: its legs tell where the next one goes. @type {Promise<unknown>} */
+let adding = Promise.resolve();
+
 /** A point in the middle of the longest leg of the path, to be dragged away. */
 function addVia() {
   const path = chosenPath();
   const { via, kind } = state.sketch;
+  const { legs } = state.solved;
   const dimension = coordinates(kind).length;
   const all = dimension === 2 ? path?.parameters : path?.points;
-  if (whyNoVia(state) || !path || !all) return;
-  const { legs } = state.solved;
+  const isOfOthers = state.building || legs.length !== (via.length && via.length + 1);
+  if (whyNoVia(state) || isOfOthers || !path || !all) return;
   const longest = legs.reduce((best, { length }, i) => (length > legs[best].length ? i : best), 0);
   const middle = dimension * middleOf(runsOf(path, legs), legs, longest);
   const point = Array.from(all.slice(middle, middle + dimension));
   const next = [...via.slice(0, longest), point, ...via.slice(longest)];
-  change({ via: next, task: 'path', start: 'global' }, `via ${performance.now()}`);
+  return change({ via: next, task: 'path', start: 'global' }, `via ${performance.now()}`);
 }
 
 /** The point in the middle of a leg. @param {number[]} runs @param {import('../compute/legs.js').Leg[]} legs none: there is one @param {number} leg */

@@ -271,6 +271,19 @@ test('a point on the way is added, moved by keys, and removed', async () => {
   assert.ok(Math.abs((await length()) - shortest) < 1e-8);
 });
 
+test('points on the way that are added in a hurry are as many, each elsewhere', async () => {
+  await openEntry(page, 'lake');
+  await page.evaluate(() => {
+    for (let i = 0; i < 3; i++) document.getElementById('add-via')?.click();
+  });
+  await page.waitForSelector('#handle-3');
+  await settled(page);
+  const all = await page.$$eval('#ends .end', (rows) =>
+    rows.map((row) => [...row.querySelectorAll('input')].map(({ value }) => value).join()),
+  );
+  assert.equal(new Set(all).size, 5, all.join(' '));
+});
+
 test('points on the way divide its longest leg, eight at most; a number that is missing is said, and its point not drawn', async () => {
   await openEntry(page, 'saddle');
   const add = page.locator('#add-via');
@@ -282,7 +295,7 @@ test('points on the way divide its longest leg, eight at most; a number that is 
   assert.equal(await add.isDisabled(), true);
   assert.match((await add.getAttribute('title')) ?? '', /8 points at most/);
   const across = await page.$$eval('#ends input[name$="-0"]', (all) =>
-    all.map((one) => /** @type {HTMLInputElement} */ (one).valueAsNumber),
+    all.map((one) => Number(/** @type {HTMLInputElement} */ (one).value)),
   );
   const [a, b, ...via] = across;
   assert.deepEqual(
