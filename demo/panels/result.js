@@ -39,7 +39,7 @@ function describeStart(length, start) {
 
 /** @param {import('../state/state.js').State} state */
 function renderResult(state) {
-  const { sketch, solved, problem, endProblem, note, live, moving, building, surface, gauge } = state;
+  const { sketch, shown, solved, problem, endProblem, note, live, moving, building, surface, gauge } = state;
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   const busy = live !== null || building;
@@ -52,7 +52,7 @@ function renderResult(state) {
   write('length-error', isKnown ? formatEstimateOf(path.length, path.lengthError) : '');
   find('length-error').title = isKnown ? `${OF_ERROR}: ${formatEstimate(path.lengthError)}` : OF_ERROR;
   if (!moving) {
-    const hasStart = solved.straightLength >= LEAST_SHARE * (path?.length || 0) && !gauge && !sketch.density;
+    const hasStart = solved.straightLength >= LEAST_SHARE * (path?.length || 0) && !gauge && !shown?.density;
     find('start-figure').hidden = !hasStart && !busy;
     write('start-length', hasStart ? describeStart(path?.length ?? NaN, solved.straightLength) : '–');
     write('steps-caption', sketch.task === 'trace' ? 'Steps' : 'Newton steps');

@@ -363,6 +363,29 @@ test('several starts converge to one path, and the straight one alone may miss t
   assert.equal(await isOffered(), true);
 });
 
+test('the last good surface is told of alone, while a measure is half written', async () => {
+  await openEntry(page, 'parametricTorus');
+  await page.evaluate(() => document.querySelector('#measure-card')?.setAttribute('open', ''));
+  await page.fill('#field-density', '1/(1+x^2)');
+  await page.waitForTimeout(250);
+  await settled(page);
+  const before = await text('#length');
+  await page.evaluate(() => {
+    for (const [id, value] of [
+      ['field-density', ''],
+      ['field-metric.E', '1'],
+    ]) {
+      const field = /** @type {HTMLTextAreaElement} */ (document.getElementById(id));
+      field.value = value;
+      field.dispatchEvent(new InputEvent('input', { bubbles: true }));
+    }
+  });
+  await page.waitForSelector('#status[data-old]');
+  await settled(page);
+  assert.deepEqual([await text('#length'), await page.isVisible('#start-figure')], [before, false]);
+  await doing(() => page.click('#undo'));
+});
+
 test('a density and a metric change the path, and the presets fit any rectangle', async () => {
   await openEntry(page, 'hindered');
   const hindered = await length();
