@@ -45,7 +45,7 @@ let framing = null;
 const slow = new WeakSet();
 
 /** How all of a surface is looked at: a direction, else from its ends' side; and what the reader of a link made of that. @typedef {{ direction?: readonly number[], view?: number[] }} Framing */
-/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[]): number[][], frame(curve: ArrayLike<number>, direction?: readonly number[], view?: readonly number[]): void, refit(): void, view: number[] }} Stage */
+/** What the view shows of a surface that is new. @typedef {{ setSurface(mesh: SurfaceMesh, ends: readonly ArrayLike<number>[], chosen: number): number[][], frame(curve: ArrayLike<number>, direction?: readonly number[], view?: readonly number[]): void, refit(): void, view: number[] }} Stage */
 /** @type {Stage | null} */
 let stage = null;
 let onSolved = (/** @type {boolean} */ _animated) => {};
@@ -191,7 +191,8 @@ function adopt(sketch, opened, mesh) {
 
 /** Shows a mesh in the view. @param {SurfaceMesh} mesh */
 function look(mesh) {
-  state.seen = stage?.setSurface(mesh, endPlaces()) ?? [];
+  // The height of a graph is as it comes; all else has ranges, or is put into space by hand.
+  state.seen = stage?.setSurface(mesh, endPlaces(), state.shown?.kind === 'graph' ? 2 : 3) ?? [];
 }
 
 /** The path, exactly. @param {boolean} animated */

@@ -24,6 +24,8 @@ const ROUNDING = 1e-6;
 const SAME = 1e-4;
 /** What has no width is looked at as if it had so much, in parts of the whole surface. */
 const THREAD = 1e-6;
+/** Ends of a path are seen that lie so far apart, in parts of the width of the surface. */
+const FARTHEST = 6;
 /** How much farther than the surface without its spikes these are drawn. */
 const DEEP = 200;
 
@@ -67,12 +69,16 @@ export class Eye {
     });
   }
 
-  /** @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that should be seen, x y z each @returns what is seen along each axis, from and to */
-  setSurface(geometry, ends) {
+  /**
+   * @param {import('three').BufferGeometry} geometry @param {readonly ArrayLike<number>[]} ends places on it that should be seen, x y z each
+   * @param {number} chosen along so many axes it is as long as the reader wishes: all of that is seen
+   * @returns what is seen along each axis, from and to
+   */
+  setSurface(geometry, ends, chosen) {
     if (!this.#touched && this.#points) this.#planned ??= this.#plan(this.#towards());
     this.#whole.copy(/** @type {Sphere} */ (geometry.boundingSphere));
     const all = geometry.getAttribute('position');
-    const ranges = rangesWithoutSpikes(all, ends);
+    const ranges = rangesWithoutSpikes(all, ends, FARTHEST, chosen);
     const bulk = pointsWithin(all, ranges, ends);
     this.#points = bulk ?? all;
     if (bulk) new Box3().setFromBufferAttribute(bulk).getBoundingSphere(this.#bounds);

@@ -121,11 +121,11 @@ export class View {
     this.invalidate();
   }
 
-  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh @param {readonly ArrayLike<number>[]} ends see `Eye` */
-  setSurface(mesh, ends) {
+  /** @param {import('../compute/drawable.js').SurfaceMesh} mesh @param {readonly ArrayLike<number>[]} ends see `Eye` @param {number} chosen */
+  setSurface(mesh, ends, chosen) {
     this.#surface.setMesh(mesh);
     this.#compile();
-    return this.#eye.setSurface(this.#surface.geometry, ends);
+    return this.#eye.setSurface(this.#surface.geometry, ends, chosen);
   }
 
   /** Colours the surface by a number a vertex. @param {string} quantity @param {Float64Array | null} values */

@@ -307,6 +307,21 @@ test('a surface in nanometres or picometres fills the view as one in metres', as
   }
 });
 
+test('a surface that is asked for a thousand times as long as wide is seen whole', async () => {
+  const long = { x: 'cos(u)', y: 'sin(u)', z: 'v', 'u-to': '2pi', 'v-to': '1000' };
+  const wide = { z: '0.3sin(x)', 'x-from': '-1000', 'x-to': '1000', 'y-from': '-1', 'y-to': '1' };
+  for (const [entry, texts, ...ends] of /** @type {[string, object, ...number[][]][]} */ ([
+    ['own-parametric', { ...long, 'u-from': '0', 'v-from': '0' }, [1, 50], [3, 950]],
+    ['own-graph', wide, [-900, 0], [900, 0]],
+  ])) {
+    await openSketch(page, { entry, texts, ends });
+    await nextFrame(page);
+    assert.doesNotMatch((await page.textContent('#advice')) ?? '', /moved|outside/, entry);
+    const [a, b] = await Promise.all(['A', 'B'].map((letter) => page.locator(`#handle-${letter}`).boundingBox()));
+    assert.ok(a && b && Math.hypot(a.x - b.x, a.y - b.y) > 300, `${entry}: ${JSON.stringify([a, b])}`);
+  }
+});
+
 test('what can be seen of a formula that grows by twenty orders is drawn', async () => {
   for (const z of ['exp(12*x)', 'exp(20*x)', 'exp(x^2*6)']) {
     await openSketch(page, { entry: 'own-graph', texts: { z } });

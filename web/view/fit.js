@@ -27,7 +27,7 @@ const [HAIR, ALONG] = [1e-3, 1e-6];
 export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
   check(camera, geometry, towards, margin, shown);
   const all = geometry.getAttribute('position');
-  const points = pointsWithin(all, rangesWithoutSpikes(all, shown, Infinity), shown) ?? all;
+  const points = pointsWithin(all, rangesWithoutSpikes(all, shown), shown) ?? all;
   const { center } = new Box3()
     .setFromBufferAttribute(/** @type {import('three').BufferAttribute} */ (points))
     .getBoundingSphere(new Sphere());

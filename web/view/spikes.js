@@ -14,10 +14,10 @@ const BULK = [0.05, 0.95];
 const [SPIKY, TALL] = [3, 2];
 /** or where, in a part as long as it is wide, its points are so many times denser than they would be spread evenly, and so large a share of all. */
 const [DENSE, SOME] = [8, 0.1];
-/** Whatever it is like, what is so many times longer than wide would be a thread. */
+/** What is so many times longer than wide would be a thread: of a steep one only a part is seen. */
 const THREAD = 200;
-/** In parts of its width: a bulk up to here is seen, and ends of a path that lie so far apart. */
-const [LONG, FARTHEST] = [4, 6];
+/** In parts of its width: a bulk up to here is seen. */
+const LONG = 4;
 
 const AXES = /** @type {const} */ (['getX', 'getY', 'getZ']);
 
@@ -38,9 +38,10 @@ function densest(list, size) {
  * What a view of a surface must show along each axis: far out on spikes, as beside a pole, there is what would make all else tiny.
  * @param {Points} points @param {readonly ArrayLike<number>[]} [ends] places that should be seen, too, x y z each; on an implicit surface they may lie outside its bounds
  * @param {number} [farthest] how far apart, in parts of the width, they may be for that
+ * @param {number} [chosen] along so many axes the surface is as long as it was asked for: there it may be a thread
  * @returns {number[][]} from and to, infinite where it is all
  */
-export function rangesWithoutSpikes(points, ends = [], farthest = FARTHEST) {
+export function rangesWithoutSpikes(points, ends = [], farthest = Infinity, chosen = 0) {
   const stride = strideOf(points);
   const lists = AXES.map((get) =>
     Float64Array.from({ length: Math.ceil(points.count / stride) }, (_, i) => points[get](i * stride)).sort(),
@@ -53,7 +54,8 @@ export function rangesWithoutSpikes(points, ends = [], farthest = FARTHEST) {
     const length = to - from;
     const width = Math.max(...sizes.filter((_, other) => other !== k));
     const { from: dense, share } = densest(list, width);
-    const isEven = length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME) && length <= THREAD * width;
+    const isEven =
+      length <= SPIKY * sizes[k] && share <= Math.max((DENSE * width) / length, SOME) && (length <= THREAD * width || k < chosen);
     if (!isEven && length > TALL * width) {
       const isLong = sizes[k] > LONG * width;
       const size = isLong ? width : Math.max(sizes[k], width);

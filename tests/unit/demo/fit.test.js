@@ -54,7 +54,7 @@ const graphOf = (z) =>
   );
 
 /** @param {import('three').BufferAttribute} points @param {number[][]} [ends] */
-const withoutSpikes = (points, ends) => pointsWithin(points, rangesWithoutSpikes(points, ends), ends);
+const withoutSpikes = (points, ends) => pointsWithin(points, rangesWithoutSpikes(points, ends, 6), ends);
 
 test('spikes beside a pole are not looked at, all of what is only steep is', () => {
   for (const [low, high, z] of /** @type {[number, number, (x: number, y: number) => number][]} */ ([
@@ -97,6 +97,19 @@ test('of what is as steep everywhere, and would be a thread, a part near its mid
     const [low, high] = rangesWithoutSpikes(graphOf(z))[2];
     assert.ok(high - low < 6 && Math.abs(low) < 0.05 * z(2.45, 2.45), `${z}: ${low} … ${high}`);
   }
+});
+
+test('but all of what is as long as it was asked for', () => {
+  const points = graphOf((x) => 0.3 * Math.sin(1000 * x));
+  for (let i = 0; i < points.count; i++) points.setX(i, 1000 * points.getX(i));
+  assert.equal(pointsWithin(points, rangesWithoutSpikes(points, [], 6, 2)), null);
+  const [low, high] = rangesWithoutSpikes(
+    graphOf((x) => 1e4 * x),
+    [],
+    6,
+    2,
+  )[2];
+  assert.ok(high - low < 6, `its height was not: ${low} … ${high}`);
 });
 
 test('what is too high to be drawn, or has no value, does not tell which part is looked at', async () => {
@@ -145,7 +158,7 @@ test('an end outside the bounds of an implicit surface is seen, too; not one far
     const { target, distance } = fitView(withoutSpikes(points, ends) ?? points, new Vector3(), towards, new Vector3(0, 0, 1), SLOPES);
     const seen = new BufferAttribute(Float32Array.from(ends.flat()), 3);
     assert.ok(shareOfView(seen, matrixFrom(target, towards, distance), SLOPES).reach < 1.01);
-    assert.deepEqual(rangesWithoutSpikes(points, [[0, 99, 0]])[1], [-1, 1]);
+    assert.deepEqual(rangesWithoutSpikes(points, [[0, 99, 0]], 6)[1], [-1, 1]);
     assert.equal(withoutSpikes(points, [[1, 1, 1]]), null);
   }
 });
