@@ -1,11 +1,11 @@
 /** The formula card: the kind, its fields, the typeset form, and a mistake shown at the place where it is. */
 
 import { change, chooseKind } from '../state/change.js';
-import { coordinates, fieldNames, textsOf } from '../state/definition.js';
+import { coordinates, fieldNames, sidesOf, textsOf } from '../state/definition.js';
 import { create, find, say } from './dom.js';
 import { ENTRIES } from '../state/entries.js';
 import { KINDS } from '../state/kinds.js';
-import { breakable, math, typeset } from './mathml.js';
+import { breakable, joined, math, typeset } from './mathml.js';
 import { onRender, state } from '../state/state.js';
 
 /** @typedef {import('../state/definition.js').Problem} Problem */
@@ -139,12 +139,14 @@ function renderTypeset(shown) {
     ...Object.keys(parameters),
   ];
   const rows = Object.entries(KINDS[kind].formulas).map(([name, label]) => {
-    const element = typeset(texts[name], names);
-    if (!element) return null;
-    const pieces = breakable(element).map((parts) => math('math', math('mrow', ...parts)));
+    const sides = kind === 'implicit' ? [...sidesOf(texts[name]), '0'] : [texts[name]];
+    const [left, right] = sides.map((side) => typeset(side, names));
+    if (!left || right === null) return null;
     const subject = math('mi', label.replace(/[(,].*$/, ''));
-    if (kind === 'implicit') pieces.at(-1)?.firstElementChild?.append(math('mo', '='), math('mn', '0'));
-    else pieces[0].firstElementChild?.prepend(subject, math('mo', '='));
+    const [from, to] = right ? [breakable(left), right] : [[[subject]], left];
+    const rest = joined([[math('mo', '=')]], breakable(to));
+    // Of an equation each side may be long.
+    const pieces = (sides[2] ? [...from, ...rest] : joined(from, rest)).map((parts) => math('math', math('mrow', ...parts)));
     return create('div', { className: 'equation' }, ...pieces);
   });
   find('typeset').replaceChildren(...rows.filter((row) => row !== null));

@@ -114,7 +114,8 @@ export function breakable(element) {
 }
 
 /** Lists of pieces one after the other, each sticking to the one before it. @param {Element[][][]} lists */
-const joined = (...lists) => lists.reduce((all, [first, ...rest]) => [...all.slice(0, -1), [...(all.at(-1) ?? []), ...first], ...rest]);
+export const joined = (...lists) =>
+  lists.reduce((all, [first, ...rest]) => [...all.slice(0, -1), [...(all.at(-1) ?? []), ...first], ...rest]);
 
 /** A formula as it was written, as far as it is worth reading. @param {string} source */
 const beginningOf = (source) => math('mtext', source.length > BEGINNING ? `${source.slice(0, BEGINNING).trimEnd()} …` : source);

@@ -38,12 +38,12 @@ export function textsOf(definition) {
   return texts;
 }
 
-/** An equation a = b, as people write them, is where a - (b) is 0; f = …, f(x, y, z) = … is none. @param {string} text */
-function differenceOf(text) {
+/** The sides of an equation a = b, as people write them, or what is 0; f = …, f(x, y, z) = … is none. @param {string} text */
+export function sidesOf(text) {
   const sides = text.split('=');
   const isEquation = sides.length === 2 && sides.every((side) => side.trim()) && !/^\s*f\s*[(=]/.test(text);
   const isWhole = sides[0].split('(').length === sides[0].split(')').length;
-  return isEquation && isWhole ? `${sides[0]}-(${sides[1]})` : text;
+  return isEquation && isWhole ? sides : [text];
 }
 
 /**
@@ -61,7 +61,8 @@ export function definitionOf(kind, texts, parameters) {
   }
   const pairs = ranges.map((name) => [texts[`${name}-from`], texts[`${name}-to`]]);
   if (kind === 'implicit') {
-    definition.f = differenceOf(definition.f);
+    const [left, right] = sidesOf(definition.f);
+    definition.f = right ? `${left}-(${right})` : left;
     definition.bounds = pairs.map((pair) => pair.map(Number));
   } else for (const [i, name] of ranges.entries()) definition[name] = pairs[i];
   return /** @type {Definition} */ (definition);

@@ -63,6 +63,20 @@ test('the formula stands typeset above its fields', async () => {
   assert.match(await text('#typeset'), /R\s*\+\s*a/);
 });
 
+test('an equation stands typeset as it is written; what is 0 is said to be', async () => {
+  for (const [f, words] of [
+    ['x^2+y^2+z^2=1', 'x2+y2+z2=1'],
+    ['x^2+y^2+z^2-1', 'x2+y2+z2−1=0'],
+  ]) {
+    await openSketch(page, { entry: 'own-implicit', texts: { f } });
+    assert.equal(await text('#typeset'), words);
+  }
+  // Each side may be broken, and none is cut.
+  await openSketch(page, { entry: 'own-implicit', texts: { f: '(x^2+y^2+z^2+0.7^2-0.3^2)^2=4*0.7^2*(x^2+y^2)' } });
+  assert.equal(await page.$eval('#typeset', ({ scrollWidth, clientWidth }) => scrollWidth - clientWidth), 0);
+  await openEntry(page, 'parametricTorus');
+});
+
 test('the length has the digits that it is known to, and its error estimate', async () => {
   await doing(() => page.selectOption('#tolerance', '1e-12'));
   assert.match(await text('#length'), /^\d\.\d{8}$/);
