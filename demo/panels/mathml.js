@@ -3,7 +3,7 @@
 import { LIMITS, parse } from '../../web/expression/parse.js';
 
 /** @typedef {import('../../web/expression/postfix.js').Instruction} Instruction */
-/** A piece of MathML and how tightly it binds. @typedef {{ element: Element, precedence: number, isNumber?: boolean }} Piece */
+/** A piece of MathML and how tightly it binds. @typedef {{ element: Element, precedence: number }} Piece */
 
 const NAMESPACE = 'http://www.w3.org/1998/Math/MathML';
 const SUM = 1;
@@ -58,21 +58,22 @@ function bracketed({ element, precedence }, least) {
   return precedence >= least ? element : math('mrow', bracket('(', [element]), element, bracket(')', [element]));
 }
 
-/** @param {Element} element @param {number} [precedence] @param {boolean} [isNumber] @returns {Piece} */
-const piece = (element, precedence = ATOM, isNumber = false) => ({ element, precedence, isNumber });
+/** @param {Element} element @param {number} [precedence] @returns {Piece} */
+const piece = (element, precedence = ATOM) => ({ element, precedence });
 
 /** Between factors: none after a number, as in 2π. @param {Piece} before */
-const gap = ({ isNumber }) => (isNumber ? math('mo', '\u2062') : math('mtext', '\u2009'));
+const gap = ({ element }) => (element.localName === 'mn' ? math('mo', '\u2062') : math('mtext', '\u2009'));
 
 /** @type {Record<string, (...operands: Piece[]) => Piece>} */
 const BUILD = {
   add: (a, b) => piece(math('mrow', bracketed(a, SUM), operator('+'), bracketed(b, SUM)), SUM),
   subtract: (a, b) => piece(math('mrow', bracketed(a, SUM), operator('−'), bracketed(b, PRODUCT)), SUM),
-  multiply: (a, b) =>
-    piece(
-      math('mrow', bracketed(a, PRODUCT), b.isNumber ? operator('·') : gap(a), bracketed(b, b.precedence === SIGN ? POWER : PRODUCT)),
-      PRODUCT,
-    ),
+  multiply: (a, b) => {
+    const right = bracketed(b, b.precedence === SIGN ? POWER : PRODUCT);
+    // Digits side by side would be one number.
+    const between = /^\d/.test(right.textContent ?? '') ? operator('·') : gap(a);
+    return piece(math('mrow', bracketed(a, PRODUCT), between, right), PRODUCT);
+  },
   divide: (a, b) => piece(math('mfrac', a.element, b.element), PRODUCT),
   negate: (a) => piece(math('mrow', operator('−'), bracketed(a, PRODUCT)), SIGN),
   pow: (a, b) => piece(math('msup', bracketed(a, ATOM), b.element), POWER),
@@ -90,8 +91,12 @@ function call(name, operands) {
 
 /** @param {Instruction} instruction */
 function leaf({ kind, name, value }) {
-  if (kind === 'number' && !/^[\p{L}_]/u.test(name)) return piece(math('mn', String(value)), ATOM, true);
-  return piece(math('mi', GREEK[name] ?? name));
+  if (kind !== 'number' || /^[\p{L}_]/u.test(name)) return piece(math('mi', GREEK[name] ?? name));
+  const [digits, order] = (/e/i.test(name) ? name : String(value)).split(/e/i);
+  const number = piece(math('mn', digits));
+  if (!order) return number;
+  const power = piece(math('msup', math('mn', '10'), math('mn', String(Number(order)).replace('-', '−'))), POWER);
+  return digits === '1' ? power : BUILD.multiply(number, power);
 }
 
 /**

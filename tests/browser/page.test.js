@@ -63,6 +63,15 @@ test('the formula stands typeset above its fields', async () => {
   assert.match(await text('#typeset'), /R\s*\+\s*a/);
 });
 
+test('numbers with powers of ten are typeset as such, and no two beside each other as one', async () => {
+  const texts = { x: '1e12*cos(u)', y: '2.5e-9*v', z: '2*3^2*u' };
+  await openSketch(page, { entry: 'own-parametric', texts });
+  const rows = await page.$$eval('#typeset .equation', (all) => all.map(({ textContent }) => textContent));
+  assert.deepEqual(rows, ['x=1012\u2009cos\u2061(u)', 'y=2.5·10−9\u2009v', 'z=2·32\u2009u']);
+  assert.equal(await page.locator('#typeset msup').count(), 3);
+  await openEntry(page, 'parametricTorus');
+});
+
 test('an equation stands typeset as it is written; what is 0 is said to be', async () => {
   for (const [f, words] of [
     ['x^2+y^2+z^2=1', 'x2+y2+z2=1'],
