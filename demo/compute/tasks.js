@@ -35,6 +35,8 @@ const BATCH = 1.5;
 /** What takes so long is not run again to be measured. */
 const LONG = 500;
 const MOST_GEODESICS = 12;
+/** The straight line as such, without a step of the method: of so many points that its length does not depend on how many the path has. */
+const LINE = /** @type {const} */ ({ algorithm: 'polyline', points: 1000, maxIterations: 0 });
 
 export class Workshop {
   #surfpath;
@@ -119,15 +121,16 @@ function solve(opened, { ends, via, options }) {
       ? surface.geodesics(from, to, { ...wanted(options), start: 'global', max: MOST_GEODESICS })
       : [find()];
   if (paths.length === 0) paths.push(find());
-  const films = starts.map((one) => iterates(opened, from, to, options, one)).filter((film) => film.length > 0);
+  const films = starts.map((one) => iterates(opened, from, to, wanted(options), one)).filter((film) => film.length > 0);
   const straight = several ? null : (films[0]?.[0] ?? null);
+  const line = straight && iterates(opened, from, to, LINE, 'straight')[0];
   return {
     paths,
     legs: via.length > 0 ? legsOf(opened, paths[0], [from, ...via, to], wanted(options)) : [],
     starts: lines.map((line) => startOf(opened, line)),
     films: several ? films : films.flatMap((film) => framesOf(paths[0], film)),
     straight,
-    straightLength: straight ? lengthOf(straight) : NaN,
+    straightLength: line ? lengthOf(line) : NaN,
     milliseconds: taken > LONG ? taken : measure(find),
   };
 }
@@ -141,10 +144,10 @@ function framesOf({ points }, film) {
   return isNear(last, points) ? [[...film.slice(0, -1), points]] : [];
 }
 
-/** How Newton's method moves a start to a path: the start, and what each step makes of it. @param {Opened} opened @param {number[]} from @param {number[]} to @param {Question['options']} options @param {Float64Array | 'straight'} start */
+/** How Newton's method moves a start to a path: the start, and what each step makes of it. @param {Opened} opened @param {number[]} from @param {number[]} to @param {import('surfpath').PairOptions} options @param {Float64Array | 'straight'} start */
 function iterates({ surface }, from, to, options, start) {
   try {
-    const { history } = surface.shortestPath(from, to, { ...wanted(options), start, record: true });
+    const { history } = surface.shortestPath(from, to, { ...options, start, record: true });
     return history.flatMap((iterate) => (iterate.points && iterate.points.length > 0 ? [iterate.points] : []));
   } catch {
     return [];

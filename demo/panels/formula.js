@@ -129,15 +129,7 @@ function renderFormula({ sketch, shown, problem }) {
 function renderTypeset(shown) {
   typesetFor = shown;
   const { kind, texts, parameters } = shown;
-  const names = [
-    ...coordinates(kind),
-    'u',
-    'v',
-    's',
-    't',
-    ...(kind === 'graph' || kind === 'implicit' ? ['x', 'y', 'z'] : []),
-    ...Object.keys(parameters),
-  ];
+  const names = [...coordinates(kind), 'u', 'v', 's', 't', ...Object.keys(parameters)];
   const rows = Object.entries(KINDS[kind].formulas).map(([name, label]) => {
     const sides = kind === 'implicit' ? [...sidesOf(texts[name]), '0'] : [texts[name]];
     const [left, right] = sides.map((side) => typeset(side, names));

@@ -84,7 +84,7 @@ const numbers = new Map();
 
 /** @param {string} text */
 function numberOf(text) {
-  const number = numbers.get(text) ?? (Number(text.trim() || Number.NaN) || numberIn(text));
+  const number = numbers.get(text) ?? (Number(text) || numberIn(text));
   numbers.set(text, number);
   return number;
 }
@@ -239,7 +239,7 @@ function renderList(paths, chosen) {
   // Only where something is different: a list that is replaced loses the focus.
   const list = find('paths');
   const text = rows.map((row) => row.textContent).join();
-  if (list.textContent !== rows.map((row) => row.textContent).join('') || list.dataset.rows !== text) {
+  if (list.dataset.rows !== text) {
     list.replaceChildren(...rows);
     list.dataset.rows = text;
   } else for (const [i, row] of [...list.children].entries()) row.firstElementChild?.setAttribute('aria-pressed', String(i === chosen));

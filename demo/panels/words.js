@@ -11,7 +11,7 @@ const [MOST_DIGITS, FEW_DIGITS] = [9, 7];
 const SAME = 1e-8;
 /** Powers of ten from which, and below which, numbers are written without one. */
 const [LEAST_ORDER, MOST_ORDER] = [-4, 6];
-const DIGITS = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+const DIGITS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
 /** @type {Record<string, [string, string]>} what happened, what to do, by Path.status */
 const OUTCOMES = {
@@ -157,8 +157,8 @@ export function namePath(status, { start, task, via }, isFirst) {
 /** The power of ten of a number's first digit, once it is rounded. @param {number} x @param {number} digits */
 const orderOf = (x, digits) => Number(x.toExponential(digits - 1).split('e')[1]);
 
-/** @param {number} order */
-const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
+/** A power of ten. @param {number} order */
+export const tenTo = (order) => `10${[...String(order)].map((c) => (c === '-' ? '⁻' : DIGITS[Number(c)])).join('')}`;
 
 /** A number with so many significant digits, in the reader's typography; with a power of ten where there would be many zeros. @param {number} x @param {number} [digits] */
 export function formatNumber(x, digits = 6) {

@@ -1,5 +1,6 @@
 /** A plot of a few series as SVG: linear or logarithmic axes, round numbers, and the values under the pointer. Knows nothing of what it shows. */
 
+import { tenTo } from '../panels/words.js';
 import { pointList, svg, ticks } from './svg.js';
 
 /** @typedef {import('../compute/study.js').Series} Series */
@@ -9,9 +10,6 @@ const [WIDTH, HEIGHT] = [320, 210];
 /** At the right there is room for the half of a number that stands under the last mark. */
 const BOX = { left: 46, right: 305, top: 10, bottom: 172 };
 const MARKS = ['mark-round', 'mark-square'];
-
-/** @param {number} x */
-const power = (x) => `10${[...String(x)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)])).join('')}`;
 
 /** @param {number[]} values @param {Axis} axis @param {number} from @param {number} to on the picture */
 function scaleOf(values, { log, zero }, from, to) {
@@ -29,7 +27,7 @@ function scaleOf(values, { log, zero }, from, to) {
   return {
     at,
     valueAt,
-    marks: marks.map((mark) => ({ place: from + ((mark - low) / (high - low)) * (to - from), text: log ? power(mark) : String(mark) })),
+    marks: marks.map((mark) => ({ place: from + ((mark - low) / (high - low)) * (to - from), text: log ? tenTo(mark) : String(mark) })),
   };
 }
 

@@ -171,12 +171,12 @@ function placeLetters(view) {
   const covered = letters.flatMap(({ i, handle, letter, half }) => {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
-    let [ox, oy] = beside ? view.toScreen(beside) : [x, y];
-    // Where the path is a point, too: over its end, or under it, as the other letter is over it.
-    if (Math.hypot(x - ox, y - oy) < 1) [ox, oy] = [x, y + (i === 1 ? -1 : 1)];
+    const [ox, oy] = beside ? view.toScreen(beside) : [x, y];
     const gap = Math.hypot(x - ox, y - oy);
+    // Where the path is a point, too: over its end, or under it, as the other letter is over it.
+    const [aside, below] = gap < 1 ? [0, i === 1 ? 1 : -1] : [(x - ox) / gap, (y - oy) / gap];
     const places = TURNS.map(([cos, sin]) => {
-      const [across, down] = [(cos * (x - ox) - sin * (y - oy)) / gap, (sin * (x - ox) + cos * (y - oy)) / gap];
+      const [across, down] = [cos * aside - sin * below, sin * aside + cos * below];
       const far = MARKER + Math.abs(across) * half[0] + Math.abs(down) * half[1];
       return [far * across, far * down];
     });

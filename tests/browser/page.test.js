@@ -308,6 +308,15 @@ test('algorithm and points change what is solved', async () => {
   assert.equal(await length(), exact);
 });
 
+test('the straight start is as long however many points the path has', async () => {
+  const starts = [];
+  for (const points of [3, 64]) {
+    await openSketch(page, { entry: 'parametricTorus', points });
+    starts.push(await text('#start-length'));
+  }
+  assert.equal(starts[0], starts[1]);
+});
+
 test('all geodesics are listed with their lengths, and one can be chosen', async () => {
   await openEntry(page, 'parametricTorus');
   const shortest = await text('#length');
