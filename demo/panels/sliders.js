@@ -1,6 +1,7 @@
 /** A slider for each named parameter, and a number beside it for what a slider cannot say. */
 
 import { change } from '../state/change.js';
+import { brief } from '../state/definition.js';
 import { create, find } from './dom.js';
 import { namesIn } from '../state/sketch.js';
 import { onRender, state } from '../state/state.js';
@@ -18,7 +19,7 @@ export function startSliders() {
   // Who leaves a number empty gets it back.
   find('sliders').addEventListener('change', ({ target }) => {
     const input = /** @type {HTMLInputElement} */ (target);
-    if (!Number.isFinite(input.valueAsNumber)) input.value = write(state.sketch.parameters[parameterOf(input.name)]);
+    if (!Number.isFinite(input.valueAsNumber)) input.value = brief(state.sketch.parameters[parameterOf(input.name)]);
   });
   find('sliders').addEventListener('click', ({ target }) => {
     const name = /** @type {HTMLElement} */ (target).dataset.remove;
@@ -29,9 +30,6 @@ export function startSliders() {
 
 /** @param {string} name of an input */
 const parameterOf = (name) => name.replace(/^(parameter|value)-/, '');
-
-/** A number for an input. @param {number} x */
-const write = (x) => String(Number(x.toPrecision(6)));
 
 /** @param {Record<string, number>} parameters @param {string} name */
 const without = (parameters, name) => Object.fromEntries(Object.entries(parameters).filter(([other]) => other !== name));
@@ -50,7 +48,7 @@ function renderSliders({ sketch }) {
     widen(/** @type {HTMLInputElement} */ (find(`parameter-${name}`)), value);
     for (const field of [`parameter-${name}`, `value-${name}`]) {
       const input = /** @type {HTMLInputElement} */ (find(field));
-      if (input !== document.activeElement && input.valueAsNumber !== value) input.value = write(value);
+      if (input !== document.activeElement && input.valueAsNumber !== value) input.value = brief(value);
     }
   }
 }

@@ -92,9 +92,16 @@ const [FOR_PROGRAMS, FOR_READERS] = ['or give it a value in parameters', 'or mak
 /** What it advises of an equation; and what to do where the formula of a coordinate was to be written. */
 const [EQUATION, INSTEAD] = ['write a - (b)', 'choose Implicit'];
 
-/** A message of the library as a sentence, without the name of the function or field before it; names of the reader's formula stay as they are. @param {string} message */
+/** A number in six digits, at most. @param {number} x */
+export const brief = (x) => String(Number(x.toPrecision(6)));
+
+/** A message of the library as a sentence, without the name of the function or field before it; names of the reader's formula stay as they are; numbers are short. @param {string} message */
 export function sentence(message) {
-  const text = message.replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '').replace(FOR_PROGRAMS, FOR_READERS);
+  const text = message
+    .replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '')
+    .replace(FOR_PROGRAMS, FOR_READERS)
+    .replace(/\[(.+), ?(.+)\]/, '$1 to $2')
+    .replace(/\d+\.\d{6,}/g, (number) => brief(Number(number)));
   const [word] = text.split(' ');
   const first = NAMES.has(word) || text.includes(`${word}(`) ? text[0] : text[0].toUpperCase();
   return `${first}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;

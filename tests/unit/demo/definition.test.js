@@ -45,6 +45,8 @@ test('a mistake is marked in the field where it is, and says what a reader of th
   assert.equal(field, 'z');
   assert.match(message, /for an equation a = b choose Implicit\.$/);
   assert.match(problem('implicit', { ...BOX, f: 'x = y = z' }).message, /write a - \(b\)\.$/);
+  const turned = problem('graph', { ...ranges, z: 'x', 'x-from': '10', 'x-to': 'pi' });
+  assert.equal(turned.message, 'x must be a range of two numbers, the smaller first, not 10 to 3.14159.');
   // As the formula of another field.
   assert.equal(problem('graph', { ...ranges, z: 'x', 'y-to': 'x' }).field, 'y-to');
 });
