@@ -200,12 +200,12 @@ dist/wasm.d.ts: Makefile
 
 BUNDLE = $(BIN)/esbuild $< --bundle --minify --format=esm --target=es2022 '--external:node:*' --log-level=warning --outfile=$@
 # Once more, in 4 % fewer bytes: the module's text stays in front, where it compresses best (wasm/pack/pack.js), and lines are short enough to stand above an
-# error: they end where statements do, else a semicolon and a line's end would both stand there; no function is a constructor.
-SHORTER = --module --ecma 2022 --compress passes=3,inline=1,unsafe_arrows --mangle
+# error: they end where statements do, else a semicolon and a line's end would both stand there; no function is a constructor, no getter does anything but get.
+SHORTER = --module --ecma 2022 --compress passes=5,inline=1,unsafe_arrows,pure_getters --mangle
 SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@
 
 # Properties with these names, or names as isPlain, are of no object that a caller, a worker or another entry gets: their names get short.
-INNER = signs|integerPower|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena|steepness|readPoint|negativeZero|halfWave|whereNonzero|signFrom|placeAt|sketch|building|isPlain|branches|isAtRest|isCorner|valueAt|outputs|isCreased|invalidate|tensors|endProblem|shadeProblem|moving|isUnique|isDisposed|isSlow|isEdge|isMinimum|isLeg|isRelaxed|isFixed|isSpatial|isBrief
+INNER = signs|integerPower|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena|steepness|readPoint|negativeZero|halfWave|whereNonzero|signFrom|placeAt|sketch|building|isPlain|branches|isAtRest|isCorner|valueAt|outputs|isCreased|invalidate|tensors|endProblem|shadeProblem|moving|isUnique|isDisposed|isSlow|isEdge|isMinimum|isLeg|isRelaxed|isFixed|isSpatial|isBrief|isOneSided|_spherical(Delta)?|_getSecondPointerPosition|_pointer(Position)?s
 # On the page these gain nothing.
 FEW = squareRoot|operands|precedence|uninstall|installAll|releaseGraph|meshImplicit
 dist/index.js dist/slim.js dist/worker.js: SHORTER += --mangle-props 'regex=/^(is[A-Z].*|$(FEW)|$(INNER))$$/'
