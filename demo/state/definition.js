@@ -100,7 +100,7 @@ export function sentence(message) {
   const text = message
     .replace(/^(?:[a-z.]+(?:\[\d\])?: )+/i, '')
     .replace(FOR_PROGRAMS, FOR_READERS)
-    .replace(/\[(.+), ?(.+)\]/, '$1 to $2')
+    .replace(/\[([^,]+), ?([^,]+)\]/, '$1 to $2')
     .replace(/\d+\.\d{6,}/g, (number) => brief(Number(number)));
   const [word] = text.split(' ');
   const first = NAMES.has(word) || text.includes(`${word}(`) ? text[0] : text[0].toUpperCase();
