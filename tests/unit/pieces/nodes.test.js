@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../../web/index.js';
 import { findNet } from '../../../web/pieces/nodes.js';
+import { Heap } from '../../../web/runtime/heap.js';
 import { distancesAlong } from '../../helpers/mesh-distances.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
@@ -403,4 +404,28 @@ describe('where little tells which nodes hang together', () => {
       assert.equal(path.status, 'converged', `${points}`);
     }
   });
+});
+
+test('to the dent of a heart: elements that close in on a node and go astray are given up soon', (context) => {
+  const half = 1.5;
+  const heart = surfpath.implicit({
+    f: '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3',
+    bounds: [
+      [-half, half],
+      [-half, half],
+      [-half, half],
+    ],
+  });
+  let moved = 0;
+  const { solve } = Heap.prototype;
+  /** @this {Heap} @param {Parameters<Heap['solve']>} asked */
+  function counted(...asked) {
+    const result = solve.apply(this, asked);
+    moved += this.work;
+    return result;
+  }
+  context.mock.method(Heap.prototype, 'solve', counted);
+  const path = heart.shortestPath(heart.project([0.5, 0.3, 1.2]), [0, 0, 1]);
+  assert.equal(path.status, 'converged');
+  assert.ok(moved < 1e6, `nodes were moved ${moved} times, once 2,981,025`);
 });
