@@ -92,14 +92,13 @@ struct place {
 
 static void read_place(const struct sp_surface *surface, const struct sp_graph *graph, const double *at, struct place *place) {
     sp_pair seen[2][SP_IMPLICIT_VALUES]; /* here, and beside it: of two faces that meet here one is seen on one side, one on the other */
-    place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing, place->has_no_normal = 0;
-    for (int side = 0; side < 2; side++)
-        place->has_no_normal |= sp_implicit_is_node(surface, at, (1 - 2 * side) * BESIDE * graph->spacing, seen[side]);
+    double beside = BESIDE * graph->spacing;
+    int is_node = sp_implicit_is_node(surface, at, beside, seen[0]) | sp_implicit_is_node(surface, at, -beside, seen[1]);
     struct sp_vector one = sp_load(seen[0] + 1), other = sp_load(seen[1] + 1);
     sp_pair size = sp_square_root(sp_dot(one, one)), cosine = sp_dot(one, other) / (size * sp_square_root(sp_dot(other, other)));
     for (int c = 0; c < 3; c++)
         place->normal[c] = seen[0][1 + c][0] / size[0];
-    if (cosine[1] < SMOOTH) place->has_no_normal = 1;
+    place->at = at, place->near = SP_ATTACHED_NEAR * graph->spacing, place->has_no_normal = is_node | (cosine[1] < SMOOTH);
     sp_graph_sample(surface, at, place->sample);
 }
 
@@ -168,7 +167,9 @@ static double near_implicit(const struct sp_surface *surface, const struct sp_gr
     read_place(surface, graph, from, &places[0]);
     if (near_chord(&places[0], to) == __builtin_inf()) return __builtin_inf();
     read_place(surface, graph, to, &places[1]);
-    return sp_graph_sheet_length(surface, places[0].sample, places[0].normal, places[1].sample, places[1].normal);
+    /* One that has no normal of its own is on the other's sheet. */
+    const struct place *first = &places[places[0].has_no_normal], *second = &places[1 - places[1].has_no_normal];
+    return sp_graph_sheet_length(surface, places[0].sample, first->normal, places[1].sample, second->normal);
 }
 
 double sp_graph_near_length(const struct sp_surface *surface, const struct sp_graph *graph, const double *from, const double *to) {

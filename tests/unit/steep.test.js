@@ -580,6 +580,7 @@ test('a steep plane, and a steep saddle: geodesics are unique there, so nothing 
     assert.equal(path.status, 'converged', z);
     const solves = solvesOf(() => surface.shortestPath([-1.8, 0.5], [1.4, -1.2]));
     assert.ok(solves.length <= 3, `${z}: ${solves.length} solves`);
+    surface.dispose();
   }
 });
 

@@ -17,7 +17,7 @@ import { inOrder, turned } from './join.js';
 /** @typedef {{ place: number[], length: number, error: number }} Leg from an end to a place inside */
 /** @typedef {{ path: Path, legs: Leg[], length: number, change: number, missed: number }} Found path: between the legs; length: with its legs; change: of that, from the depth before */
 
-/** So far beside, in parts of the range, paths begin. What they miss of the length falls with the depth, or sooner: the last two tell what is left. */
+/** So far beside, in parts of the way to the edge, or of less where ends are near, paths begin. What they miss of the length falls with the depth, or sooner: the last two tell what is left. */
 const DEPTHS = [1e-3, 1e-4, 1e-5, 1e-7, 1e-9];
 /** Enough is known where what is missed is this part of the tolerance. */
 const ENOUGH = 0.1;

@@ -159,14 +159,8 @@ test('all around a corner it is a full turn, from the direction of a node that i
 });
 
 test('from and to tips of an octahedron, and from beside them: as long as unfolded, and a field is finite on all of it', () => {
-  const octahedron = surfpath.implicit({
-    f: 'abs(x) + abs(y) + abs(z) - 1',
-    bounds: [
-      [-1.2, 1.2],
-      [-1.2, 1.2],
-      [-1.2, 1.2],
-    ],
-  });
+  const side = /** @type {const} */ ([-1.2, 1.2]);
+  const octahedron = surfpath.implicit({ f: 'abs(x) + abs(y) + abs(z) - 1', bounds: [side, side, side] });
   /* Two triangles of sides √2 laid flat side by side: from tip to tip it is twice their height. The other lengths are the least over all rows of up to five faces, by where these are crossed. */
   for (const k of [0, 1, 2]) {
     const tip = [0, 1, 2].map((i) => Number(i === k));

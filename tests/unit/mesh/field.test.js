@@ -214,6 +214,23 @@ test('exact distances over the edges of a body', () => {
   cube.dispose();
 });
 
+test('a start on an edge of a body is as near to both faces as it is', () => {
+  const side = /** @type {const} */ ([-1.5, 1.5]);
+  const cube = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1', bounds: [side, side, side] });
+  const { mesh, distances } = cube.distanceField([1, 0.02, 1], { resolution: 40 });
+  const near = { x: 0, z: 0 };
+  for (const [i, distance] of distances.entries()) {
+    const [x, y, z] = mesh.positions.subarray(3 * i, 3 * i + 3);
+    const straight = Math.hypot(1 - x, y - 0.02, 1 - z);
+    const face = Math.abs(x - 1) < 1e-9 ? 'x' : 'z';
+    if (straight > 0.06 || (face === 'z' && Math.abs(z - 1) > 1e-9)) continue;
+    near[face]++;
+    assert.ok(Math.abs(distance - straight) < EXACT, `${[x, y, z]}: ${distance}, not ${straight}`);
+  }
+  assert.ok(near.x > 2 && near.z > 2, JSON.stringify(near));
+  cube.dispose();
+});
+
 test('96 cells a direction in less than half a second', (t) => {
   const surface = make('bumpy');
   const { from } = gallery.bumpy;

@@ -407,15 +407,7 @@ describe('where little tells which nodes hang together', () => {
 });
 
 test('to the dent of a heart: elements that close in on a node and go astray are given up soon', (context) => {
-  const half = 1.5;
-  const heart = surfpath.implicit({
-    f: '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3',
-    bounds: [
-      [-half, half],
-      [-half, half],
-      [-half, half],
-    ],
-  });
+  const heart = surfpath.implicit({ f: '(x^2 + 9/4*y^2 + z^2 - 1)^3 - x^2*z^3 - 9/80*y^2*z^3', bounds: within(1.5) });
   let moved = 0;
   const { solve } = Heap.prototype;
   /** @this {Heap} @param {Parameters<Heap['solve']>} asked */
