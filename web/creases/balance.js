@@ -4,7 +4,7 @@ import { largest, sumOf } from '../vector.js';
 import { bothWays, directions, meetEdge, settle } from './crease.js';
 import { isInside, isOnEdge, LEG, leastBeside, placesOf, slopeAlong, solveLeg, span } from './legs.js';
 import { ahead, apart, solveLinear } from './linear.js';
-import { withoutPassed } from './parts.js';
+import { withoutLeast, withoutPassed } from './parts.js';
 import { graze, survey } from './shores.js';
 import { speedOn } from './tangent.js';
 
@@ -19,6 +19,8 @@ const GRAZING = 1e-7;
 const [BALANCE, FARTHEST] = [1e-3, 0.5];
 /** A joint stays on an edge of the rectangle that is no farther than this part of the shorter leg. */
 const NEAR_EDGE = 0.05;
+/** A leg between two shores of this part of a path at most is none: that its joints are at rest says nothing. */
+const PINCHED = 1e-6;
 /** So often joints are moved, and so often a step halved; joints that have passed each other for so many steps have no shore between them. */
 const [MOST_STEPS, MOST_HALVINGS, MOST_PASSED] = [30, 12, 3];
 
@@ -31,7 +33,7 @@ export function rest(question, route) {
   for (let step = 0; now && step < MOST_STEPS; step++) {
     route = now;
     passed = withoutPassed(now, question.sides.scale) ? passed + 1 : 0;
-    if (largest(now.off) <= GRAZING) return { route, isAtRest: passed === 0 };
+    if (largest(now.off) <= GRAZING) return { route, isAtRest: passed === 0 && !withoutLeast(now, question.sides.scale, PINCHED) };
     if (passed === MOST_PASSED) break;
     now = rebalance(question, now);
   }

@@ -256,13 +256,13 @@ export function beside(line, scale, end, away, side) {
   return end.map((x, i) => x + (away / reach) * (next[i] - x));
 }
 
-/** The legs but for the shortest one that is free, between joints on the same crease. null: none is short @param {Route} route @param {readonly number[]} scale @returns {Piece[] | null} */
-export function withoutLeast(route, scale) {
+/** The legs but for the shortest one that is free, between joints on the same crease; null: none is so short. @param {Route} route @param {readonly number[]} scale @param {number} [most] part of the path @returns {Piece[] | null} */
+export function withoutLeast(route, scale, most = SPARE) {
   const { legs, joints } = route;
   const spans = legs.map(({ line }) => span(line, scale));
   const isSpare = (/** @type {number} */ i) => i > 0 && !legs[i].shore && joints[i]?.crease === joints[i - 1].crease;
   const least = spans.reduce((best, length, i) => (isSpare(i) && !(length >= spans[best]) ? i : best), -1);
-  if (least < 0 || spans[least] > SPARE * sumOf(spans)) return null;
+  if (least < 0 || spans[least] > most * sumOf(spans)) return null;
   return without(wholes(route, scale), scale.length, (_, i) => i === least);
 }
 

@@ -5,8 +5,9 @@ import { poseNear } from '../search/routes.js';
 import { largest, minus, sumOf } from '../vector.js';
 import { between, beyond, directions, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, middleOf, nodesOf, slopeAlong, solveLeg } from './legs.js';
-import { inner } from './linear.js';
-import { frameOn, speedOn } from './tangent.js';
+import { apart, inner, scaled } from './linear.js';
+import { endOf } from './meeting.js';
+import { frameOn, speedOn, traceOn } from './tangent.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -31,6 +32,8 @@ const NEAR = { ...LEG, points: 1, maxIterations: 12 };
 const MIDDLE = 0.125;
 /** What lies between two places on a shore leaves its side by no more than this part of their distance. */
 const LEAVES = 1e-9;
+/** A geodesic that begins along a shore follows it if it ends from it by no more than this part of how far that leads. */
+const BESIDE = 1e-5;
 
 /** What is straight between two places on a side. @param {Question} question @param {number[]} signs @param {number[]} from @param {number[]} to */
 const near = (question, signs, from, to) =>
@@ -88,10 +91,24 @@ export function survey(question, leg, from, to) {
   for (let level = 0; level <= HALVINGS; level++) {
     const length = sumOf(places.slice(1).map((place, i) => lengthAlong(question, on, places[i], place, 2 ** level)));
     const error = Math.abs(length - before);
-    if (error <= EXACT * length) return { ...leg, line: Float64Array.from(places.flat()), length, error };
+    if (error <= EXACT * length) {
+      const isSpent = bends.some((signs) => isPastConjugate(question, { crease, signs }, sense, length, from, to));
+      return isSpent ? null : { ...leg, line: Float64Array.from(places.flat()), length, error };
+    }
     before = length;
   }
   return null;
+}
+
+/**
+ * Whether a crease is a geodesic of a side, as the rim of Luneburg's lens, and from one place on it to another leads past a point that is conjugate to the first.
+ * @param {Question} question @param {import('./crease.js').On} on @param {number} sense @param {number} length @param {number[]} from @param {number[]} to
+ */
+function isPastConjugate({ field, sides }, on, sense, length, from, to) {
+  const side = sides.on(on.signs);
+  const way = scaled(directions(sides, on, from).along, sense);
+  const traced = side && traceOn({ field, tolerance: ALIKE }, side, from, way, length);
+  return !!traced?.conjugate && apart(endOf(traced), to, sides.scale) <= BESIDE * apart(from, to, sides.scale);
 }
 
 /** How long a crease is between two places on it, by Gauss's rule in so many parts. @param {Question} question @param {import('./crease.js').On} on @param {number[]} from @param {number[]} to @param {number} [parts] */

@@ -256,6 +256,16 @@ test('a lake is walked round: straight to the shore, along it, and straight on; 
   lake.dispose();
 });
 
+test("Luneburg's lens: parallel rays meet in the focus, at once; those near its rim do not follow it, a geodesic of the inside past its conjugate point", () => {
+  const lens = surfpath.graph({ z: 0, x: [-3, 3], y: [-3, 3], density: 'sqrt(max(1, 2 - x^2 - y^2))' });
+  for (const height of [0.5, 0.9, 0.93, -0.95, 0.97, 0.99, 0.995, 1]) {
+    const { status, length } = lens.shortestPath([-2, height], [1, 0]);
+    assert.equal(status, 'converged', `${height}`);
+    assert.ok(Math.abs(length - 2 - Math.PI / 2) <= 1e-9, `${height}: ${length}`);
+  }
+  lens.dispose();
+});
+
 for (const height of [0.2, 0.7])
   test(`a lake on a hill ${height} high is walked round as the wall of a ring is, seed 101`, () => {
     const hill = (/** @type {string} */ x, /** @type {string} */ y) => `${height}*exp(-2((${x})^2 + (${y})^2))`;
