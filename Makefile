@@ -205,7 +205,7 @@ SHORTER = --module --ecma 2022 --compress passes=5,inline=1,unsafe_arrows,pure_g
 SHORTEN = $(BIN)/terser $@ $(SHORTER) --format max_line_len=500,semicolons=false --output $@
 
 # Properties with these names, or names as isPlain, are of no object that a caller, a worker or another entry gets: their names get short.
-INNER = signs|integerPower|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena|steepness|readPoint|negativeZero|halfWave|whereNonzero|signFrom|placeAt|sketch|building|isPlain|branches|isAtRest|isCorner|valueAt|outputs|isCreased|invalidate|tensors|endProblem|shadeProblem|moving|isUnique|isDisposed|isSlow|isEdge|isMinimum|isLeg|isRelaxed|isFixed|isSpatial|isBrief|isOneSided|_spherical(Delta)?|_getSecondPointerPosition|_pointer(Position)?s
+INNER = signs|integerPower|legs|joints|shore|crease|sides|numberOf|valueOrder|(write|copy|all)(Doubles|Words|Point|Records?)|arenaBase|openArena|steepness|readPoint|negativeZero|halfWave|whereNonzero|signFrom|placeAt|sketch|building|isPlain|branches|isAtRest|isCorner|valueAt|outputs|isCreased|invalidate|tensors|endProblem|shadeProblem|moving|isUnique|isDisposed|isSlow|isEdge|isMinimum|isLeg|isRelaxed|isFixed|isSpatial|isBrief|isOneSided|budget|route|candidates|measureField|pulls|chords|velocity|_spherical(Delta)?|_getSecondPointerPosition|_pointer(Position)?s
 # On the page these gain nothing.
 FEW = squareRoot|operands|precedence|uninstall|installAll|releaseGraph|meshImplicit
 dist/index.js dist/slim.js dist/worker.js: SHORTER += --mangle-props 'regex=/^(is[A-Z].*|$(FEW)|$(INNER))$$/'

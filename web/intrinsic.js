@@ -118,7 +118,7 @@ function findMoving(field, ends, options, start) {
 function findFinite(field, ends, options, start) {
   const creased = findCreased(field, ends, options, start);
   if (!creased) return findSmooth(field, ends, options, start);
-  if (creased.path && creased.path.length <= creased.most) return creased.path;
+  if (creased.known) return creased.known;
   /* Across creases elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
   const maxIterations = Math.min(options.maxIterations, STEPS);
   const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
@@ -127,7 +127,7 @@ function findFinite(field, ends, options, start) {
   const mayBeThin = start === 'global' && !field.domain && field.isPlain && !isGeodesic(path) && !creased.path;
   for (let finer = 1; mayBeThin && finer <= FINER; finer++) {
     const other = findCreased(field, ends, options, start, finer);
-    if (other?.path && other.path.length <= other.most) return other.path;
+    if (other?.known) return other.known;
   }
   const rough = creased.rough();
   const mayBeShort = !field.domain && field.isPlain && !isGeodesic(path);
@@ -202,6 +202,8 @@ function findStretched(field, stretched, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGeodesics(field, ends, options, most) {
+  const creased = findCreased(field, ends, options, 'all')?.paths;
+  if (creased?.length) return creased.slice(0, most);
   const paths = findAllByPieces(field, ends, options, most);
   const again = paths.length === 1 ? instead(field, paths[0], options) : null;
   if (!again) return paths;

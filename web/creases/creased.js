@@ -44,11 +44,12 @@ const [APART, ALIKE] = [0.02, 0.1];
 
 /** @typedef {{ line: Float64Array, crossed: string | null }} Understood a polyline that was followed, and which creases it crosses; null: not known, or past corners, of which that does not tell the side */
 /** @typedef {{ line: Float64Array, measured: number }} Way a polyline, and how long it is on the surface */
-/** path: `converged`, or null; most: no path is shorter than that is: beyond it a shorter way was seen; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, most: number, rough: () => Path | null }} Creased */
+/** all: every path that is found, not the shortest one alone. @typedef {import('../pieces/pieces.js').Start | 'all'} Sought */
+/** paths: `converged`; path: the first of them, or null; most: no path is shorter than that is: beyond it a shorter way was seen; known: a path within that; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, known: Path | null, paths: Path[], most: number, rough: () => Path | null }} Creased */
 
 /**
- * The shortest path near a start, or of all that are found.
- * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('../pieces/pieces.js').Start} start @param {number} [finer] as findWays takes it
+ * The shortest path near a start, or of all that are found; or all of them, shortest first.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Sought} start @param {number} [finer] as findWays takes it
  * @returns {Creased | null} null: there are no creases
  */
 export function findCreased(field, ends, options, start, finer = 0) {
@@ -60,27 +61,33 @@ export function findCreased(field, ends, options, start, finer = 0) {
   if (!sides) return null;
   sides.begin();
   /* As everywhere: exchanged ends give the same path. */
-  const isTurned = (start === null || start === 'global') && isAfter(ends[0], ends[1]);
+  const isTurned = !ArrayBuffer.isView(start) && isAfter(ends[0], ends[1]);
   const settled = field.domain ? ends : ends.map((end) => settleEnd(field, end));
   const asked = isTurned ? [settled[1], settled[0]] : settled;
-  const turn = (/** @type {Path | null} */ path) => (path && isTurned ? placed(domain, reverse(path), ends[0]) : path);
+  const turn = (/** @type {Path} */ path) => (isTurned ? placed(domain, reverse(path), ends[0]) : path);
   const ways = findWays(field, asked, start, finer);
   /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
   if (finer && ways.ways.length === 0) return null;
-  const { best, least, most } = findRoute({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, ways, start);
-  const length = best ? lengthOf(best.legs) : Infinity;
+  const ask = () => ({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } });
+  const { routes, least, most } = findRoutes(ask(), ways, start);
+  const length = leastOf(routes);
   /* A graph that knows no way nearly as short may know none where the shortest leads; in the rectangle a finer one may see more where it is not certain. */
   const isOpen = ways.distance > length * BLIND || (field.domain && length > most);
-  if (best && start === 'global' && !finer && ways.distance < Infinity && isOpen) {
+  if (length < Infinity && !finer && ways.distance < Infinity && isOpen) {
     const other = findCreased(field, ends, options, start, 1);
-    if (other && ((other.path && other.path.length <= other.most) || other.most < length)) return other;
+    if (other && (other.known || other.most < length)) return other;
   }
-  const path = best ? write({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } }, best, options) : null;
-  return { path: path?.converged ? turn(path) : null, most, rough: () => turn(least && roughly(field, asked, least, options.points)) };
+  const paths = routes
+    .slice(0, start === 'all' ? routes.length : 1)
+    .map((route) => turn(write(ask(), route, options)))
+    .filter((path) => path.converged);
+  const [path = null] = paths;
+  const known = path && path.length <= most ? path : null;
+  return { path, known, paths, most, rough: () => least && turn(roughly(field, asked, least, options.points)) };
 }
 
-/** The best route of all that polylines lead to, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {import('../pieces/pieces.js').Start} start @returns {{ best: Route | null, least: Way | null, most: number }} */
-function findRoute(question, { ways, distance: told }, start) {
+/** The routes that polylines lead to, each once, the best one first, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {Sought} start @returns {{ routes: Route[], least: Way | null, most: number }} */
+function findRoutes(question, { ways, distance: told }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
   const isBody = field.isPlain && !field.domain;
@@ -93,8 +100,9 @@ function findRoute(question, { ways, distance: told }, start) {
   /* Edges of the graph cut folds off, as chords of its ways do. */
   const cutOff = field.isPlain && least && least.line.length > 4 ? least.measured / sumOf([...(field.chords?.(least.line) ?? [])]) : 1;
   const distance = (cutOff || 1) * told;
-  /** @type {Route | null} */
-  let best = null;
+  /** @type {Route[]} */
+  const routes = [];
+  let shortest = Infinity;
   /** @type {Understood[]} */
   const understood = [];
   /** @type {Sketch[]} */
@@ -106,7 +114,7 @@ function findRoute(question, { ways, distance: told }, start) {
     if (isBody && rounding.within > 0 && !sketches.some(({ isRelaxed }) => isRelaxed)) continue;
     for (const drawn of sketches) {
       const { line, length } = drawn;
-      if (best && length * (1 - rounding.dearer) > lengthOf(best.legs)) continue;
+      if (start !== 'all' && length * (1 - rounding.dearer) > shortest) continue;
       /* A chord through the body is no way. */
       if (isBody && !drawn.isRelaxed && distance < Infinity && length * (1 + COARSE) < distance) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
@@ -119,7 +127,9 @@ function findRoute(question, { ways, distance: told }, start) {
       const found = followPinned(question, line, length, (part, along, about) =>
         followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about, distance).most),
       );
-      if (found) best = shorter(best, found.route);
+      if (found && !routes.some(({ legs }) => isBeside(lineOf(found.route.legs, width), lineOf(legs, width), sides.scale, APART)))
+        routes.push(found.route);
+      shortest = leastOf(routes);
       strays ||= isBody && !(found && isBeside(line, lineOf(found.route.legs, width), sides.scale, APART));
       /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
       if (found && lengthOf(found.route.legs) <= most) understood.push({ line, crossed: found.isClear ? crossed : null });
@@ -130,16 +140,13 @@ function findRoute(question, { ways, distance: told }, start) {
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, sides.scale, APART)));
     const isOpen = measured.some(
-      (way) =>
-        best &&
-        way.measured <= lengthOf(best.legs) * UNTOLD &&
-        !understood.some((other) => isBeside(way.line, other.line, sides.scale, ALIKE)),
+      (way) => way.measured <= shortest * UNTOLD && !understood.some((other) => isBeside(way.line, other.line, sides.scale, ALIKE)),
     );
     if (
-      best &&
+      shortest < Infinity &&
       !isOpen &&
       !strays &&
-      lengthOf(best.legs) <= Math.min((least?.measured ?? Infinity) * EXACT, distance * NEARLY, ...missed.map(({ length }) => length))
+      shortest <= Math.min((least?.measured ?? Infinity) * EXACT, distance * NEARLY, ...missed.map(({ length }) => length))
     )
       break;
   }
@@ -149,8 +156,11 @@ function findRoute(question, { ways, distance: told }, start) {
   const most = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
     : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
-  return { best, least, most };
+  return { routes: routes.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs)), least, most };
 }
+
+/** How long the shortest is, infinite if there is none. @param {Route[]} routes */
+const leastOf = (routes) => Math.min(...routes.map(({ legs }) => lengthOf(legs)));
 
 /** Which creases a polyline crosses, and from which sides. @param {import('../manifold/sides.js').Sides} sides @param {Float64Array} line */
 const crossedBy = (sides, line) =>

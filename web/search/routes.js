@@ -126,11 +126,11 @@ export function findGlobal(field, ends, options, most) {
 
 /**
  * Polylines along which paths between two ends may lead, as a graph has them.
- * @param {Field} field @param {number[][]} ends @param {import('../pieces/pieces.js').Start} start @param {number} [finer] so many graphs are passed over that join the ends
+ * @param {Field} field @param {number[][]} ends @param {import('../creases/creased.js').Sought} start @param {number} [finer] so many graphs are passed over that join the ends
  * @returns {{ ways: Float64Array[], distance: number }} distance: of the shortest way through the graph; infinite where none was looked for
  */
 export function findWays(field, ends, start, finer = 0) {
-  if (start !== 'global') return { ways: [start ?? Float64Array.from(ends.flat())], distance: Infinity };
+  if (start !== 'global' && start !== 'all') return { ways: [start ?? Float64Array.from(ends.flat())], distance: Infinity };
   /** @type {Float64Array[]} */
   let ways = [];
   let distance = Infinity;
@@ -138,7 +138,7 @@ export function findWays(field, ends, start, finer = 0) {
     const { from, to, domain, solve } = problem;
     const straight = { to, start: null };
     const path = domain ? null : solve(to, null, SKETCH);
-    const graphs = findStarts(problem, false, path ? { ...straight, path, coarse: path } : undefined);
+    const graphs = findStarts(problem, start === 'all', path ? { ...straight, path, coarse: path } : undefined);
     for (let i = 0; i < finer; i++) graphs.next();
     const found = graphs.next().value;
     const starts = [...(path && !finer ? [straight] : []), ...(found?.starts ?? [])];

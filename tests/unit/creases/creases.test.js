@@ -266,6 +266,32 @@ test("Luneburg's lens: parallel rays meet in the focus, at once; those near its 
   lens.dispose();
 });
 
+test('all geodesics across creases: both ways round a lake, one through a coast, and over the faces of a cube, as they unfold', () => {
+  const lake = surfpath.graph({ z: 0, x: [-2, 2], y: [-2, 2], density: '3 - 2*sign(x^2 + y^2 - 1)' });
+  const coast = surfpath.graph({ z: 0, x: [-2, 2], y: [-2, 2], density: '2 + sign(x)' });
+  const cube = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1' });
+  const round = (/** @type {number} */ turn) =>
+    Math.sqrt(1.26) + turn - Math.acos(1 / Math.hypot(1.5, 0.1)) - Math.acos(1 / 1.5) + Math.sqrt(1.25);
+  const beyond = Math.PI - Math.atan2(0.1, 1.5);
+  const lengthsOf = (/** @type {import('../../../web/index.js').Path[]} */ found) =>
+    found.map(({ status, length }) => {
+      assert.equal(status, 'converged');
+      return length;
+    });
+  const shores = lengthsOf(lake.geodesics([-1.5, 0.1], [1.5, 0]));
+  assert.equal(shores.length, 2);
+  for (const [k, turn] of [beyond, 2 * Math.PI - beyond].entries())
+    assert.ok(Math.abs(shores[k] - round(turn)) <= 1e-9, `${shores}, not ${round(turn)}`);
+  assert.deepEqual(lengthsOf(coast.geodesics([-1, 0.5], [1, -0.5])), lengthsOf([coast.shortestPath([-1, 0.5], [1, -0.5])]));
+  const faces = lengthsOf(cube.geodesics([1, 0.1, 0.2], [-1, 0.1, 0.3]));
+  for (const exact of [3.5, Math.hypot(3.8, 0.1), Math.hypot(4.2, 0.1)])
+    assert.ok(
+      faces.some((length) => Math.abs(length - exact) <= 1e-9),
+      `${faces}: no ${exact}`,
+    );
+  for (const surface of [lake, coast, cube]) surface.dispose();
+});
+
 for (const height of [0.2, 0.7])
   test(`a lake on a hill ${height} high is walked round as the wall of a ring is, seed 101`, () => {
     const hill = (/** @type {string} */ x, /** @type {string} */ y) => `${height}*exp(-2((${x})^2 + (${y})^2))`;
