@@ -1,11 +1,12 @@
 /** Where a camera must stand so that a surface just fills its view. */
 
-import { Box3, Sphere, Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import { refuse, refuseNumber } from '../arguments.js';
 import { checkGeometry } from './check.js';
 import { pointsWithin, rangesWithoutSpikes, strideOf } from './spikes.js';
 
 /** @typedef {import('./spikes.js').Points} Points */
+/** @typedef {ArrayLike<number> | Vector3} Place x y z */
 
 /** The fit is exact for the distance, and centred to less than a per cent after so many rounds: perspective moves the middle a little. */
 const ROUNDS = 4;
@@ -19,21 +20,19 @@ const [HAIR, ALONG] = [1e-3, 1e-6];
  * beside a pole, and of what is so steep that all of it would be a thread, a part is looked at.
  * @param {import('three').PerspectiveCamera} camera `fov`, `aspect` and `up` set
  * @param {import('three').BufferGeometry} geometry of {@link surfaceGeometry}, with a bounding sphere
- * @param {ArrayLike<number>} towards the camera from the surface, x y z of any length; along `up`, where nothing is upright, it is tilted a hair
+ * @param {Place} towards the camera from the surface, of any length; along `up`, where nothing is upright, it is tilted a hair
  * @param {number} [margin] share of the view that stays free around it, in [0, 1); default 0.1
- * @param {readonly ArrayLike<number>[]} [shown] places on it that should be seen whatever is left out, x y z each
+ * @param {readonly Place[]} [shown] places on it that should be seen whatever is left out
  * @returns {Vector3} the point that the camera looks at: the target for its controls. Throws TypeError or RangeError naming the argument
  */
 export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
-  check(camera, geometry, towards, margin, shown);
+  const { direction, places } = check(camera, geometry, towards, margin, shown);
   const all = geometry.getAttribute('position');
-  const points = pointsWithin(all, rangesWithoutSpikes(all, shown), shown) ?? all;
-  const { center } = new Box3()
-    .setFromBufferAttribute(/** @type {import('three').BufferAttribute} */ (points))
-    .getBoundingSphere(new Sphere());
-  const back = tilted(new Vector3(towards[0], towards[1], towards[2]).normalize(), camera.up);
+  const points = pointsWithin(all, rangesWithoutSpikes(all, places), places) ?? all;
+  const box = new Box3().setFromBufferAttribute(/** @type {import('three').BufferAttribute} */ (points));
+  const back = tilted(direction.normalize(), camera.up);
   const slope = Math.tan((camera.fov * Math.PI) / 360) * (1 - margin);
-  const { target, distance } = fitView(points, center, back, camera.up, [slope * camera.aspect, slope]);
+  const { target, distance } = fitView(points, box.getCenter(new Vector3()), back, camera.up, [slope * camera.aspect, slope]);
   camera.position.copy(target).addScaledVector(back, distance);
   camera.lookAt(target);
   [camera.near, camera.far] = [NEAR * distance, FAR * distance];
@@ -41,17 +40,23 @@ export function fitCamera(camera, geometry, towards, margin = 0.1, shown = []) {
   return target;
 }
 
-/** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {ArrayLike<number>} towards @param {number} margin @param {any} shown */
+/** The numbers of a place; of what is none, none or others. @param {any} place @returns {number[]} */
+const readPlace = (place) => Array.from(place ?? []);
+
+/** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {Place} towards @param {number} margin @param {any} shown */
 function check(camera, geometry, towards, margin, shown) {
   const caller = 'fitCamera';
   if (!camera?.isPerspectiveCamera) refuse(`${caller}: camera`, 'a PerspectiveCamera', camera);
   checkGeometry(caller, geometry);
   if (geometry.index?.count === 0) throw new RangeError(`${caller}: geometry has no triangles`);
-  const length = Math.hypot(towards?.[0], towards?.[1], towards?.[2]);
-  if (!(length > 0 && Number.isFinite(length))) refuse(`${caller}: towards`, 'a direction x y z, none of length 0', towards);
+  const direction = new Vector3().fromArray(readPlace(towards));
+  if (!(direction.length() > 0 && direction.length() < Infinity))
+    refuse(`${caller}: towards`, 'a direction x y z, none of length 0', towards);
   if (!(Number.isFinite(margin) && margin >= 0 && margin < 1)) refuseNumber(`${caller}: margin`, 'a number in [0, 1)', margin);
-  if (!Array.isArray(shown) || !shown.every((place) => place?.length === 3 && Array.from(place).every(Number.isFinite)))
+  const places = Array.isArray(shown) ? shown.map(readPlace) : [[]];
+  if (!places.every((place) => place.length === 3 && place.every(Number.isFinite)))
     refuse(`${caller}: shown`, 'an array of places, x y z each', shown);
+  return { direction, places };
 }
 
 /** A direction that is along `up`, a hair to the front: x is to the right then, if it can be. @param {Vector3} towards unit length @param {Vector3} up */

@@ -216,7 +216,7 @@ export class DragHandle extends Group {
     const first = this.#pick();
     if (!first) return false;
     const position = this.#surface.kind === 'implicit' ? first : this.#surface.evaluate(first);
-    const gap = Math.hypot(...this.position.toArray().map((x, k) => x - position[k]));
+    const gap = this.position.distanceTo(projected.fromArray(position));
     const distance = projected.setFromMatrixPosition(this.matrixWorld).distanceTo(raycaster.ray.origin);
     return gap * this.#frame().getMaxScaleOnAxis() > BEHIND * distance;
   }

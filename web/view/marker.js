@@ -43,10 +43,10 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Seen in full, and behind the surface. */
+/** Seen in full, and, without the ring, behind the surface. */
 const PASSES = [
-  { depth: {}, opacity: 1, hasRing: true },
-  { depth: { depthFunc: GreaterDepth }, opacity: 0.5, hasRing: false },
+  { depth: {}, opacity: 1 },
+  { depth: { depthFunc: GreaterDepth }, opacity: 0.5 },
 ];
 const ORDER = 10;
 const viewport = new Vector4();
@@ -98,7 +98,7 @@ export class Marker extends Group {
     checkPixels('setRadius: ', { radius, ring });
     for (const [i, { uniforms }] of this.#materials.entries()) {
       uniforms.radius.value = radius;
-      uniforms.ringWidth.value = PASSES[i].hasRing ? ring : 0;
+      uniforms.ringWidth.value = i === 0 ? ring : 0;
       uniforms.reach.value = radius + ring + 1;
       uniforms.lift.value = liftOf(radius + ring);
     }

@@ -230,6 +230,17 @@ for (const [title, { draw, THREE }] of await loadReleases())
       }
     });
 
+    test('fitCamera takes places and directions of three.js as it takes numbers', () => {
+      const geometry = draw.surfaceGeometry(torus, { resolution: 16 });
+      const [numbers, vectors] = [new THREE.PerspectiveCamera(32, 1), new THREE.PerspectiveCamera(32, 1)];
+      const target = draw.fitCamera(numbers, geometry, [1, -2, 1], 0.1, [[0, 0, 9]]);
+      assert.deepEqual(draw.fitCamera(vectors, geometry, new THREE.Vector3(1, -2, 1), 0.1, [new THREE.Vector3(0, 0, 9)]), target);
+      assert.deepEqual(vectors.position, numbers.position);
+      const nowhere = [new THREE.Vector3(), new THREE.Vector3(Number.NaN, 0, 1), new THREE.Vector2(1, 1)];
+      for (const towards of /** @type {any[]} */ (nowhere))
+        assert.throws(() => draw.fitCamera(vectors, geometry, towards), /^TypeError: fitCamera: towards must be a direction/);
+    });
+
     test('fitCamera tilts a hair what would be seen along `up`: x is to the right then', () => {
       const geometry = draw.surfaceGeometry(torus, { resolution: 16 });
       const point = new THREE.Vector3();
