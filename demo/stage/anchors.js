@@ -5,7 +5,7 @@ import { change, forget } from '../state/change.js';
 import { create } from '../panels/dom.js';
 import { placesOf } from '../compute/drawn.js';
 import { chosenPath, onRender, state } from '../state/state.js';
-import { letterOf, onto } from '../state/ends.js';
+import { findBadEnd, letterOf, onto } from '../state/ends.js';
 import { boxesOver, placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
 import { isInside, overlap } from './place-labels.js';
@@ -127,7 +127,7 @@ function renderHandles(view) {
   for (const [i, point] of wanted.entries()) {
     if (!isNew && placed[i] === point) continue;
     const handle = handles[i];
-    const place = onto(drawn, definition, point);
+    const place = findBadEnd(state.sketch.kind, drawn, [point]) ? null : onto(drawn, definition, point);
     if (!place) {
       handle?.dispose();
       handles[i] = null;

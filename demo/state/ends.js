@@ -31,7 +31,7 @@ export function findBadEnd(kind, { domain }, points) {
       if (!Number.isFinite(value)) return { end, coordinate, message: `${nameOf(end)} needs a number for ${name}, such as 0.5 or pi/2.` };
       if (!domain) continue;
       const range = domain[axis];
-      const slack = (domain.periodic[axis] ? MOST_TURNS : 1e-9) * (range[1] - range[0]);
+      const slack = (domain.periodic[axis] ? MOST_TURNS : 1e-12) * (range[1] - range[0]);
       if (value < range[0] - slack || value > range[1] + slack)
         return {
           end,

@@ -259,6 +259,8 @@ test('end points are numbers: a wrong one is said in words, a right one moves th
   await page.fill('#end-1-0', '7');
   assert.match(await text('#ends-problem'), /u of B must lie between -1 and 1/);
   assert.equal(await page.getAttribute('#end-1-0', 'aria-invalid'), 'true');
+  // What stands there would be in the air beside the surface.
+  assert.equal(await page.locator('#handle-B').count(), 0);
   // Of no picture of the plane: SVG would complain on the console.
   await page.fill('#end-1-0', '1e40');
   assert.equal(await page.locator('#plane .end-handle').count(), 1);

@@ -25,6 +25,10 @@ test('a number that is missing or outside is named with its point', () => {
   assert.match(check(a, b, [99, 0])?.message ?? '', /^u of Point 1 must lie between /);
   const torus = surfpath.surface(gallery.parametricTorus);
   assert.equal(findBadEnd('parametric', torus, [a, [99, 0]]), null);
+  // As near as the library takes it for rounding.
+  const [low, high] = /** @type {import('../../../web/surface.js').ParameterDomain} */ (surface.domain).u;
+  assert.equal(check([high + 1e-13 * (high - low), 0.2]), null);
+  assert.match(check([high + 1e-11 * (high - low), 0.2])?.message ?? '', /^u of A must lie between /);
   assert.match(findBadEnd('parametric', torus, [a, [1e12, 0]])?.message ?? '', /^u of B must lie between /);
 });
 
