@@ -536,6 +536,9 @@ for (const [title, name] of TESTED)
             () => new draw.GeodesicLine(null, { haloWidth: -1 }),
             () => new draw.DragHandle(helicoid, [0, 0], { camera, domElement: renderer.domElement, step: '8' }),
             () => view.handle.setColours({ color: 'red' }),
+            () => new draw.DragHandle(helicoid, [99, 0], { camera, domElement: renderer.domElement }),
+            () => view.handle.setSurface(helicoid, [0, -99]),
+            () => view.handle.setPoint([1, 2, 3]),
           ];
           return told.map((make) => {
             try {
@@ -551,6 +554,16 @@ for (const [title, name] of TESTED)
         assert.match(messages[2], /^RangeError: GeodesicLine: options.haloWidth must be a number of pixels, 0 or more, not -1/);
         assert.match(messages[3], /^TypeError: DragHandle: options.step must be a number of pixels, 0 or more, not '8'/);
         assert.match(messages[4], /^TypeError: setColours: there is no option 'color'; the options are colour, ring/);
+        assert.match(messages[5], /^RangeError: DragHandle: point: u = 99 lies outside its range, \[-/);
+        assert.match(messages[6], /^RangeError: DragHandle: point: v = -99 lies outside its range, \[-/);
+        assert.match(messages[7], /^TypeError: DragHandle: point must be two numbers, u v, not an array of 3/);
+        assert.deepEqual((await where()).point, [0, 1], 'where it was');
+        // What rounding adds to an end of the range, and any number of turns, is no reason.
+        await page.evaluate(() => {
+          const { view } = /** @type {any} */ (window);
+          view.handle.setPoint([-99, 99]);
+          view.handle.setSurface(view.surfpath.graph({ z: 0, x: [0, 3], y: [0, 3] }), [3 + 4e-13, -1e-13]);
+        });
         assert.equal(await page.locator('.surfpath-handle').count(), 1, 'a handle that is refused leaves no button');
       });
 

@@ -1,6 +1,6 @@
 /** What the drawing modules ask of their arguments, and say when they do not get it. */
 
-import { refuse, refuseNumber } from '../arguments.js';
+import { checkOptions, refuse, refuseNumber } from '../arguments.js';
 
 /** @typedef {import('../surface.js').Surface} Surface */
 
@@ -20,6 +20,22 @@ export function checkGeometry(caller, geometry) {
 }
 
 /**
+ * Refuses a place outside a rectangle, but for rounding, as the library does.
+ * @param {string} name of the place @param {import('../surface.js').ParameterDomain} domain @param {number[]} place u v
+ */
+export function checkInside(name, domain, place) {
+  if (place.length !== 2) refuse(name, 'two numbers, u v', place);
+  for (const [key, x] of /** @type {const} */ ([
+    ['u', place[0]],
+    ['v', place[1]],
+  ])) {
+    const [low, high] = domain[key];
+    if (!domain.periodic[key] && Math.max(low - x, x - high) > 1e-12 * (high - low))
+      throw new RangeError(`${name}: ${key} = ${x} lies outside its range, [${low}, ${high}]`);
+  }
+}
+
+/**
  * The points of a path, or of a flat list x y z …; null for a path that was not found.
  * @param {string} caller @param {unknown} given
  * @returns {ArrayLike<number> | null}
@@ -36,6 +52,15 @@ export function readPoints(caller, given) {
   if (points.length < 6 || points.length % 3) throw new RangeError(`${caller}: path must hold x y z of two points or more`);
   if (!Array.prototype.every.call(points, Number.isFinite)) throw new RangeError(`${caller}: path must hold finite numbers`);
   return points;
+}
+
+/**
+ * Sets those of some colours that are named; what is not named stays.
+ * @param {Record<string, import('three').Color>} colours @param {Record<string, import('three').ColorRepresentation | undefined>} named
+ */
+export function setColours(colours, named) {
+  checkOptions('setColours', named, Object.keys(colours));
+  for (const name in colours) colours[name].set(named?.[name] ?? colours[name]);
 }
 
 /** @param {string} caller function, and what these belong to @param {Record<string, number>} sizes */

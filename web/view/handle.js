@@ -1,9 +1,9 @@
 /** A point of a surface that is dragged over it, by mouse, finger and arrow keys. What is pressed and focused is a button of the page that follows the point. */
 
 import { Group, Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import { checkOptions, refuse } from '../arguments.js';
+import { checkOptions } from '../arguments.js';
 import { HandleButton } from './button.js';
-import { checkDrawable, checkPixels } from './check.js';
+import { checkDrawable, checkInside, checkPixels } from './check.js';
 import { Marker } from './marker.js';
 import { Picker } from './pick.js';
 import { stepAlong } from './step.js';
@@ -35,9 +35,11 @@ const BEHIND = 0.02;
 
 const raycaster = new Raycaster();
 const pointer = new Vector2();
-const frame = new Matrix4();
 const projected = new Vector3();
 const drawn = new Vector2();
+
+/** Where what was projected is in a view, in pixels from where its place is measured from. @param {{ left: number, top: number, width: number, height: number }} view @returns {[number, number]} */
+const placeIn = ({ left, top, width, height }) => [left + ((projected.x + 1) / 2) * width, top + ((1 - projected.y) / 2) * height];
 
 /** Add it beside the surface's mesh, in whose coordinates it is placed. */
 export class DragHandle extends Group {
@@ -93,7 +95,7 @@ export class DragHandle extends Group {
     return this.#button.element;
   }
 
-  /** Moves it, without calling `onDrag`. Throws what `project` throws. @param {ArrayLike<number>} point as for the constructor */
+  /** Moves it, without calling `onDrag`. RangeError outside the rectangle, and what `project` throws. @param {ArrayLike<number>} point as for the constructor */
   setPoint(point) {
     this.#put(this.#surface, point);
   }
@@ -101,10 +103,10 @@ export class DragHandle extends Group {
   /** @param {Surface} surface @param {ArrayLike<number>} point */
   #put(surface, point) {
     const given = Array.from(point);
-    if (given.length !== (surface.domain ? 2 : 3))
-      refuse('DragHandle: point', surface.domain ? 'two numbers, u v' : 'three numbers, x y z', point);
-    const place = surface.domain ? given : surface.project(given);
-    const position = surface.domain ? surface.evaluate(place) : place;
+    const { domain } = surface;
+    if (domain) checkInside('DragHandle: point', domain, given);
+    const place = domain ? given : surface.project(given);
+    const position = domain ? surface.evaluate(place) : place;
     if (![0, 1, 2].every((k) => Number.isFinite(position[k]))) throw new RangeError(`DragHandle: the surface has no point at [${place}]`);
     this.#surface = surface;
     this.#point = place;
@@ -161,7 +163,7 @@ export class DragHandle extends Group {
     this.#view = { left: viewport.x * wide, top: domElement.clientHeight - viewport.y * high - height, width, height };
     projected.setFromMatrixPosition(this.matrixWorld).project(camera);
     const seen = Math.abs(projected.x) <= 1 && Math.abs(projected.y) <= 1 && Math.abs(projected.z) <= 1;
-    this.#button.place(this.#view.left + ((projected.x + 1) / 2) * width, this.#view.top + ((1 - projected.y) / 2) * height, seen);
+    this.#button.place(...placeIn(this.#view), seen);
   }
 
   /** Where the view is in the window, as the page has placed and scaled it, in CSS pixels. */
@@ -178,7 +180,7 @@ export class DragHandle extends Group {
   /** @returns {Matrix4} from the surface's coordinates to the scene's */
   #frame() {
     this.updateWorldMatrix(true, false);
-    return this.parent ? frame.copy(this.parent.matrixWorld) : frame.identity();
+    return this.parent?.matrixWorld ?? new Matrix4();
   }
 
   /** The crossings of the surface are asked for through a point of the canvas. @param {number} x in CSS pixels of the window @param {number} y */
@@ -197,18 +199,15 @@ export class DragHandle extends Group {
   /** @param {number} x @param {number} y @returns {[number, number]} from there to the middle of the point, in pixels */
   #begin(x, y) {
     const { controls, camera, onDragStart } = this.#options;
-    const { left, top, width, height } = this.#window();
-    projected.copy(this.position).applyMatrix4(this.#frame()).project(camera);
-    const offset = /** @type {[number, number]} */ ([
-      left + ((projected.x + 1) / 2) * width - x,
-      top + ((1 - projected.y) / 2) * height - y,
-    ]);
+    this.#frame();
+    projected.setFromMatrixPosition(this.matrixWorld).project(camera);
+    const [left, top] = placeIn(this.#window());
     this.#isHidden = false;
-    this.#aim(x + offset[0], y + offset[1]);
+    this.#aim(left, top);
     this.#isHidden = this.#isBehind();
     if (controls) [this.#wereEnabled, controls.enabled] = [controls.enabled, false];
     onDragStart?.(this);
-    return offset;
+    return [left - x, top - y];
   }
 
   /** Whether the ray to the point meets the surface well before it. */

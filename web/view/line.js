@@ -4,7 +4,7 @@ import { GreaterDepth, Group, Vector3 } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { checkBoolean, checkOptions, refuseNumber } from '../arguments.js';
-import { checkPixels, readPoints } from './check.js';
+import { checkPixels, readPoints, setColours } from './check.js';
 import { HALO, PATH } from './colours.js';
 import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 import { LineBuffers } from './line-buffers.js';
@@ -134,14 +134,11 @@ export class GeodesicLine extends Group {
    * @param {{ colour?: Colour, halo?: Colour, hiddenColour?: Colour }} colours hiddenColour: as colour until it is named once
    */
   setColours(colours) {
-    const { colour, halo, hiddenColour } = checkOptions('setColours', colours, ['colour', 'halo', 'hiddenColour']);
-    const { hidden, line, halo: border } = this.#passes;
-    this.#isHiddenOwn ||= hiddenColour !== undefined;
-    const behind = this.#isHiddenOwn ? hiddenColour : colour;
-    if (colour !== undefined) line.material.color.set(colour);
-    if (behind !== undefined) hidden.material.color.set(behind);
+    const { hidden, line, halo } = this.#passes;
+    setColours({ colour: line.material.color, halo: halo.material.color, hiddenColour: hidden.material.color }, colours);
+    this.#isHiddenOwn ||= colours?.hiddenColour !== undefined;
     if (this.#isHiddenOwn) hidden.material.opacity = 1;
-    if (halo !== undefined) border.material.color.set(halo);
+    else hidden.material.color.copy(line.material.color);
   }
 
   /**

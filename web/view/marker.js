@@ -1,8 +1,7 @@
 /** A point on a surface as it is drawn: a small ball in a ring, of constant size on the screen; where the surface hides it, dimmer and without the ring. */
 
 import { Color, GreaterDepth, Group, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector4 } from 'three';
-import { checkOptions } from '../arguments.js';
-import { checkPixels } from './check.js';
+import { checkPixels, setColours } from './check.js';
 import { HALO, PATH } from './colours.js';
 import { LIFT, LOG_LIFT, liftOf } from './lift.js';
 
@@ -55,7 +54,7 @@ const viewport = new Vector4();
 export class Marker extends Group {
   #shape = new PlaneGeometry(2, 2);
   #resolution = new Vector2(1, 1);
-  #colours = { fill: new Color(PATH), ring: new Color(HALO) };
+  #colours = { colour: new Color(PATH), ring: new Color(HALO) };
   #materials;
   /** Called each time it is drawn. @type {(camera: import('three').Camera, viewport: Vector4, renderer: import('three').WebGLRenderer) => void} */ onDraw =
     () => {};
@@ -78,7 +77,7 @@ export class Marker extends Group {
   #makeMaterial(depth, opacity) {
     const uniforms = {
       resolution: { value: this.#resolution },
-      fill: { value: this.#colours.fill },
+      fill: { value: this.#colours.colour },
       ring: { value: this.#colours.ring },
       ...{ reach: { value: 0 }, lift: { value: 0 }, radius: { value: 0 }, ringWidth: { value: 0 }, opacity: { value: opacity } },
     };
@@ -106,9 +105,7 @@ export class Marker extends Group {
 
   /** What is not named stays. @param {{ colour?: import('three').ColorRepresentation, ring?: import('three').ColorRepresentation }} colours */
   setColours(colours) {
-    const { colour, ring } = checkOptions('setColours', colours, ['colour', 'ring']);
-    if (colour !== undefined) this.#colours.fill.set(colour);
-    if (ring !== undefined) this.#colours.ring.set(ring);
+    setColours(this.#colours, colours);
   }
 
   /** Frees what it holds on the graphics card, and leaves its scene. */

@@ -2,7 +2,7 @@
 
 import { Color } from 'three';
 import { checkBoolean, checkOptions, refuse, refuseNumber } from '../arguments.js';
-import { readPoints } from './check.js';
+import { readPoints, setColours } from './check.js';
 import { PATH, START } from './colours.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -46,11 +46,10 @@ export class PathPlayer {
   #line;
   #duration;
   #colours;
+  #colour = new Color();
   /** @type {NonNullable<PathPlayerOptions['onFrame']>} */ #onFrame = () => {};
   /** @type {boolean | undefined} */ #reducedMotion;
   /** The iterates, all with as many points as the path; last the path itself. @type {Float64Array[]} */ #frames = [];
-  /** What is shown between two of them. */
-  #between = new Float64Array(0);
   #request = 0;
   /** @type {(() => void) | null} */ #finish = null;
   #moment = 1;
@@ -70,7 +69,7 @@ export class PathPlayer {
     if (reducedMotion !== undefined) checkBoolean('PathPlayer', 'reducedMotion', reducedMotion);
     this.#line = line;
     this.#duration = duration;
-    this.#colours = { cool: new Color(cool), warm: new Color(warm), now: new Color() };
+    this.#colours = { cool: new Color(cool), warm: new Color(warm) };
     this.#reducedMotion = reducedMotion;
     this.setPath(path);
     // From now on: who makes the player is not ready to draw yet.
@@ -95,7 +94,6 @@ export class PathPlayer {
     this.#frames = points ? [...iterates, points].map((frame) => resample(frame, points.length / 3)) : [];
     // The path itself as it is: its points may be spaced otherwise.
     if (points) this.#frames[this.#frames.length - 1] = Float64Array.from(points);
-    this.#between = new Float64Array(points?.length ?? 0);
     this.scrub(1);
   }
 
@@ -109,25 +107,22 @@ export class PathPlayer {
     const last = this.#frames.length - 1;
     const place = moment * last;
     const first = Math.min(Math.floor(place), last - 1);
-    const { cool, warm, now } = this.#colours;
+    const { cool, warm } = this.#colours;
     if (last > 0) this.#line.setPath(this.#blend(first, place - first));
     else this.#line.setPath(this.#frames[0] ?? null);
-    this.#line.setColours({ colour: now.lerpColors(cool, warm, last > 0 ? moment : 1) });
+    this.#line.setColours({ colour: this.#colour.lerpColors(cool, warm, last > 0 ? moment : 1) });
     this.#onFrame(moment, Math.round(place));
   }
 
   /** @param {number} first @param {number} share */
   #blend(first, share) {
     const [a, b] = [this.#frames[first], this.#frames[first + 1]];
-    for (let i = 0; i < a.length; i++) this.#between[i] = (1 - share) * a[i] + share * b[i];
-    return this.#between;
+    return a.map((x, i) => (1 - share) * x + share * b[i]);
   }
 
   /** What is not named stays. @param {{ cool?: import('three').ColorRepresentation, warm?: import('three').ColorRepresentation }} colours */
   setColours(colours) {
-    const { cool, warm } = checkOptions('setColours', colours, ['cool', 'warm']);
-    if (cool !== undefined) this.#colours.cool.set(cool);
-    if (warm !== undefined) this.#colours.warm.set(warm);
+    setColours(this.#colours, colours);
     this.scrub(this.#moment);
   }
 
