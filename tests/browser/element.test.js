@@ -403,6 +403,8 @@ describe('with controls', () => {
     await change('torus', 'parameters', 'a=1.4');
     await change('torus', 'points', '20');
     await change('torus', 'from', '0.5,0.7');
+    await change('torus', 'density', '1 + 0.1u');
+    await change('torus', 'periodic', 'v');
     assert.deepEqual(await to(), dragged);
     await page.$eval('#torus', (element) => element.parentElement?.prepend(element));
     await nextFrame(page);
@@ -410,6 +412,8 @@ describe('with controls', () => {
     for (const [name, value] of [
       ['parameters', null],
       ['points', null],
+      ['density', null],
+      ['periodic', null],
       ['from', '0.5,0.6'],
     ])
       await change('torus', String(name), value);
@@ -419,6 +423,28 @@ describe('with controls', () => {
       return torus.getAttribute('to');
     });
     await page.waitForFunction((text) => String(/** @type {any} */ (document.querySelector('#torus')).to) === text, asked);
+  });
+
+  test('where it was dragged it stays while formulas change that have such a place; else it is where it was asked for', async () => {
+    const ends = await page.$eval('#torus', async (element) => {
+      const torus = /** @type {any} */ (element);
+      const held = { surface: torus.getAttribute('surface'), from: torus.getAttribute('from'), to: torus.getAttribute('to') };
+      const set = (/** @type {Record<string, string | null>} */ values) => {
+        for (const [name, value] of Object.entries(values))
+          if (value === null) torus.removeAttribute(name);
+          else torus.setAttribute(name, value);
+        return new Promise((resolve) => torus.addEventListener('path', () => setTimeout(() => resolve(torus.to), 100), { once: true }));
+      };
+      await set({ surface: null, x: 'u', y: 'v', z: '0', u: '-1,1', v: '-1,1', from: '-0.5,0', to: '0.5,0.1' });
+      const button = torus.shadowRoot.querySelector('[aria-label="End of the path"]');
+      button.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', shiftKey: true }));
+      const seen = [torus.to, await set({ z: 'u v' }), await set({ z: '0' }), await set({ u: '-1,0.51' })];
+      const none = { x: null, y: null, z: null, u: null, v: null };
+      await set({ ...none, ...held });
+      return seen;
+    });
+    assert.ok(ends[0][0] > 0.52, 'it was moved');
+    assert.deepEqual([ends[1], ends.at(-1)], [ends[0], [0.5, 0.1]]);
   });
 
   test('set anew to the same place it computes nothing, set to null it is not asked for, as frameworks do', async () => {

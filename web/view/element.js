@@ -16,7 +16,7 @@ import { adopt, BaseElement, reflect } from './element/base.js';
 import { Caption } from './element/caption.js';
 import { filmOf } from './element/film.js';
 import { getSolver } from './element/solver.js';
-import { Stage } from './element/stage.js';
+import { hasPoint, Stage } from './element/stage.js';
 import { adoptStyle, readTheme } from './element/style.js';
 import { drawn, turn } from './element/turn.js';
 import { watch } from './element/watch.js';
@@ -45,6 +45,8 @@ export class SurfacePathElement extends BaseElement {
   /** The ends that were asked for: they may have been dragged since. @type {number[][]} */ #asked = [];
   /** The definition of the surface, but for the values of its parameters: where only these change, it is not compiled anew. */
   #built = '';
+  /** Its kind and title: of another one the reader has dragged nothing. */
+  #named = '';
   /** What is looked at: where it stays the same, so does the view. */
   #framed = '';
   /** What is to be done again; 0: nothing. */
@@ -219,8 +221,9 @@ export class SurfacePathElement extends BaseElement {
     const surface = surfpath.surface(definition);
     this.#surface?.dispose();
     this.#surface = surface;
-    if (built !== this.#built) this.#asked = [];
-    this.#built = built;
+    const named = `${definition.kind} ${definition.title}`;
+    for (const [i, end] of this.#ends.entries()) if (named !== this.#named || !hasPoint(surface, end)) delete this.#asked[i];
+    [this.#built, this.#named] = [built, named];
     this.#caption.title = definition.title ?? 'Surface';
   }
 

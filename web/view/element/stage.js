@@ -20,7 +20,17 @@ const MOST_PIXELS = 2;
 const [MARGIN, COVERED] = [0.08, 30];
 
 /** x y z of a point of a surface. @param {Surface} surface @param {number[]} point */
-const placeOf = (surface, point) => (surface.kind === 'implicit' ? surface.project(point) : Array.from(surface.evaluate(point)));
+const placeOf = (surface, point) =>
+  surface.kind === 'implicit' ? surface.project(point) : Array.from(surface.evaluate(point).subarray(0, 3));
+
+/** Whether a surface has such a point. @param {Surface} surface @param {number[]} point */
+export function hasPoint(surface, point) {
+  try {
+    return Boolean(surface.project(placeOf(surface, point), point));
+  } catch {
+    return false;
+  }
+}
 
 export class Stage {
   #canvas;

@@ -2,6 +2,10 @@
 
 import { PATH, START, SURFACE } from '../colours.js';
 
+/**
+ * The canvas has a border that is not there: of it the browser says what colours those are, whatever a page calls them; that its transition has ended tells
+ * that a page has changed one. A long complaint is scrolled in a small element. Paper is white: dark is for screens.
+ */
 const CSS = /* css */ `
 :host {
   --surface: var(--surfpath-surface, ${SURFACE});
@@ -27,11 +31,9 @@ canvas {
   inset: 0;
   width: 100%;
   height: 100%;
-  /* A border that is not there: of it the browser says what colours those are, whatever a page calls them. */
   border: 0 solid;
   border-color: var(--surface) var(--line) var(--start) var(--halo);
   forced-color-adjust: none;
-  /* That it has ended tells that a page has changed a colour. */
   transition: border-color 1ms;
 }
 canvas:focus-visible { outline: 2px solid var(--line); outline-offset: -2px; border-radius: inherit; }
@@ -51,10 +53,8 @@ p {
   overflow-wrap: anywhere;
   pointer-events: none;
 }
-/* A long one is scrolled in a small element. */
 p[data-problem] { pointer-events: auto; }
 p:empty { display: none; }
-/* Paper is white. */
 @media screen and (prefers-color-scheme: dark) {
   :host {
     --surface: var(--surfpath-surface, #99a4ae);
