@@ -259,10 +259,15 @@ describe('attributes', () => {
     const [, type, message] = await change('hill', 'z', 'h exp(-4(u^2 + w^2))');
     assert.deepEqual([type, /^ExpressionError: .*w/.test(message)], ['error', true]);
     assert.match((await words('hill')) ?? '', /w/);
+    // What is seen is not what was asked for.
+    const opacity = () =>
+      page.$eval('#hill', ({ shadowRoot }) => Number(getComputedStyle(/** @type {any} */ (shadowRoot).firstChild).opacity));
+    assert.ok((await opacity()) < 0.5);
     assert.equal(await page.$eval('#hill', (element) => /** @type {any} */ (element).path), null);
     // Another attribute than the wrong one: the old surface is not asked for a path.
     assert.equal((await change('hill', 'to', '0.8,0.2'))[1], 'error');
     assert.equal((await change('hill', 'z', 'h exp(-4(u^2 + v^2))'))[1], 'path');
+    assert.equal(await opacity(), 1);
     // A number alone is no point, as in the attribute.
     await page.$eval('#hill', (element) => {
       /** @type {any} */ (element).to = 0;

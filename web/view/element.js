@@ -199,7 +199,7 @@ export class SurfacePathElement extends BaseElement {
     }
   }
 
-  /** The picture stays until there is another one, but nothing moves on it. */
+  /** The picture stays, dimmed, until there is another one, but nothing moves on it. */
   #dropSurface() {
     if (this.#surface) this.#stage?.setEnds(this.#surface, [], null);
     this.#surface?.dispose();

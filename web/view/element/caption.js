@@ -35,7 +35,7 @@ export class Caption {
 
   /** @param {string} words @param {boolean} isProblem */
   #say(words, isProblem) {
-    this.element.toggleAttribute('data-problem', isProblem);
+    for (const part of [this.element, this.#canvas]) part.toggleAttribute('data-problem', isProblem);
     // The same words again would be read out again.
     if (words !== this.element.textContent) this.element.textContent = words;
     this.#canvas.setAttribute('aria-label', words ? `${this.title}. ${words}` : this.title);

@@ -4,7 +4,7 @@ import { PATH, START, SURFACE } from '../colours.js';
 
 /**
  * The canvas has a border that is not there: of it the browser says what colours those are, whatever a page calls them; that its transition has ended tells
- * that a page has changed one. A long complaint is scrolled in a small element. Paper is white: dark is for screens.
+ * that a page has changed one. Of a picture that is not what was asked for little is left. A long complaint is scrolled in a small element. Paper is white: dark is for screens.
  */
 const CSS = /* css */ `
 :host {
@@ -54,6 +54,7 @@ p {
   pointer-events: none;
 }
 p[data-problem] { pointer-events: auto; }
+canvas[data-problem] { opacity: 0.3; }
 p:empty { display: none; }
 @media screen and (prefers-color-scheme: dark) {
   :host {
