@@ -2,7 +2,7 @@
 
 import { change } from '../state/change.js';
 import { brief } from '../state/definition.js';
-import { create, find } from './dom.js';
+import { create, find, say } from './dom.js';
 import { namesIn } from '../state/sketch.js';
 import { onRender, state } from '../state/state.js';
 
@@ -12,14 +12,16 @@ let built = '';
 export function startSliders() {
   find('sliders').addEventListener('input', ({ target }) => {
     const { name, valueAsNumber } = /** @type {HTMLInputElement} */ (target);
-    if (!Number.isFinite(valueAsNumber)) return;
     const parameter = parameterOf(name);
-    change({ parameters: { ...state.sketch.parameters, [parameter]: valueAsNumber } }, `parameter ${parameter}`);
+    const good = Number.isFinite(valueAsNumber);
+    say(find('sliders-problem'), good ? null : `Write a number for ${parameter}.`);
+    if (good) change({ parameters: { ...state.sketch.parameters, [parameter]: valueAsNumber } }, `parameter ${parameter}`);
   });
   // Who leaves a number empty gets it back.
   find('sliders').addEventListener('change', ({ target }) => {
     const input = /** @type {HTMLInputElement} */ (target);
     if (!Number.isFinite(input.valueAsNumber)) input.value = brief(state.sketch.parameters[parameterOf(input.name)]);
+    say(find('sliders-problem'), null);
   });
   find('sliders').addEventListener('click', ({ target }) => {
     const name = /** @type {HTMLElement} */ (target).dataset.remove;

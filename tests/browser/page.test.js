@@ -236,7 +236,9 @@ test('a slider reaches as far as its number, which is never left empty, and can 
   await doing(() => page.fill('#value-a', '7.3'));
   assert.equal(Number(await page.inputValue('#parameter-a')), 7.3);
   await page.fill('#value-a', '');
+  assert.equal(await text('#sliders-problem'), 'Write a number for a.');
   await page.focus('#points');
+  assert.equal(await page.isVisible('#sliders-problem'), false);
   assert.equal(await page.inputValue('#value-a'), '7.3');
   await doing(() => page.fill('#value-a', '1.5'));
   assert.equal(await page.isVisible('#remove-a'), false);
