@@ -132,6 +132,8 @@ describe('words', () => {
     assert.match(describePath(path), /^Length \d\.\d{3,4}$/);
     assert.match(describePath({ ...path, status: 'tolerance-not-met', converged: false }), /^Length about \d\.\d+ \(tolerance not met\)$/);
     assert.match(describePath({ ...path, status: 'off-surface', converged: false, length: NaN }), /^No path: an end/);
+    const minkowski = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1], metric: { E: 1, F: 0, G: -1 } });
+    assert.match(describePath(minkowski.shortestPath([0, 0], [0.5, 1])), /^No path: .*, or its metric not positive definite/);
     assert.match(describeProblem(new Error('Error creating WebGL context.'), path), /^Length .*\. No picture/);
     assert.match(describeProblem(new Error('WebAssembly SIMD is missing'), null), /cannot run the solver/);
     assert.equal(describeProblem(new RangeError('to[0] lies outside'), null), 'to[0] lies outside');

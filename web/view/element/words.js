@@ -7,7 +7,7 @@ const DIGITS = 5;
 /** @type {Partial<Record<import('../../path.js').Status, string>>} */
 const PROBLEMS = {
   disconnected: 'No path: the ends lie on different pieces of the surface.',
-  'singular-metric': 'No path: the surface is not smooth on the way.',
+  'singular-metric': 'No path: the surface is not smooth on the way, or its metric not positive definite.',
   'sheet-jump': 'No path: its chords left the surface.',
   'off-surface': 'No path: an end does not lie on the surface.',
   'not-finite': 'No path: the formula has no value on the way.',
