@@ -178,12 +178,16 @@ test('an end is at once what was asked for, right or wrong', async () => {
     element.from = 5;
     ends.push(element.from);
     const { detail } = /** @type {any} */ (await next('error'));
-    return [...ends, element.from, detail.message];
+    ends.push(element.from);
+    Object.assign(element, { from: [9, 0], to: null });
+    const { detail: alone } = /** @type {any} */ (await next('error'));
+    return [...ends, detail.message, alone.message];
   });
   await other.close();
   assert.deepEqual(seen, [
     ...[[-1, 0], [1, 0.5], [0, 0], [0.5, 0.25], [0, 0], [0.5, 0.25], [5], [5]],
     'shortestPath: from must be [x, y], 2 numbers, not 1',
+    'shortestPath: from[0] = 9 lies outside the range of x, [-1, 1]',
   ]);
 });
 

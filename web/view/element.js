@@ -231,9 +231,11 @@ export class SurfacePathElement extends BaseElement {
   #solve(start = null) {
     if (!this.#surface) return;
     this.#path = null;
-    if (this.#ends.length === 2) {
+    const [from, to] = this.#ends;
+    // Of an end alone it is known, too, whether there is such a place.
+    if (from && !to) this.#surface.shortestPath(from, from);
+    if (to) {
       const options = readOptions((name) => this.getAttribute(name));
-      const [from, to] = this.#ends;
       this.#path = this.#surface.shortestPath(from, to, start && !options.via ? { ...options, start } : options);
     }
     this.#caption.tell(this.#path);
