@@ -88,9 +88,9 @@ export function readTheme(canvas) {
   return { surface, line, start, halo };
 }
 
-/** Browsers answer in bytes what was asked for in bytes; three.js knows nothing else. @param {string} colour as computed: rgb(…), or oklch(…), color(…) and their like */
+/** Browsers answer in bytes what was asked for in bytes; three.js knows nothing else, and warns of rgba(…). @param {string} colour as computed: rgb(…), or oklch(…), color(…) and their like */
 function toBytes(colour) {
-  const context = colour.startsWith('rgb') ? null : new OffscreenCanvas(1, 1).getContext('2d');
+  const context = colour.startsWith('rgb(') ? null : new OffscreenCanvas(1, 1).getContext('2d');
   if (!context) return colour;
   context.fillStyle = colour;
   context.fillRect(0, 0, 1, 1);
