@@ -237,7 +237,6 @@ export class Manifold {
       box: this.box,
       graphs: graphs[place],
       isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
-      isSpatial: !isAbstract && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
       run: (call, part) => this.run(call, part ?? domain, isOwn),
       jets: (places) => this.evaluate('jet', places),

@@ -88,7 +88,6 @@ export class Stretched {
       box,
       graphs: new Graphs(KIND.implicit, false),
       isPlain: false,
-      isSpatial: false,
       positions: null,
       run,
       jets: (places) => solver.evaluate(shape.call.jet, places, variables.length, jet),

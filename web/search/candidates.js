@@ -18,7 +18,6 @@ import { estimate } from './distinct.js';
  * @property {import('../manifold/domain.js').Domain | null} domain
  * @property {boolean} isPlain length is that of space
  * @property {boolean} isCreased formulas have creases, which are looked for elsewhere
- * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {(places: number[]) => ArrayLike<number>[]} forms E, F and G at places, where a density or a metric measures length
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('../runtime/heap.js').Passage | null) => RawPath} solve from `from`

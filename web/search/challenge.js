@@ -1,17 +1,17 @@
 /** Whether a path can be the shortest, where ways of the graph, or the straight line, were not followed: these are measured on the surface itself, or solved. */
 
 import { STALLED } from '../runtime/status.js';
-import { gap } from '../vector.js';
 import { endAlike, holds, leaps, MARGIN, within } from './candidates.js';
 import { estimate } from './distinct.js';
+import { asItIs } from './rough.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
 /** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
-/** Of the ways that were not, the shortest first, so many are measured, each chord of them in at most so many parts. */
-const [MOST_MEASURED, MOST_PARTS] = [8, 512];
+/** Of the ways that were not, the shortest first, so many are measured, in so many points. */
+const [MOST_MEASURED, MEASURED] = [8, 4095];
 /** What the straight line leads to it leads to in as many steps, mostly: more are for where there is nothing else. */
 const STEPS = 100;
 
@@ -23,7 +23,7 @@ const STEPS = 100;
  * @returns {RawPath}
  */
 export function challenge(problem, options, best, tried, known) {
-  const { isSpatial, positions, solve } = problem;
+  const { domain, solve } = problem;
   let path = besideStraight(problem, options, best, tried, known);
   if (!holds({ path })) return path;
   let least = Infinity;
@@ -31,11 +31,8 @@ export function challenge(problem, options, best, tried, known) {
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
   /** @type {RawPath[]} */
   const failed = [];
-  for (const { to, start, followed } of isSpatial && positions ? open.slice(0, MOST_MEASURED) : []) {
-    let length = 0;
-    // Fewer chords are shorter.
-    for (let parts = 1; parts <= MOST_PARTS && isShorter(length); parts *= 8)
-      length = lengthOf(problem, /** @type {Float64Array} */ (start), parts);
+  for (const { to, start, followed } of domain ? open.slice(0, MOST_MEASURED) : []) {
+    const length = estimate(solve(to, start, asItIs(MEASURED)));
     if (!isShorter(length)) continue;
     least = Math.min(least, length);
     if (endAlike(failed)) continue;
@@ -56,18 +53,4 @@ function besideStraight(problem, options, best, tried, known) {
   const line = problem.domain && !problem.branches.length && tried.find(({ start, path }) => !start && (!found || estimate(path) < most));
   const straight = line ? problem.solve(line.to, null, found ? within(options, STEPS) : options) : best;
   return straight.length >= most || leaps(problem, straight) || !holds({ path: straight }) ? best : straight;
-}
-
-/** Length on the surface of a polyline of places, each of its chords taken in parts. @param {Pick<Problem, 'positions'>} field @param {Float64Array} polyline @param {number} parts */
-export function lengthOf({ positions }, polyline, parts) {
-  const places = new Float64Array((polyline.length - 2) * parts + 2);
-  for (let k = 0; k < places.length; k++) {
-    const at = (k >> 1) / parts;
-    const i = 2 * Math.floor(at) + (k & 1);
-    places[k] = polyline[i] + (at % 1) * ((polyline[i + 2] ?? 0) - polyline[i]);
-  }
-  const points = /** @type {(places: ArrayLike<number>) => Float64Array} */ (positions)(places);
-  let length = 0;
-  for (let i = 3; i < points.length; i += 3) length += gap(points.subarray(i), points.subarray(i - 3));
-  return length;
 }

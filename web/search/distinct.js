@@ -5,7 +5,7 @@ import { gap } from '../vector.js';
 
 /** @typedef {import('../manifold/rectangle.js').Range} Range */
 /** @typedef {Pick<import('../manifold/tips.js').Tip, 'at' | 'pole'>} Tip */
-/** @typedef {Pick<import("../runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters">} Compared */
+/** @typedef {Pick<import("../runtime/result.js").RawPath, "length" | "lengthError" | "points" | "parameters" | "turns">} Compared */
 
 /** Two paths are the same where they are nowhere farther apart, in parts of how long they are in space, or in u and v. */
 const APART = 0.01;
@@ -24,7 +24,7 @@ export const firsts = (list) => list.filter((found, i) => !isAmong(list.slice(0,
 export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.path) - estimate(b.path)));
 
 /** @param {Compared} a @param {Compared} b @param {number} [apart] in place of 0.01 of the length */
-export const isSame = (a, b, apart = APART) => isAsLong(a, b, apart) && areNear(samplesOf(a), samplesOf(b), apart);
+export const isSame = (a, b, apart = APART) => a.turns === b.turns && isAsLong(a, b, apart) && areNear(samplesOf(a), samplesOf(b), apart);
 
 /** @param {Compared} a @param {Compared} b @param {number} apart */
 const isAsLong = (a, b, apart) => !(Math.abs(estimate(a) - estimate(b)) > apart * estimate(a));

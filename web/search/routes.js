@@ -41,7 +41,6 @@ import { findStarts } from './starts.js';
  * @property {boolean} [isBrief] where no rough path holds nothing is solved: there are other ways
  * @property {import('../manifold/graphs.js').Graphs} graphs
  * @property {boolean} isPlain length is that of space: no density, no metric
- * @property {boolean} isSpatial it is so at least as E, F and G of the surface itself measure it
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
  * @property {<T>(call: Call<T>, part?: import('../manifold/domain.js').Domain) => T} run on the rectangle, or a part of it
  * @property {(places: ArrayLike<number>) => Float64Array} jets of the surface in space
@@ -186,7 +185,7 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, graphs, isPlain, isSpatial, positions, forms, run } = field;
+  const { kind, domain, graphs, isPlain, positions, forms, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const branches = branchesOf(field);
@@ -198,14 +197,18 @@ function pose(field, [from, to], find) {
   };
   const found = run((heap, record) => {
     const [first, last] = domain ? [a, b] : [a, b].map((end) => ontoBeside(heap, record, kind, end));
+    /* Where no pole lets paths slip from one to another. */
+    const wound = domain && domain.tips.length + domain.poles.length + branches.length === 0 ? domain : null;
     /** @param {Omit<Parameters<Heap['solve']>[1], 'kind'>} request @param {SolveOptions} asked */
-    const solve = (request, asked) => watch(heap.solve(record, { kind, ...request }, asked));
+    const solve = (request, asked) => {
+      const path = watch(heap.solve(record, { kind, ...request }, asked));
+      return wound ? { ...path, turns: turnsOf(wound, request.from, request.to) } : path;
+    };
     return find({
       from: first,
       to: last,
       isPlain,
       isCreased: !!field.sides,
-      isSpatial,
       positions,
       forms,
       domain,
@@ -231,6 +234,10 @@ function pose(field, [from, to], find) {
     return path;
   });
 }
+
+/** How often a path to there leads around. @param {import('../manifold/domain.js').Domain} domain @param {number[]} from @param {number[]} to */
+const turnsOf = ({ lower, upper, periodic }, from, to) =>
+  `${from.map((x, j) => periodic[j] && Math.round((to[j] - x) / (upper[j] - lower[j])))}`;
 
 /**
  * Where a path begins whose end is given beside an implicit surface: there a graph is looked into, too. What is near enough stays as it is, to the bit.

@@ -3,8 +3,8 @@
  */
 
 import { isGeodesic, mostOf } from '../path.js';
+import { sumOf } from '../vector.js';
 import { compared, ELEMENTS, isCompared, within } from './candidates.js';
-import { lengthOf } from './challenge.js';
 import { domainOf } from './infinite-ends.js';
 import { isAfter, placed, reverse } from './join.js';
 import { LevelNet } from './level-ways.js';
@@ -91,7 +91,7 @@ function follow(field, ends, options, line) {
     const path = solveNear(field, ends, within(compared(options), FINE), start);
     if (isGeodesic(path)) return { path, start };
   }
-  const length = lengthOf(field, start, 1);
+  const length = sumOf([...(field.chords?.(start) ?? [])]);
   const path = { ...drawLine(field, ends, start, options.points), status: STALLED, converged: false, length };
   return { path: { ...path, lengthError: Math.min(lengthError, (LONGER - 1) * length) }, start };
 }

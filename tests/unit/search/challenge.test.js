@@ -19,17 +19,26 @@ const path = (status, length) => ({ ...emptyPath(status), length });
 /** A way, and what became of it roughly. @param {Float64Array} start @param {number} status @param {number} [length] */
 const tried = (start, status, length = Number.NaN) => ({ to, start, path: path(status, length), coarse: path(status, length) });
 
-/** A plane over u and v, stretched twofold or not; and a solver that answers this. @param {ReturnType<typeof path>} answer @param {number} [factor] */
+/** A plane over u and v, stretched twofold or not; and a solver that answers this where a way is not only measured. @param {ReturnType<typeof path>} answer @param {number} [factor] */
 const plane = (answer, factor = 1) => {
   /** @type {Float64Array[]} */
   const asked = [];
-  const positions = (/** @type {ArrayLike<number>} */ places) =>
-    Float64Array.from({ length: (places.length / 2) * 3 }, (_, i) => (i % 3 === 2 ? 0 : factor * places[2 * Math.floor(i / 3) + (i % 3)]));
-  const solve = (/** @type {number[]} */ _, /** @type {Float64Array} */ start) => {
-    asked.push(start);
-    return answer;
+  const solve = (
+    /** @type {number[]} */ _,
+    /** @type {Float64Array} */ start,
+    /** @type {{ maxIterations: number }} */ { maxIterations },
+  ) => {
+    if (maxIterations > 0) {
+      asked.push(start);
+      return answer;
+    }
+    const spans = Array.from({ length: start.length / 2 - 1 }, (_, i) =>
+      Math.hypot(start[2 * i + 2] - start[2 * i], start[2 * i + 3] - start[2 * i + 1]),
+    );
+    return { ...path(STALLED, factor * spans.reduce((sum, x) => sum + x, 0)), lengthError: 0 };
   };
-  return { problem: anything({ from, to, domain: null, isSpatial: true, positions, solve }), asked };
+  const domain = { poles: [], tips: [], around: [], periodic: [false, false] };
+  return { problem: anything({ from, to, domain, branches: [], solve }), asked };
 };
 
 describe('a way that was not followed', () => {
@@ -67,8 +76,7 @@ describe('a way that was not followed', () => {
       [9, 8],
     ]) {
       const { problem, asked } = plane(path(CONVERGED, length));
-      const flat = { ...problem, domain: { poles: [], tips: [], periodic: [false, false] }, branches: [] };
-      assert.equal(challenge(anything(flat), OPTIONS, best, [straight]).length, shortest);
+      assert.equal(challenge(problem, OPTIONS, best, [straight]).length, shortest);
       assert.equal(asked.length, 1);
     }
   });
@@ -76,10 +84,9 @@ describe('a way that was not followed', () => {
   test('the straight line, where what may be shorter does not hold: its path, unless one that holds is known to be shorter', () => {
     const open = { ...path(TOLERANCE_NOT_MET, 5), lengthError: 4 };
     const { problem } = plane(path(CONVERGED, 8));
-    const flat = anything({ ...problem, domain: { poles: [], tips: [], around: [], periodic: [false, false] }, branches: [] });
     const straight = { ...tried(corner, STALLED, 7), start: null };
-    assert.equal(challenge(flat, OPTIONS, open, [straight]).length, 8);
-    assert.equal(challenge(flat, OPTIONS, open, [straight], path(CONVERGED, 7)), open);
+    assert.equal(challenge(problem, OPTIONS, open, [straight]).length, 8);
+    assert.equal(challenge(problem, OPTIONS, open, [straight], path(CONVERGED, 7)), open);
   });
 
   test('straight starts, and paths that hold, are none', () => {

@@ -26,6 +26,22 @@ function multistart(surface, from, to, half) {
   return best;
 }
 
+/** Radius, density, ends, and how long the path is on the same ring as an implicit surface. @type {[number, string | undefined, number[], number[], number][]} */
+const THIN = [
+  [0.01, undefined, [0.07350584980100394, 0.38909785756841303], [3.4424215135350824, 4.3899002718739215], 5.802207747613],
+  [0.02, '1 + exp(-(x - 0.2)^2)', [2.267, 3.67], [5.34, 0.364], 7.864752],
+  [0.02, '1 + exp(-(x - 0.2)^2)', [3.47488479279913, 4.583282724544406], [0.21545095491129018, 0.9793557255622], 7.963670533787798],
+];
+for (const [radius, density, from, to, length] of THIN)
+  test(`a ring of a tube of ${radius}${density ? ' under a density' : ''}: paths that wind about it otherwise are others, though they lie close; and the graph's way is followed where chords that cut through the tube lead nowhere`, () => {
+    const [x, y] = ['cos', 'sin'].map((f) => `(2 + ${radius}*cos(v))*${f}(u)`);
+    const ring = make({ kind: 'parametric', x, y, z: `${radius}*sin(v)`, u: [0, '2pi'], v: [0, '2pi'], density });
+    const path = ring.shortestPath(from, to);
+    assert.equal(path.status, 'converged');
+    assert.ok(path.length <= length * (1 + 1e-7), `${path.length}, not ${length}`);
+    ring.dispose();
+  });
+
 test('a hill of the density on the straight way: round it, on both forms of a sphere', () => {
   const [level, chart] = [make({ ...sphere, density: hill }), make({ ...globe, density: hill })];
   const global = level.shortestPath([-0.8, 0.6, 0], [0.8, 0.6, 0]);
