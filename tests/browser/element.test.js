@@ -159,6 +159,20 @@ test('each says its path, to the digits of the library', async () => {
   assert.equal(await page.$eval('#torus', (element) => /** @type {any} */ (element).path.length), own.torus[1]);
 });
 
+test('what it says of a path stands on one line in a small one, too', async () => {
+  const heights = await page.$eval('#torus', (element) => {
+    const { style } = /** @type {HTMLElement} */ (element);
+    const caption = /** @type {Element} */ (element.shadowRoot?.querySelector('p'));
+    const tall = () => caption.getBoundingClientRect().height;
+    const large = tall();
+    style.width = '120px';
+    const small = tall();
+    style.width = '400px';
+    return [large, small];
+  });
+  assert.ok(heights[1] > 0 && heights[1] <= heights[0], `${heights}`);
+});
+
 test('an end is at once what was asked for, right or wrong', async () => {
   const { page: other } = await openPage(browser.context, `${site.address}/empty`);
   const seen = await other.evaluate(async () => {

@@ -130,6 +130,7 @@ describe('words', () => {
   test('of paths and problems', () => {
     const path = torus.shortestPath([0.5, 0.6], [2.6, 1.2]);
     assert.match(describePath(path), /^Length \d\.\d{3,4}$/);
+    assert.equal(describePath({ ...path, length: 1251039.27 }), 'Length 1251039');
     assert.match(describePath({ ...path, status: 'tolerance-not-met', converged: false }), /^Length about \d\.\d+ \(tolerance not met\)$/);
     assert.match(describePath({ ...path, status: 'off-surface', converged: false, length: NaN }), /^No path: an end/);
     const minkowski = surfpath.graph({ z: 0, x: [0, 1], y: [0, 1], metric: { E: 1, F: 0, G: -1 } });

@@ -20,6 +20,7 @@ const CSS = /* css */ `
   min-width: 120px;
   overflow: hidden;
   contain: content;
+  container-type: inline-size;
   border-radius: 8px;
   background: var(--paper);
   color: var(--ink);
@@ -40,15 +41,16 @@ canvas:focus-visible { outline: 2px solid var(--line); outline-offset: -2px; bor
 p {
   box-sizing: border-box;
   position: absolute;
-  left: 12px;
-  bottom: 10px;
-  max-width: calc(100% - 24px);
+  left: min(12px, 4%);
+  bottom: min(10px, 4%);
+  max-width: 92%;
   max-height: calc(100% - 20px);
   overflow: auto;
   margin: 0;
-  padding: 1px 8px;
+  padding: 0.1em 0.5em;
   border-radius: 6px;
   background: color-mix(in srgb, var(--halo) 78%, transparent);
+  font-size: clamp(10px, 10cqw, 1em);
   font-variant-numeric: tabular-nums;
   overflow-wrap: anywhere;
   pointer-events: none;

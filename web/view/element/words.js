@@ -2,6 +2,7 @@
 
 /** @typedef {import('../../path.js').Path} Path */
 
+/** So many digits, or all before the point. */
 const DIGITS = 5;
 
 /** @type {Partial<Record<import('../../path.js').Status, string>>} */
@@ -15,7 +16,7 @@ const PROBLEMS = {
 };
 
 /** @param {number} length */
-const format = (length) => Number(length.toPrecision(DIGITS)).toString();
+const format = (length) => Number(length < 10 ** DIGITS ? length.toPrecision(DIGITS) : length.toFixed()).toString();
 
 /** @param {Path} path */
 export function describePath({ status, converged, length }) {
