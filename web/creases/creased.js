@@ -91,6 +91,7 @@ function findRoutes(question, { ways, distance: told }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
   const isBody = field.isPlain && !field.domain;
+  const isAll = start === 'all';
   /* Polylines in the rectangle are ways, so none is shorter than the shortest path. */
   const measured = (field.domain ? ways : [])
     .map((line) => ({ line, measured: measureLine(field, sides, line) }))
@@ -108,13 +109,13 @@ function findRoutes(question, { ways, distance: told }, start) {
   /** @type {Sketch[]} */
   let missed = [];
   let strays = false;
-  for (const rounding of roundingsOf(field)) {
+  for (const rounding of roundingsOf(field, isAll)) {
     const sketches = sketch(field, sides, ends, ways, rounding);
     /* As they are ways are followed where edges are sharp. */
     if (isBody && rounding.within > 0 && !sketches.some(({ isRelaxed }) => isRelaxed)) continue;
     for (const drawn of sketches) {
       const { line, length } = drawn;
-      if (start !== 'all' && length * (1 - rounding.dearer) > shortest) continue;
+      if (!isAll && length * (1 - rounding.dearer) > shortest) continue;
       /* A chord through the body is no way. */
       if (isBody && !drawn.isRelaxed && distance < Infinity && length * (1 + COARSE) < distance) continue;
       if (field.domain) least = shortestOf(least, { line, measured: length });
@@ -124,18 +125,21 @@ function findRoutes(question, { ways, distance: told }, start) {
       )
         continue;
       const { most, measured } = mostOf(field, line, length, distance);
-      const found = followPinned(question, line, length, (part, along, about) =>
-        followBest(part, along, rounding.shores, along === line ? most : mostOf(field, along, about, distance).most),
-      );
-      if (found && !routes.some(({ legs }) => isBeside(lineOf(found.route.legs, width), lineOf(legs, width), sides.scale, APART)))
-        routes.push(found.route);
-      shortest = leastOf(routes);
-      strays ||= isBody && !(found && isBeside(line, lineOf(found.route.legs, width), sides.scale, APART));
-      /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
-      if (found && lengthOf(found.route.legs) <= most) understood.push({ line, crossed: found.isClear ? crossed : null });
-      else {
-        if (drawn.isAtRest) missed.push(drawn);
-        if (drawn.isRelaxed) least = shortestOf(least, { line, measured });
+      /* Of all, those that follow creases are others than those that do not. */
+      for (const shores of isAll ? rounding.shores.map((near) => [near]) : [rounding.shores]) {
+        const found = followPinned(question, line, length, (part, along, about) =>
+          followBest(part, along, shores, along === line ? most : mostOf(field, along, about, distance).most),
+        );
+        if (found && !routes.some(({ legs }) => isBeside(lineOf(found.route.legs, width), lineOf(legs, width), sides.scale, APART)))
+          routes.push(found.route);
+        shortest = leastOf(routes);
+        strays ||= isBody && !(found && isBeside(line, lineOf(found.route.legs, width), sides.scale, APART));
+        /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
+        if (found && lengthOf(found.route.legs) <= most) understood.push({ line, crossed: found.isClear ? crossed : null });
+        else {
+          if (drawn.isAtRest) missed.push(drawn);
+          if (drawn.isRelaxed) least = shortestOf(least, { line, measured });
+        }
       }
     }
     missed = missed.filter(({ line }) => !understood.some((other) => isBeside(line, other.line, sides.scale, APART)));
@@ -143,6 +147,7 @@ function findRoutes(question, { ways, distance: told }, start) {
       (way) => way.measured <= shortest * UNTOLD && !understood.some((other) => isBeside(way.line, other.line, sides.scale, ALIKE)),
     );
     if (
+      !isAll &&
       shortest < Infinity &&
       !isOpen &&
       !strays &&

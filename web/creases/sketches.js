@@ -41,8 +41,9 @@ const [FOLDS, BODIES] = [
   { ...ROUNDINGS[1], points: 127, dearer: 0.03 },
 ].map((one) => ({ ...one, shores: [0, 0.04, 0.01] }));
 
-/** How a surface is rounded; 0: it is not. @param {Field} field @returns {Rounding[]} */
-export const roundingsOf = ({ isPlain, domain }) => (isPlain ? [...(domain ? [] : [BODIES]), FOLDS] : ROUNDINGS);
+/** How a surface is rounded; 0: it is not. @param {Field} field @param {boolean} isAll also as ways that cross no crease want it @returns {Rounding[]} */
+export const roundingsOf = ({ isPlain, domain }, isAll) =>
+  isPlain ? [...(domain ? [] : [BODIES]), FOLDS] : isAll ? [...ROUNDINGS, FOLDS] : ROUNDINGS;
 
 /**
  * Polylines relaxed from these ways, shortest first, each once; after them ways that lead from sheet to sheet of an implicit surface when relaxed, as they are.

@@ -283,6 +283,10 @@ test('all geodesics across creases: both ways round a lake, one through a coast,
   for (const [k, turn] of [beyond, 2 * Math.PI - beyond].entries())
     assert.ok(Math.abs(shores[k] - round(turn)) <= 1e-9, `${shores}, not ${round(turn)}`);
   assert.deepEqual(lengthsOf(coast.geodesics([-1, 0.5], [1, -0.5])), lengthsOf([coast.shortestPath([-1, 0.5], [1, -0.5])]));
+  /* By the cheap side, and straight on the dear one. */
+  const beside = lengthsOf(coast.geodesics([0.05, -1], [1.2, 1]));
+  assert.equal(beside.length, 2);
+  assert.ok(beside[0] < beside[1] && Math.abs(beside[1] - 3 * Math.hypot(1.15, 2)) <= 1e-9, `${beside}`);
   const faces = lengthsOf(cube.geodesics([1, 0.1, 0.2], [-1, 0.1, 0.3]));
   for (const exact of [3.5, Math.hypot(3.8, 0.1), Math.hypot(4.2, 0.1)])
     assert.ok(
