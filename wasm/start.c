@@ -38,7 +38,7 @@ enum sp_status sp_start_end(const struct sp_surface *surface, double scale, doub
     sp_pair place[3] = {sp_splat(point[0]), sp_splat(point[1]), sp_splat(point[2])}, values[SP_IMPLICIT_VALUES];
     surface->value(1, place, values);
     if (!(values[0][0] - values[0][0] == 0)) return SP_NOT_FINITE;
-    if (values[1][0] == 0 && values[2][0] == 0 && values[3][0] == 0) return values[0][0] == 0 ? SP_SINGULAR_METRIC : SP_OFF_SURFACE;
+    if (values[1][0] == 0 && values[2][0] == 0 && values[3][0] == 0) return SP_SINGULAR_METRIC;
     if (!sp_implicit_settle_end(surface, place, scale)) return SP_OFF_SURFACE;
     double moved[3] = {place[0][0] - point[0], place[1][0] - point[1], place[2][0] - point[2]};
     if (!(norm(moved) <= 0.1 * scale)) return SP_OFF_SURFACE;

@@ -1,5 +1,6 @@
 /** Polylines cut where they cross creases, or follow them: which legs a path has. */
 
+import { divide } from '../search/join.js';
 import { minus } from '../vector.js';
 import { beyond, directions, ROUNDING } from './crease.js';
 import { middleOf, span } from './legs.js';
@@ -95,16 +96,6 @@ export class Survey {
       place.push(this.places[k] + (at - i) * (this.places[k + this.width] - this.places[k]));
     return place;
   }
-}
-
-/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
-export function divide(line, width, parts) {
-  const places = new Float64Array((line.length - width) * parts + width);
-  for (let i = 0; i + width < line.length; i += width)
-    for (let part = 0; part < parts; part++)
-      for (let j = i; j < i + width; j++) places[i * parts + part * width + j - i] = line[j] + (part / parts) * (line[j + width] - line[j]);
-  for (let j = 1; j <= width; j++) places[places.length - j] = line[line.length - j];
-  return places;
 }
 
 /**

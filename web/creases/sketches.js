@@ -3,10 +3,11 @@
 import { stepBy } from '../manifold/extent.js';
 import { isGeodesic } from '../path.js';
 import { distinct } from '../search/distinct.js';
+import { divide } from '../search/join.js';
 import { relax } from '../search/routes.js';
 import { gap, sumOf } from '../vector.js';
 import { beyond, slopeOf } from './crease.js';
-import { cut, divide } from './cut.js';
+import { cut } from './cut.js';
 import { lineOf, nodesOf, span } from './legs.js';
 import { sizeOf, steepnessBy } from './linear.js';
 

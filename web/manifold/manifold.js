@@ -156,7 +156,6 @@ export class Manifold {
           ? () => (this.#installOwn() ? this.#fieldOf(this.domain, 0, true) : null)
           : null,
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
-      chords: this.domain ? (places) => this.#measureChords(places) : null,
       jumps: this.#compiled.isCreased || this.#compiled.hasFloors ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
       lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
@@ -238,6 +237,7 @@ export class Manifold {
       graphs: graphs[place],
       isPlain: !isAbstract && !isOwn && !this.#compiled.metric,
       positions: !isAbstract && domain ? (places) => this.evaluate('value', places) : null,
+      chords: domain ? (places) => this.#measureChords(places) : null,
       run: (call, part) => this.run(call, part ?? domain, isOwn),
       jets: (places) => this.evaluate('jet', places),
       forms: (places) => formsOf(this.#sampled)(places),

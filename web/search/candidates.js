@@ -19,6 +19,7 @@ import { estimate } from './distinct.js';
  * @property {boolean} isPlain length is that of space
  * @property {boolean} isCreased formulas have creases, which are looked for elsewhere
  * @property {((places: ArrayLike<number>) => Float64Array) | null} positions x y z of places u v, on a parametric surface that has them
+ * @property {((places: ArrayLike<number>) => Float64Array) | null} [chords] of a rectangle: how long chords between places u v one after the other are
  * @property {(places: number[]) => ArrayLike<number>[]} forms E, F and G at places, where a density or a metric measures length
  * @property {(to: number[], start: ArrayLike<number> | null, options: SolveOptions, passage?: import('../runtime/heap.js').Passage | null) => RawPath} solve from `from`
  * @property {(line: Float64Array, options: SolveOptions) => RawPath} between from the first place of a line to its last one

@@ -3,15 +3,16 @@
 import { STALLED } from '../runtime/status.js';
 import { endAlike, holds, leaps, MARGIN, within } from './candidates.js';
 import { estimate } from './distinct.js';
-import { asItIs } from './rough.js';
+import { divide } from './join.js';
+import { sumOf } from '../vector.js';
 
 /** @typedef {import('./candidates.js').RawPath} RawPath */
 /** @typedef {import('./candidates.js').SolveOptions} SolveOptions */
 /** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
-/** Of the ways that were not, the shortest first, so many are measured, in so many points. */
-const [MOST_MEASURED, MEASURED] = [8, 4095];
+/** Of the ways that were not, the shortest first, so many are measured, in so many chords, at least: fewer are shorter. */
+const [MOST_MEASURED, MEASURED] = [8, 32_768];
 /** What the straight line leads to it leads to in as many steps, mostly: more are for where there is nothing else. */
 const STEPS = 100;
 
@@ -23,16 +24,17 @@ const STEPS = 100;
  * @returns {RawPath}
  */
 export function challenge(problem, options, best, tried, known) {
-  const { domain, solve } = problem;
+  const { chords, solve } = problem;
   let path = besideStraight(problem, options, best, tried, known);
-  if (!holds({ path })) return path;
+  if (!chords || !holds({ path })) return path;
   let least = Infinity;
   const isShorter = (/** @type {number} */ length) => length < path.length * (1 - MARGIN);
   const open = tried.filter((one) => one.start && (!holds(one) || leaps(problem, one.path) || isShorter(one.path.length)));
   /** @type {RawPath[]} */
   const failed = [];
-  for (const { to, start, followed } of domain ? open.slice(0, MOST_MEASURED) : []) {
-    const length = estimate(solve(to, start, asItIs(MEASURED)));
+  for (const { to, start, followed } of open.slice(0, MOST_MEASURED)) {
+    const way = /** @type {Float64Array} */ (start);
+    const length = sumOf([...chords(divide(way, 2, Math.ceil((2 * MEASURED) / way.length)))]);
     if (!isShorter(length)) continue;
     least = Math.min(least, length);
     if (endAlike(failed)) continue;

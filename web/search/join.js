@@ -135,6 +135,16 @@ export function thinned(path, count) {
   };
 }
 
+/** Places along a polyline: each of its chords in parts. @param {Float64Array} line @param {number} width @param {number} parts */
+export function divide(line, width, parts) {
+  const places = new Float64Array((line.length - width) * parts + width);
+  for (let i = 0; i + width < line.length; i += width)
+    for (let part = 0; part < parts; part++)
+      for (let j = i; j < i + width; j++) places[i * parts + part * width + j - i] = line[j] + (part / parts) * (line[j + width] - line[j]);
+  for (let j = 1; j <= width; j++) places[places.length - j] = line[line.length - j];
+  return places;
+}
+
 /** @param {Float64Array} numbers @param {number} width so many a point */
 export function turned(numbers, width) {
   const result = new Float64Array(numbers.length);

@@ -185,7 +185,7 @@ export function findNear(field, ends, options, lines, shortest) {
  * @returns {Path[]}
  */
 function pose(field, [from, to], find) {
-  const { kind, domain, graphs, isPlain, positions, forms, run } = field;
+  const { kind, domain, graphs, isPlain, positions, forms, chords, run } = field;
   const swap = isAfter(from, to);
   const [a, b] = facePoles(domain, ...(swap ? /** @type {const} */ ([to, from]) : /** @type {const} */ ([from, to])));
   const branches = branchesOf(field);
@@ -211,6 +211,7 @@ function pose(field, [from, to], find) {
       isCreased: !!field.sides,
       positions,
       forms,
+      chords,
       domain,
       solve: (end, start, asked, passage) => solve({ from: first, to: end, start, passage }, asked),
       between: (line, asked) =>

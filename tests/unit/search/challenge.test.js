@@ -1,6 +1,7 @@
 // What becomes of the shortest path that was found where a way that no path was found along is shorter: on a plane, with a solver that is told what to answer.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
+import { chordLengths } from '../../../web/manifold/chords.js';
 import { emptyPath } from '../../../web/runtime/result.js';
 import { CONVERGED, SHEET_JUMP, STALLED, TOLERANCE_NOT_MET } from '../../../web/runtime/status.js';
 import { challenge } from '../../../web/search/challenge.js';
@@ -19,26 +20,22 @@ const path = (status, length) => ({ ...emptyPath(status), length });
 /** A way, and what became of it roughly. @param {Float64Array} start @param {number} status @param {number} [length] */
 const tried = (start, status, length = Number.NaN) => ({ to, start, path: path(status, length), coarse: path(status, length) });
 
-/** A plane over u and v, stretched twofold or not; and a solver that answers this where a way is not only measured. @param {ReturnType<typeof path>} answer @param {number} [factor] */
+/** A plane over u and v, stretched twofold or not; and a solver that answers this. @param {ReturnType<typeof path>} answer @param {number} [factor] */
 const plane = (answer, factor = 1) => {
   /** @type {Float64Array[]} */
   const asked = [];
-  const solve = (
-    /** @type {number[]} */ _,
-    /** @type {Float64Array} */ start,
-    /** @type {{ maxIterations: number }} */ { maxIterations },
-  ) => {
-    if (maxIterations > 0) {
-      asked.push(start);
-      return answer;
-    }
-    const spans = Array.from({ length: start.length / 2 - 1 }, (_, i) =>
-      Math.hypot(start[2 * i + 2] - start[2 * i], start[2 * i + 3] - start[2 * i + 1]),
+  const chords = (/** @type {ArrayLike<number>} */ places) =>
+    chordLengths(
+      places,
+      Float64Array.from({ length: 1.5 * places.length }, (_, i) => [1, 0, 1][i % 3] * factor ** 2),
+      'form',
     );
-    return { ...path(STALLED, factor * spans.reduce((sum, x) => sum + x, 0)), lengthError: 0 };
+  const solve = (/** @type {number[]} */ _, /** @type {Float64Array} */ start) => {
+    asked.push(start);
+    return answer;
   };
   const domain = { poles: [], tips: [], around: [], periodic: [false, false] };
-  return { problem: anything({ from, to, domain, branches: [], solve }), asked };
+  return { problem: anything({ from, to, domain, branches: [], chords, solve }), asked };
 };
 
 describe('a way that was not followed', () => {
