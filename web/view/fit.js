@@ -46,7 +46,7 @@ const readPlace = (place) => Array.from(place ?? []);
 /** @param {import('three').PerspectiveCamera} camera @param {import('three').BufferGeometry} geometry @param {Place} towards @param {number} margin @param {any} shown */
 function check(camera, geometry, towards, margin, shown) {
   const caller = 'fitCamera';
-  if (!camera?.isPerspectiveCamera) refuse(`${caller}: camera`, 'a PerspectiveCamera', camera);
+  if (!(camera?.isPerspectiveCamera && camera.aspect > 0)) refuse(`${caller}: camera`, 'a PerspectiveCamera, aspect > 0', camera);
   checkGeometry(caller, geometry);
   if (geometry.index?.count === 0) throw new RangeError(`${caller}: geometry has no triangles`);
   const direction = new Vector3().fromArray(readPlace(towards));

@@ -185,6 +185,10 @@ for (const [title, { draw, THREE }] of await loadReleases())
       assert.throws(() => draw.surfaceMaterial(/** @type {any} */ (torus)), wrong(/^surfaceMaterial: geometry/));
       const [camera, geometry] = [new THREE.PerspectiveCamera(32, 1), draw.surfaceGeometry(torus, { resolution: 4 })];
       assert.throws(() => draw.fitCamera(none, geometry, [1, 0, 0]), wrong(/^fitCamera: camera must be a PerspectiveCamera/));
+      assert.throws(
+        () => draw.fitCamera(new THREE.PerspectiveCamera(32, 0 / 0), geometry, [1, 0, 0]),
+        wrong(/^fitCamera: camera must be a PerspectiveCamera, aspect > 0/),
+      );
       assert.throws(() => draw.fitCamera(camera, none, [1, 0, 0]), wrong(/^fitCamera: geometry must/));
       for (const towards of [none, [0, 0, 0], [1, 2], [1, Number.NaN, 0]])
         assert.throws(() => draw.fitCamera(camera, geometry, towards), wrong(/^fitCamera: towards must be a direction/));
