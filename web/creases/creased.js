@@ -130,8 +130,7 @@ function findRoutes(question, { ways, distance: told }, start) {
         const found = followPinned(question, line, length, (part, along, about) =>
           followBest(part, along, shores, along === line ? most : mostOf(field, along, about, distance).most),
         );
-        if (found && !routes.some(({ legs }) => isBeside(lineOf(found.route.legs, width), lineOf(legs, width), sides.scale, APART)))
-          routes.push(found.route);
+        if (found) routes.push(found.route);
         shortest = leastOf(routes);
         strays ||= isBody && !(found && isBeside(line, lineOf(found.route.legs, width), sides.scale, APART));
         /* What became longer than the polyline is another way; one that never came to rest need not lead to any. */
@@ -161,7 +160,10 @@ function findRoutes(question, { ways, distance: told }, start) {
   const most = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
     : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
-  return { routes: routes.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs)), least, most };
+  routes.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs));
+  const lines = routes.map(({ legs }) => lineOf(legs, width));
+  const isNew = (/** @type {number} */ i) => !lines.slice(0, i).some((line) => isBeside(lines[i], line, sides.scale, APART));
+  return { routes: routes.filter((_, i) => isNew(i)), least, most };
 }
 
 /** How long the shortest is, infinite if there is none. @param {Route[]} routes */

@@ -1,4 +1,4 @@
-/** Which of several paths between the same ends are the same one, judged by their lengths and where they run. */
+/** Which of several paths between the same ends are the same one, judged by their lengths, how often they lead around, and where they run. */
 
 import { edgeOf } from '../manifold/rectangle.js';
 import { gap } from '../vector.js';
