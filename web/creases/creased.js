@@ -5,7 +5,7 @@
 
 import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
-import { drawLine, findWays, poseNear, settleEnd } from '../search/routes.js';
+import { drawLine, findWays, settleEnd, solveAlong } from '../search/routes.js';
 import { gap, sumOf } from '../vector.js';
 import { cut } from './cut.js';
 import { follow } from './follow.js';
@@ -224,8 +224,7 @@ function write(question, route, options) {
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
     if (legs[k].shore) return writeShore(question, legs[k], asked);
     const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(legs[k].signs));
-    const { solve: solveLeg, finish } = poseNear({ ...field, run }, [places[k], places[k + 1]], legs[k].line);
-    return finish(solveLeg(asked));
+    return solveAlong({ ...field, run }, [places[k], places[k + 1]], asked, legs[k].line);
   };
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, field.domain);
   path.lengthError += roundingOf(route);

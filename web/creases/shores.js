@@ -1,7 +1,7 @@
 /** Legs along creases: a shore that is walked because what lies beyond it is dear, or because the surface bends away from it on both sides. */
 
 import { joinPaths, thinned } from '../search/join.js';
-import { poseNear } from '../search/routes.js';
+import { solveAlong } from '../search/routes.js';
 import { largest, minus, sumOf } from '../vector.js';
 import { between, beyond, directions, slopeAt, slopeOf, walk } from './crease.js';
 import { isInside, LEG, middleOf, nodesOf, slopeAlong, solveLeg } from './legs.js';
@@ -153,10 +153,8 @@ export function writeShore(question, leg, options) {
   const { run } = /** @type {import('../manifold/sides.js').Side} */ (sides.on(leg.signs));
   for (let finer = 1; ; finer *= 2) {
     const nodes = spread(question, leg, finer * pieces);
-    const parts = nodes.slice(1).map((node, k) => {
-      const { solve, finish } = poseNear({ ...field, run }, [nodes[k], node], null);
-      return finish(solve({ ...options, points: NEAR.points, maxIterations: NEAR.maxIterations }));
-    });
+    const asked = { ...options, points: NEAR.points, maxIterations: NEAR.maxIterations };
+    const parts = nodes.slice(1).map((node, k) => solveAlong({ ...field, run }, [nodes[k], node], asked, null));
     const whole = joinPaths(parts, field.domain, true);
     if (whole.converged)
       return { ...thinned(whole, pieces + 1), length, energy: length * length, lengthError: error + Number.EPSILON * length };

@@ -9,7 +9,7 @@ import { mostOf } from '../path.js';
 import { holds } from '../search/candidates.js';
 import { concatenate, inOrder, joinLegs, reverse, turned } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
-import { drawLine, findWays, poseNear } from '../search/routes.js';
+import { drawLine, findWays, solveAlong } from '../search/routes.js';
 import { dot, gap, sumOf } from '../vector.js';
 import { AT_REST, crossingsFrom } from './singular.js';
 
@@ -82,10 +82,8 @@ function leadOver(field, crossings, ends, options, known) {
   if (!best || mostOf(known) <= lengthOf(best.legs)) return known;
   const { legs, joints } = best;
   const places = placesOf({ ends }, joints);
-  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) => {
-    const near = poseNear(field, [places[k], places[k + 1]], legs[k].line);
-    return near.finish(near.solve(asked));
-  };
+  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
+    solveAlong(field, [places[k], places[k + 1]], asked, legs[k].line);
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
   return missed < path.length ? { ...path, status: 'stalled', converged: false, lengthError: path.length - missed } : path;
 }

@@ -148,20 +148,20 @@ export function findWays(field, ends, start, finer = 0) {
   return { ways, distance };
 }
 
-/** A polyline relaxed, not further than is needed to tell which way a path leads. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points */
-export function relax(field, ends, line, points) {
-  const { solve, finish } = poseNear(field, ends, line);
-  return finish(solve({ ...SKETCH, points }));
+/** The path near a polyline, or the straight line, whatever it may pass. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Float64Array | null} start null: straight */
+export function solveAlong(field, ends, options, start) {
+  const { solve, finish } = poseNear(field, ends, start);
+  return finish(solve(options));
 }
+
+/** A polyline relaxed, not further than is needed to tell which way a path leads. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points */
+export const relax = (field, ends, line, points) => solveAlong(field, ends, { ...SKETCH, points }, line);
 
 /** How long a polyline is on the surface as it is. @param {Field} field @param {number[][]} ends @param {Float64Array} line */
 export const measureLine = (field, ends, line) => poseNear(field, ends, line).solve(asItIs(MEASURED)).length;
 
 /** A polyline as it is, in so many points. @param {Field} field @param {number[][]} ends @param {Float64Array} line @param {number} points @returns {Path} */
-export function drawLine(field, ends, line, points) {
-  const { solve, finish } = poseNear(field, ends, line);
-  return finish(solve(asItIs(points)));
-}
+export const drawLine = (field, ends, line, points) => solveAlong(field, ends, asItIs(points), line);
 
 /**
  * The shortest of the paths near some lines, one that holds not if none is shorter than what is known; and after it, roughly solved, all that these lead to.
