@@ -10,6 +10,7 @@ import { isGeodesic, mostOf } from './path.js';
 import { findAllByPieces, findByPieces } from './pieces/pieces.js';
 import { compared, ELEMENTS, isCompared } from './search/candidates.js';
 import { findFromInfinite } from './search/infinite-ends.js';
+import { replaced } from './search/join.js';
 import { findSteep, hasNet, isNoLonger } from './search/steep.js';
 import { settleEnd } from './search/routes.js';
 import { findFromStill } from './search/still-ends.js';
@@ -189,11 +190,10 @@ function findStretched(field, stretched, ends, options, start) {
   const settled = ends.map((end) => settleEnd(field, end));
   const places = settled.map((end) => stretched.into(end));
   const line = start && start !== 'global' ? Float64Array.from(stretched.into(start)) : start;
-  const found = findByPieces(stretched.field, places, options, line);
-  const history = found.history.map((entry) => (entry.points ? { ...entry, points: stretched.back(entry.points) } : entry));
-  const points = stretched.back(found.points);
+  const found = replaced(findByPieces(stretched.field, places, options, line), (points) => stretched.back(points));
+  const { points } = found;
   if (points.length > 0) for (const [i, end] of settled.entries()) points.set(end, i * (points.length - 3));
-  return { ...found, points, history };
+  return found;
 }
 
 /**

@@ -9,7 +9,7 @@ import { isGeodesic, makePath, mostOf } from '../path.js';
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED } from '../runtime/status.js';
 import { POLYLINE } from '../search/candidates.js';
-import { inOrder, joinPieces, placed } from '../search/join.js';
+import { inOrder, joinPieces, placed, replaced } from '../search/join.js';
 import { findGlobal, findNear, poseNear, solveNear } from '../search/routes.js';
 import { gap, largest, sumOf } from '../vector.js';
 import { findThrough } from './through.js';
@@ -63,15 +63,12 @@ function findRest(field, ends, options) {
       return three[isSame ? i % width : width * (Math.sign(node) + 1) + (i % width)];
     });
   return {
-    ...path,
+    ...replaced(path, widen),
     lengthError: 2 * path.lengthError, // of two chords it may be a little too small
     ...(isSame && { length: 0, lengthError: 0, energy: 0, gradientNorm: 0 }),
     status: 'converged',
     converged: true,
     index: 0,
-    points: widen(path.points),
-    parameters: path.parameters && widen(path.parameters),
-    history: path.history.map((entry) => (entry.points ? { ...entry, points: widen(entry.points) } : entry)),
   };
 }
 

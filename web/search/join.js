@@ -153,15 +153,21 @@ export function turned(numbers, width) {
   return result;
 }
 
-/** Turns a path round. @template {import('../runtime/result.js').RawPath | Path} T @param {T} path @returns {T} */
-export function reverse(path) {
+/**
+ * A path with other places, those of its history, too.
+ * @template {import('../runtime/result.js').RawPath | Path} T @param {T} path @param {(numbers: Float64Array, width: number) => Float64Array} change @returns {T}
+ */
+export function replaced(path, change) {
   return {
     ...path,
-    points: turned(path.points, 3),
-    parameters: path.parameters && turned(path.parameters, 2),
-    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: turned(iterate.points, 3) } : iterate)),
+    points: change(path.points, 3),
+    parameters: path.parameters && change(path.parameters, 2),
+    history: path.history.map((iterate) => (iterate.points ? { ...iterate, points: change(iterate.points, 3) } : iterate)),
   };
 }
+
+/** Turns a path round. @template {import('../runtime/result.js').RawPath | Path} T @param {T} path */
+export const reverse = (path) => replaced(path, turned);
 
 /** Whether numbers are lexicographically larger than others: then what lies between them is found the other way round. @param {number[]} a @param {number[]} b */
 export function isAfter(a, b) {
