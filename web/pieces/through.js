@@ -4,7 +4,7 @@ import { isGeodesic } from '../path.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { findChain } from '../search/chain.js';
 import { inOrder, joinLegs, reverse } from '../search/join.js';
-import { ROUGHLY } from '../search/rough.js';
+import { roughlyIn } from '../search/rough.js';
 import { findGlobal, solveNear } from '../search/routes.js';
 import { gap, unit } from '../vector.js';
 import { overCrossings } from './crossings.js';
@@ -71,7 +71,7 @@ export function findThrough(field, ends, options) {
  */
 function findFarther(field, ends, through) {
   const nearest = NEAR * gap(ends[0], ends[1]);
-  const straight = solveNear(field, ends, { ...ROUGHLY, points: POINTS }, null);
+  const straight = solveNear(field, ends, roughlyIn(POINTS), null);
   let reach = field.isPlain && isGeodesic(straight) ? LONGER * straight.length : nearest;
   for (let round = 0; ; round++) {
     const path = through(findNet(field, boxAround(ends, reach), reach > nearest ? FINE : ROUGH));

@@ -5,10 +5,10 @@
 
 import { confine } from '../manifold/domain.js';
 import { cross, dot, gap, minus, norm, unit } from '../vector.js';
-import { holds, leaps, solveFrom } from './candidates.js';
-import { distinct, estimate } from './distinct.js';
+import { holds, leaps } from './candidates.js';
+import { byEstimate, distinct, estimate } from './distinct.js';
 import { innerOf } from './join.js';
-import { asItIs, finer, MOST_ROUGH, ROUGHLY } from './rough.js';
+import { asItIs, finer, MOST_ROUGH, roughlyIn, solveIn } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -48,10 +48,10 @@ export function passBumps(problem, rough) {
 
 /** A rough path with nodes enough to be compared. @param {Problem} problem @param {Found} found @returns {Found} */
 function sharpened(problem, found) {
-  const { to, path } = found;
+  const { path } = found;
   if (!(path.lengthError > COARSE * path.length)) return found;
   for (let points = 2 * innerOf(path) + 1; points <= MOST_ROUGH; points = 2 * points + 1) {
-    const next = { to, path: solveFrom(problem, found, { ...ROUGHLY, points }) };
+    const next = solveIn(problem, found, points);
     if (holds(next) && !leaps(problem, next.path)) return sharpened(problem, next);
   }
   return found;
@@ -68,12 +68,12 @@ function besides(problem, first) {
     if (!next || estimate(next.path) > (1 + NEAR) * estimate(best.path)) break;
     done.add(next);
     for (const { to, numbers } of pushed(problem, next)) {
-      const one = { to, path: problem.solve(to, numbers, { ...ROUGHLY, points: innerOf(first.path) }) };
+      const one = { to, path: problem.solve(to, numbers, roughlyIn(innerOf(first.path))) };
       const length = estimate(one.path);
       const isNew = holds(one) && !leaps(problem, one.path) && !found.some(({ path }) => Math.abs(estimate(path) - length) < SAME * length);
       if (isNew) found.push(one);
     }
-    found.sort((a, b) => estimate(a.path) - estimate(b.path));
+    found.sort(byEstimate);
     if (found[0] !== best) inVain = -1;
   }
   return found;
@@ -92,7 +92,7 @@ function ranked(problem, found, known) {
   const inHalfWave = (innerOf(path) * (lineOf(found[0])?.halfWave ?? 0)) / path.length;
   const isCoarse = innerOf(path) < MOST_ROUGH && inHalfWave < FEW;
   const sharp = nearest.map((one) => doubtful((isCoarse && finer(problem, one)) || one, unsure));
-  sharp.sort((a, b) => estimate(a.path) - estimate(b.path));
+  sharp.sort(byEstimate);
   /* Of fewer nodes the others look shorter, or longer, by as much as these did. */
   const off = estimate(sharp[0].path) - estimate(path);
   const others = [...found, ...known].filter((one) => !nearest.includes(one));
@@ -193,8 +193,7 @@ function pushAt(problem, line, middle, girth) {
   const inReach = Array.from(along.keys()).filter((i) => Math.abs(along[i] - middle) <= SOLVED * halfWave);
   const [begin, end] = [inReach[0], inReach[inReach.length - 1]];
   const section = numbers.slice(width * begin, width * (end + 1));
-  const solve = (/** @type {Float64Array} */ start) =>
-    problem.between(start, { ...ROUGHLY, points: end - begin - 1, maxIterations: STEPS });
+  const solve = (/** @type {Float64Array} */ start) => problem.between(start, { ...roughlyIn(end - begin - 1), maxIterations: STEPS });
   const length = estimate(solve(section));
   const across = acrossAt(problem, line, middle);
   const apart = APART * Math.min(halfWave, girth / 2);

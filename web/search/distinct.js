@@ -17,11 +17,14 @@ const SAMPLES = 16;
 /** The length of the geodesic under a rough polyline, to fourth order. @param {Compared} path */
 export const estimate = (path) => path.length + path.lengthError;
 
+/** Sorts by that length. @param {{ path: Compared }} a @param {{ path: Compared }} b */
+export const byEstimate = (a, b) => estimate(a.path) - estimate(b.path);
+
 /** Each path once: the first of those that are the same. @template {{ path: Compared }} T @param {T[]} list @returns {T[]} */
 export const firsts = (list) => list.filter((found, i) => !isAmong(list.slice(0, i), found));
 
 /** Sorted by length, each path once. @template {{ path: Compared }} T @param {T[]} found @returns {T[]} */
-export const distinct = (found) => firsts([...found].sort((a, b) => estimate(a.path) - estimate(b.path)));
+export const distinct = (found) => firsts([...found].sort(byEstimate));
 
 /** @param {Compared} a @param {Compared} b @param {number} [apart] in place of 0.01 of the length */
 export const isSame = (a, b, apart = APART) => a.turns === b.turns && isAsLong(a, b, apart) && areNear(samplesOf(a), samplesOf(b), apart);

@@ -3,9 +3,9 @@
 import { emptyPath } from '../runtime/result.js';
 import { DISCONNECTED, NOT_FINITE, OFF_SURFACE, SINGULAR_METRIC, STALLED } from '../runtime/status.js';
 import { asAsked, ELEMENTS, holds, isOnSurface, solveFrom } from './candidates.js';
-import { estimate, isAmong } from './distinct.js';
+import { byEstimate, estimate, isAmong } from './distinct.js';
 import { refine } from './poles.js';
-import { FINEST, ROUGHLY, UNSURE } from './rough.js';
+import { FINEST, ROUGHLY, solveIn, UNSURE } from './rough.js';
 
 /** @typedef {import('./candidates.js').Found} Found */
 /** @typedef {import('./candidates.js').Problem} Problem */
@@ -58,8 +58,7 @@ export function withoutAny(problem, options, status, { tried, failed, beside }) 
 }
 
 /** Those that would be locally shortest if they were at rest, the shortest first. @param {Found[]} tried */
-const weakOf = (tried) =>
-  tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort((a, b) => estimate(a.path) - estimate(b.path));
+const weakOf = (tried) => tried.filter(({ path }) => path.index === 0 && path.length >= 0).sort(byEstimate);
 
 /**
  * Where all stall, as chords are too long for a surface of many waves: what the shortest lead to with as many as are tried at most.
@@ -69,8 +68,8 @@ function solveFine(problem, tried, options) {
   const isLong = options.algorithm === ELEMENTS && tried.every(({ path }) => path.status === STALLED);
   /** @type {Found[]} */
   const found = [];
-  for (const { to, path } of isLong ? weakOf(tried).slice(0, MOST_FINE) : []) {
-    const fine = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: FINEST }) };
+  for (const weak of isLong ? weakOf(tried).slice(0, MOST_FINE) : []) {
+    const fine = solveIn(problem, weak, FINEST);
     if (holds(fine) && !isAmong(found, fine)) found.push(fine);
   }
   return found.map((fine) => refine(problem, fine, options)).filter((path) => holds({ path }));
@@ -99,7 +98,7 @@ function shorterAnyway(problem, path, least, options) {
   if (!isOnSurface(path) || !(length < least)) return null;
   /* Who allows fewer steps than that takes wants to know where they end. */
   if (options.maxIterations < ROUGHLY.maxIterations) return path;
-  const finer = { to: problem.to, path: solveFrom(problem, { to: problem.to, path }, { ...ROUGHLY, points: FINEST }) };
+  const finer = solveIn(problem, { to: problem.to, path }, FINEST);
   const isClear = lengthError <= UNSURE * length && length + lengthError < least;
   if (!holds(finer) && (isClear || !isOnSurface(finer.path))) return path;
   /* One not at rest yet may come to anything. */

@@ -18,8 +18,10 @@ const FEW = 2;
 export const MOST_ROUGH = 255;
 export const FINEST = 1023;
 export const ROUGHLY = { tolerance: 1e-6, gradientTolerance: 0, algorithm: POLYLINE, maxIterations: 60, record: false };
+/** @param {number} points */
+export const roughlyIn = (points) => ({ ...ROUGHLY, points });
 /** A start as it is, in so many points. @param {number} points */
-export const asItIs = (points) => ({ ...ROUGHLY, points, maxIterations: 0 });
+export const asItIs = (points) => ({ ...roughlyIn(points), maxIterations: 0 });
 /** From so many inner points, and so small an error in parts of the length, a rough path tells what lies under it. A metric may change between few nodes. */
 const JUDGED = { space: [0, 1e-2], metric: [63, 2e-3] };
 /** Rough paths at rest at the same places are equally long up to this part of it; where there are poles some stall near rest. */
@@ -65,7 +67,7 @@ export const stallsAtBranch = ({ branches }, { coarse }) => coarse.status === ST
  * @returns {Tried}
  */
 export function solveRoughly(problem, { to, start, fine }, tried) {
-  const coarse = problem.solve(to, start, { ...ROUGHLY, points: ROUGH[0] });
+  const coarse = problem.solve(to, start, roughlyIn(ROUGH[0]));
   const more = (start || !tried.length) && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
   const one = { to, start, fine, path: coarse, coarse };
   return more ? solveFiner(problem, one) : one;
@@ -77,12 +79,12 @@ function solveFiner(problem, one) {
   for (const points of ROUGH.slice(1, problem.isCreased ? FEW : ROUGH.length)) {
     const isBehind = isBehindWall(problem, { ...one, path });
     if (!isTooCoarse(path) && !isBehind) break;
-    const finer = { ...ROUGHLY, points };
+    const finer = roughlyIn(points);
     const mayLead = !isBehind && path.status !== STALLED && path.lengthError < path.length;
     path = mayLead ? solveFrom(problem, { ...one, path }, finer) : problem.solve(one.to, one.start, finer);
   }
   /* Across many waves the straight line has far to go. */
-  if (path.status === ITERATION_LIMIT) path = solveFrom(problem, { ...one, path }, { ...ROUGHLY, points: innerOf(path) });
+  if (path.status === ITERATION_LIMIT) ({ path } = solveIn(problem, { ...one, path }, innerOf(path)));
   return { ...one, path };
 }
 
@@ -109,8 +111,11 @@ export function isJudged({ isPlain }, path) {
  */
 export const sharpen = (problem, found) => (isJudged(problem, found.path) ? null : finer(problem, found));
 
+/** What a path leads to in so many points. @param {Problem} problem @param {Found} found @param {number} points @returns {Found} */
+export const solveIn = (problem, { to, path }, points) => ({ to, path: solveFrom(problem, { to, path }, roughlyIn(points)) });
+
 /** The path under a rough one, with twice the points; null where they lead nowhere. @param {Problem} problem @param {Found} found @returns {Found | null} */
-export function finer(problem, { to, path }) {
-  const sharper = { to, path: solveFrom(problem, { to, path }, { ...ROUGHLY, points: 2 * innerOf(path) + 1 }) };
+export function finer(problem, found) {
+  const sharper = solveIn(problem, found, 2 * innerOf(found.path) + 1);
   return holds(sharper) && !leaps(problem, sharper.path) ? sharper : null;
 }
