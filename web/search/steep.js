@@ -6,7 +6,7 @@ import { isGeodesic, mostOf } from '../path.js';
 import { sumOf } from '../vector.js';
 import { compared, ELEMENTS, isCompared, within } from './candidates.js';
 import { domainOf } from './infinite-ends.js';
-import { isAfter, placed, reverse } from './join.js';
+import { inOrder, reverse } from './join.js';
 import { LevelNet } from './level-ways.js';
 import { makeLevels } from './levels.js';
 import { findRaised } from './raised.js';
@@ -137,23 +137,22 @@ export function findSteep(field, ends, options, path) {
   const steep = steepOf(field, options);
   const isOnly = () => isGeodesic(path) && field.run((heap, record) => field.graphs.find(heap, record, field, 0)?.unique);
   if (!steep || isOnly()) return path;
-  if (!isAfter(ends[0], ends[1])) return findForwards(steep, field, ends, options, path);
-  const turned = reverse(path);
-  const found = findForwards(steep, field, [ends[1], ends[0]], options, turned);
-  return found === turned ? path : placed(domainOf(field), reverse(found), ends[0]);
+  const find = (/** @type {number[][]} */ both, /** @type {boolean} */ isTurned) =>
+    findForwards(steep, field, both, options, isTurned ? reverse(path) : path);
+  return inOrder(domainOf(field), ends, find) ?? path;
 }
 
-/** As {@link findSteep}, in this order. @param {import('./raised.js').Lowered} steep @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path @returns {Path} */
+/** As {@link findSteep}, in this order; null: nothing better. @param {import('./raised.js').Lowered} steep @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Path} path */
 function findForwards(steep, field, ends, options, path) {
   const { positions, jets } = field;
   const domain = domainOf(field);
   const known = isGeodesic(path) && path.parameters ? { path, start: path.parameters } : null;
   const levels = hasNet(field, options) ? makeLevels(/** @type {import('./levels.js').Positions} */ (positions), jets, domain, ends) : null;
   const found = levels ? followWays(field, new LevelNet(levels), ends, options, known) : known;
-  if (found && found === known) return path;
+  if (found && found === known) return null;
   if (found && isGeodesic(found.path)) return isCompared(options) ? found.path : solveNear(field, ends, options, found.start);
   const most = found ? found.path.length * (1 + ROUGH) : Infinity;
   const raised = known ? null : findRaised(steep, field, ends, options, most);
   const best = raised?.converged ? raised : found?.path;
-  return best && (known || isNoLonger(best, path)) ? best : path;
+  return best && (known || isNoLonger(best, path)) ? best : null;
 }
