@@ -108,23 +108,18 @@ export class Sides {
 
   /** Of each place, the floors of its formulas: where one of them changes, the surface, or what measures length, may jump. @param {ArrayLike<number>} places @returns {number[][]} */
   floors(places) {
-    if (!this.#floors) return [];
-    const width = SHAPE[this.#given.kind].variables.length;
-    return split(
-      this.#given.solver.evaluate(this.#floors.call.value, places, width, this.#floorCount * (1 + width)),
-      places.length / width,
-    );
+    return this.#floors ? this.#measureBy(this.#floors, places, this.#floorCount) : [];
   }
 
-  /** @param {Installed} vanishing @param {ArrayLike<number>} places */
-  #measureBy(vanishing, places) {
-    return split(this.#evaluate(vanishing, places), places.length / SHAPE[this.#given.kind].variables.length);
+  /** @param {Installed} vanishing @param {ArrayLike<number>} places @param {number} [count] */
+  #measureBy(vanishing, places, count) {
+    return split(this.#evaluate(vanishing, places, count), places.length / this.scale.length);
   }
 
-  /** @param {Installed} vanishing @param {ArrayLike<number>} places */
-  #evaluate(vanishing, places) {
-    const width = SHAPE[this.#given.kind].variables.length;
-    return this.#given.solver.evaluate(vanishing.call.value, places, width, this.count * (1 + width));
+  /** @param {Installed} vanishing @param {ArrayLike<number>} places @param {number} count how many vanish */
+  #evaluate(vanishing, places, count = this.count) {
+    const width = this.scale.length;
+    return this.#given.solver.evaluate(vanishing.call.value, places, width, count * (1 + width));
   }
 
   /** The surface on these sides of its creases; null: there are too many, or there is no room. @param {number[]} signs @returns {Side | null} */
@@ -159,7 +154,7 @@ export class Sides {
   /** @param {Way} way */
   #make(way) {
     const { kind, measure, shape, reference, parameters, solver, write } = this.#given;
-    const { variables } = SHAPE[kind];
+    const width = this.scale.length;
     const compiled = compileShape(kind, shape, reference, parameters, solver.apply, new Creases(way));
     const metric = compileMetric(kind, measure, shape, reference, parameters, solver.apply, new Creases(way));
     const modules = [compiled, ...(metric ? [metric.compiled] : [])];
@@ -176,16 +171,14 @@ export class Sides {
     };
     /** @type {Side} */
     const side = {
-      groups: groupsOf(modules, variables.length),
+      groups: groupsOf(modules, width),
       run: (call) => solver.run(() => call(solver.heap, measured.record, installed[0])),
       jets: (places) => {
-        const count = places.length / variables.length;
-        const jets = modules.map(({ jet }, i) =>
-          split(solver.evaluate(installed[i].call.jet, places, variables.length, jet.length), count),
-        );
+        const count = places.length / width;
+        const jets = modules.map(({ jet }, i) => split(solver.evaluate(installed[i].call.jet, places, width, jet.length), count));
         return jets[0].map((_, k) => jets.flatMap((of) => of[k]));
       },
-      values: (places) => solver.evaluate(installed[0].call.value, places, variables.length, SHAPE[kind].value),
+      values: (places) => solver.evaluate(installed[0].call.value, places, width, SHAPE[kind].value),
       productOf: (jet) => productOf(kind, metric?.code ?? METRIC.induced, jet),
       measure: (places) => {
         if (this.count === 1) return this.measure(places);
