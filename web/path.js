@@ -131,6 +131,9 @@ export const isGeodesic = ({ status }) => status === 'converged' || status === '
 /** What the length of a path is at most; infinite where there is none. @param {Path} path */
 export const mostOf = (path) => (path.length >= 0 ? path.length + (isGeodesic(path) ? 0 : path.lengthError || 0) : Infinity);
 
+/** A path beside which a shorter one may be. @param {Path} path @returns {Path} */
+export const stalled = (path) => ({ ...path, status: 'stalled', converged: false });
+
 /** @param {import('./runtime/result.js').RawPath} raw @returns {Path} */
 export function makePath(raw) {
   const status = /** @type {Status} */ (STATUS.get(raw.status));

@@ -3,6 +3,7 @@
  * what moves are the places at which legs meet. MATH.md, "Across creases".
  */
 
+import { stalled } from '../path.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, settleEnd, solveAlong } from '../search/routes.js';
@@ -191,8 +192,8 @@ const shortestOf = (one, other) => (other.measured < (one?.measured ?? Infinity)
 
 /** A polyline as a path. @param {Field} field @param {number[][]} ends @param {Way} way @param {number} points @returns {Path} */
 const roughly = (field, ends, { line, measured }, points) => ({
-  ...drawLine(field, ends, line, points),
-  ...{ status: 'stalled', converged: false, length: measured, lengthError: LOOSE * measured },
+  ...stalled(drawLine(field, ends, line, points)),
+  ...{ length: measured, lengthError: LOOSE * measured },
 });
 
 /** The path that a polyline leads to, following creases or not, whichever way first is no longer than this; else the shortest. @param {Question} question @param {Float64Array} line @param {number[]} shores @param {number} most @returns {Route | null} */

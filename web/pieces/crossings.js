@@ -5,7 +5,7 @@
 
 import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
 import { solveLinear } from '../creases/linear.js';
-import { mostOf } from '../path.js';
+import { mostOf, stalled } from '../path.js';
 import { holds } from '../search/candidates.js';
 import { concatenate, inOrder, joinLegs, reverse, turned } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
@@ -85,7 +85,7 @@ function leadOver(field, crossings, ends, options, known) {
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
     solveAlong(field, [places[k], places[k + 1]], asked, legs[k].line);
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
-  return missed < path.length ? { ...path, status: 'stalled', converged: false, lengthError: path.length - missed } : path;
+  return missed < path.length ? { ...stalled(path), lengthError: path.length - missed } : path;
 }
 
 /** The graph's ways over one crossing each, the shortest of those near each other. @param {Field} field @param {Crossing[]} crossings @param {number[][]} ends @returns {Drawn[]} */

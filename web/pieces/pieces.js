@@ -5,7 +5,7 @@
 
 import { isAtPole } from '../manifold/domain.js';
 import { liftEnds } from '../manifold/lifts.js';
-import { isGeodesic, makePath, mostOf } from '../path.js';
+import { isGeodesic, makePath, mostOf, stalled } from '../path.js';
 import { emptyPath } from '../runtime/result.js';
 import { CONVERGED } from '../runtime/status.js';
 import { POLYLINE } from '../search/candidates.js';
@@ -217,7 +217,7 @@ function findAcross(field, ends, options, start) {
     if (!best || mostOf(path) < mostOf(best)) best = path;
   }
   const shortest = /** @type {Path} */ (best);
-  return isGeodesic(shortest) && missed < shortest.length ? { ...shortest, status: 'stalled', converged: false } : shortest;
+  return isGeodesic(shortest) && missed < shortest.length ? stalled(shortest) : shortest;
 }
 
 /**

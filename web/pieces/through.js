@@ -1,6 +1,6 @@
 /** Paths through the nodes of an implicit surface: of all chains of legs from node to node the shortest, of which as few as possible are solved. */
 
-import { isGeodesic } from '../path.js';
+import { isGeodesic, stalled } from '../path.js';
 import { ELEMENTS } from '../search/candidates.js';
 import { findChain } from '../search/chain.js';
 import { inOrder, joinLegs, reverse } from '../search/join.js';
@@ -115,7 +115,7 @@ function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
   };
   /* A way over nodes that is shorter and no path, or not all of which was solved, leaves it open what is the shortest. */
   const shortest = known.reduce((sum, leg) => sum + leg.lengthError, least(isOpen));
-  return isGeodesic(path) && shortest < path.length ? { ...path, status: 'stalled', converged: false } : path;
+  return isGeodesic(path) && shortest < path.length ? stalled(path) : path;
 }
 
 /** What passes a node nearer than can be told is no path by itself: a way over that which is as long stands before it. @param {Path} path @param {SolveOptions} options */

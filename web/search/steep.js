@@ -2,7 +2,7 @@
  * The shortest path on a steep surface: a net of its lines of equal height shows ways that no other graph sees; and what is found with lower heights is raised. MATH.md, "Steep surfaces".
  */
 
-import { isGeodesic, mostOf } from '../path.js';
+import { isGeodesic, mostOf, stalled } from '../path.js';
 import { sumOf } from '../vector.js';
 import { compared, ELEMENTS, isCompared, within } from './candidates.js';
 import { domainOf } from './infinite-ends.js';
@@ -92,7 +92,7 @@ function follow(field, ends, options, line) {
     if (isGeodesic(path)) return { path, start };
   }
   const length = sumOf([...(field.chords?.(start) ?? [])]);
-  const path = { ...drawLine(field, ends, start, options.points), status: STALLED, converged: false, length };
+  const path = { ...stalled(drawLine(field, ends, start, options.points)), length };
   return { path: { ...path, lengthError: Math.min(lengthError, (LONGER - 1) * length) }, start };
 }
 
