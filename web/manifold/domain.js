@@ -1,7 +1,7 @@
 /** The domain of a surface: its parameter rectangle, how that is glued, which edges are points; and points that enter it. */
 
 import { gap } from '../vector.js';
-import { edgeOf, FRACTIONS, linePlaces, POSITION_GAP, reach } from './rectangle.js';
+import { edgeOf, linePlaces, POSITION_GAP, reach } from './rectangle.js';
 import { findSeams } from './seams.js';
 import { findFree, findHole, findPinches, findPoles, isSmooth, leastAcross, tipAt, turning } from './tips.js';
 
@@ -52,7 +52,7 @@ export function findDomain(asked, surface, written) {
 /** Whether both edges across a coordinate are one and the same point, as those of a horn torus are. @param {Sampled} surface @param {Domain} domain @param {number} across */
 function meetsInPole({ jets }, domain, across) {
   const [low, high] = [1, 2].map((side) => domain.tips.find(({ pole }) => pole === 2 * across + side && domain.poles.includes(pole))?.at);
-  return !!low && !!high && gap(low, high) < POSITION_GAP * reach(jets(linePlaces(domain, across, 0.5, FRACTIONS)), low);
+  return !!low && !!high && gap(low, high) < POSITION_GAP * reach(jets(linePlaces(domain, across, 0.5)), low);
 }
 
 /** A glued rectangle, and what its edges are. @param {Glued} glued @param {Range} written @param {Sampled} surface @returns {Domain} */
@@ -64,7 +64,7 @@ function describeEdges(glued, written, surface) {
   /** Radians by which the direction across turns along an edge. @param {number} pole */
   const turned = (pole) => {
     const { across, side } = edgeOf(pole);
-    return turning(jets, linePlaces(range, across, side, FRACTIONS), across);
+    return turning(jets, linePlaces(range, across, side), across);
   };
   const winding = tensors ? [] : [1, 2, 3, 4].filter((pole) => turned(pole) > Math.PI);
   const holes = winding.filter((pole) => !poles.includes(pole)).flatMap((pole) => findHole(jets, range, periodic, pole));

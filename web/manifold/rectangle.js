@@ -59,7 +59,7 @@ export function diagonal(jets, range) {
 }
 
 /** Places along a line of the rectangle. @param {Range} range @param {number} direction of the coordinate that is constant there @param {number} side where: 0, the lower edge, to 1, the upper @param {number[]} fractions */
-export function linePlaces({ lower, upper }, direction, side, fractions) {
+export function linePlaces({ lower, upper }, direction, side, fractions = FRACTIONS) {
   const other = 1 - direction;
   const constant = (1 - side) * lower[direction] + side * upper[direction];
   return fractions.flatMap((fraction) => {

@@ -5,7 +5,7 @@
  */
 
 import { dot, gap } from '../vector.js';
-import { diagonal, FRACTIONS, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
+import { diagonal, linePlaces, POSITION_GAP, reach, vector } from './rectangle.js';
 
 /** @typedef {import('./rectangle.js').Range} Range */
 /** @typedef {import('./rectangle.js').Jets} Jets */
@@ -45,7 +45,7 @@ const isNear = (a, b, near) => Math.abs(a - b) <= near || !(Number.isFinite(a) |
 function sampleEdge(jets, range, direction) {
   const places = linePlaces(range, direction, 1, TEST_FRACTIONS);
   const sizes = TEST_FRACTIONS.map((fraction) => {
-    const line = jets(linePlaces(range, 1 - direction, fraction, FRACTIONS));
+    const line = jets(linePlaces(range, 1 - direction, fraction));
     return reach(line, vector(line, 0, 0));
   });
   return { direction, span: range.upper[direction] - range.lower[direction], places, jets: jets(places), sizes };

@@ -49,8 +49,8 @@ export function findFree(surface, range) {
 function findEdges(range, isIt) {
   return [1, 2, 3, 4].filter((edge) => {
     const { across, along, side } = edgeOf(edge);
-    const beside = linePlaces(range, across, Math.abs(side - FRACTIONS[1]), FRACTIONS);
-    return isIt(linePlaces(range, across, side, FRACTIONS), beside, along);
+    const beside = linePlaces(range, across, Math.abs(side - FRACTIONS[1]));
+    return isIt(linePlaces(range, across, side), beside, along);
   });
 }
 
@@ -62,7 +62,7 @@ function findEdges(range, isIt) {
 export function findHole(jets, range, periodic, pole) {
   const { across: direction, side } = edgeOf(pole);
   const span = range.upper[direction] - range.lower[direction];
-  const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction, FRACTIONS);
+  const place = (/** @type {number} */ fraction) => linePlaces(range, direction, fraction);
   /** Where the speed vanishes, in parts of the range from here; NaN where it turns instead. @param {number} fraction */
   const offsetsAt = (fraction) => {
     const sampled = jets(place(fraction));
@@ -127,7 +127,7 @@ export function findPinches(jets, range, across) {
     if (order === 0) continue;
     /* At a double zero of the speed, which rounding blurs, and at a kink its change turns round. */
     const at = order === 1 ? settle(scan[i], scan[i + 1], across ? 3 : 6) : settle(scan[i - 1], scan[i + 1], 12);
-    const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction, FRACTIONS);
+    const place = (/** @type {number} */ fraction) => linePlaces(range, across, fraction);
     const beside = scan[at < (scan[i] + scan[i + 1]) / 2 ? i + 1 : i];
     if (at > scan[0] && at < scan[SCANNED] && isOnePlace(jets)(place(at), place(beside)))
       found.push((1 - at) * range.lower[across] + at * range.upper[across]);
@@ -143,7 +143,7 @@ export function findPinches(jets, range, across) {
 export function leastAcross(jets, range, across) {
   const width = (range.upper[across] - range.lower[across]) / SLABS;
   const speeds = Array.from({ length: SLABS + 1 }, (_, k) => {
-    const sampled = jets(linePlaces(range, across, k / SLABS, FRACTIONS));
+    const sampled = jets(linePlaces(range, across, k / SLABS));
     const squares = FRACTIONS.map((_, i) => {
       const [along, away] = [vector(sampled, i, across ? 3 : 6), vector(sampled, i, across ? 6 : 3)];
       return dot(away, away) - (dot(along, away) ** 2 / dot(along, along) || 0);
@@ -156,14 +156,14 @@ export function leastAcross(jets, range, across) {
 /** The point to which lines across lead. @param {Jets} jets @param {Range} range @param {boolean[]} periodic @param {number} pole @param {number} fraction where @returns {Tip} */
 export function tipAt(jets, range, periodic, pole, fraction) {
   const { across: direction, side } = edgeOf(pole);
-  const sampled = jets(linePlaces(range, direction, fraction, FRACTIONS));
+  const sampled = jets(linePlaces(range, direction, fraction));
   const at = vector(sampled, 0, 0);
   const beyond = (fraction - side) * (side ? 1 : -1) * (range.upper[direction] - range.lower[direction]);
   return {
     pole,
     beyond,
     at,
-    radius: reach(jets(linePlaces(range, direction, side, FRACTIONS)), at),
+    radius: reach(jets(linePlaces(range, direction, side)), at),
     smooth: periodic[1 - direction] && isFlat(sampled, direction),
   };
 }
@@ -257,7 +257,7 @@ export function isSmooth(tensors, range, pole) {
   /* Over dr and r dθ: what the diagonal differs by, twice the mixed part, the trace. */
   const around = (/** @type {number} */ fraction) => {
     const circle = ((side ? -2 : 2) * Math.PI * fraction * away) / turn;
-    return tensors(linePlaces(range, across, Math.abs(side - fraction), FRACTIONS)).map((tensor) => {
+    return tensors(linePlaces(range, across, Math.abs(side - fraction))).map((tensor) => {
       const [outwards, along] = [tensor[2 * across], tensor[2 - 2 * across] / circle ** 2];
       return [outwards - along, (2 * tensor[1]) / circle, outwards + along];
     });
