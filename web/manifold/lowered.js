@@ -1,6 +1,7 @@
 /** Steep surfaces, and their like with lower heights. Compiled when somebody asks for them. MATH.md, "Steep surfaces". Knows nothing of paths. */
 
 import { cross } from '../vector.js';
+import { shapeNodes } from './metric.js';
 import { gridPlaces, vector } from './rectangle.js';
 
 /** @typedef {import('./shapes.js').Shape} Shape */
@@ -34,13 +35,11 @@ export function freeName(parameters) {
 
 /** A shape with its heights multiplied by a parameter. @param {Shape} shape @param {string} factor name of the parameter @returns {Shape} */
 export function lowerShape(shape, factor) {
-  const { outputs, names, variables } = shape;
   return {
     ...shape,
     outputs(formulas, reference) {
       const { graph, read } = formulas;
-      const [x, y, z] =
-        typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => read(source, names[i], variables));
+      const [x, y, z] = shapeNodes(shape, formulas, reference);
       return [x, y, graph.multiply(read(factor, factor, []), z)];
     },
   };

@@ -67,24 +67,34 @@ function induced({ graph, slope }, position, variables) {
   ].map(([p, q]) => p.map((node, i) => graph.multiply(node, q[i])).reduce((sum, node) => graph.add(sum, node)));
 }
 
+/** What a shape gives, as nodes. @param {import('./shapes.js').Shape} shape @param {import('../expression/compile.js').Formulas} formulas @param {readonly number[] | null} reference of a frame */
+export const shapeNodes = ({ outputs, names, variables }, formulas, reference) =>
+  typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => formulas.read(source, names[i], variables));
+
+/** The square of a density, with its sign, as a node; 1 without. @param {import('../expression/compile.js').Formulas} formulas @param {Measure} measure @param {string[]} variables @param {Record<string, number>} known */
+export function squareOf({ graph, read }, { density }, variables, known) {
+  const factor = density === undefined ? graph.one : read(density, 'density', variables, known);
+  return graph.multiply(factor, graph.absolute(factor));
+}
+
 /**
  * The nodes of a shape, and of what measures length on it. Formulas are over u, v, the shape's own
  * variables, and, a density's, x, y and z; over x, y, z on an implicit surface.
  * @param {'parametric' | 'implicit' | 'metric'} kind @param {Measure} measure @param {import('./shapes.js').Shape} shape @param {readonly number[] | null} reference of a frame
  * @param {import('../expression/compile.js').Formulas} formulas @returns {{ shaped: number[], measured: number[] }}
  */
-export function nodesOf(kind, { density, metric, isOwn }, { outputs, names, variables }, reference, formulas) {
+export function nodesOf(kind, measure, shape, reference, formulas) {
   const { graph, read } = formulas;
+  const { metric, isOwn } = measure;
+  const { variables } = shape;
   const known = (/** @type {Record<string, number>} */ nodes) =>
     Object.fromEntries(Object.entries(nodes).filter(([name]) => !variables.includes(name)));
   /** @type {Record<string, number>} */
   const places = kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
-  const shaped =
-    typeof outputs === 'function' ? outputs(formulas, reference) : outputs.map((source, i) => read(source, names[i], variables));
+  const shaped = shapeNodes(shape, formulas, reference);
   const [x, y, z] = shaped;
   const everything = kind === 'implicit' ? places : { ...places, x, y, z };
-  const factor = density === undefined ? graph.one : read(density, 'density', variables, known(everything));
-  const square = graph.multiply(factor, graph.absolute(factor));
+  const square = squareOf(formulas, measure, variables, known(everything));
   const entry = (/** @type {string} */ name) => read(/** @type {any} */ (metric)[name], `metric.${name}`, variables, known(places));
   const tensor = isOwn ? induced(formulas, shaped, variables) : metric ? TENSOR[kind].order.map(entry) : [graph.one];
   return { shaped, measured: tensor.map((component) => graph.multiply(component, square)) };

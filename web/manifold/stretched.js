@@ -8,6 +8,7 @@ import { diagonalOf, dot, unit } from '../vector.js';
 import { touches } from './extent.js';
 import { Graphs } from './graphs.js';
 import { KIND, SHAPE } from './kind.js';
+import { squareOf } from './metric.js';
 
 /** @typedef {import('./extent.js').Extent} Extent */
 /** @typedef {import('./sides.js').Installed} Installed */
@@ -102,7 +103,8 @@ export class Stretched {
     const { measure, shape, parameters, solver } = this.#given;
     const { axes, middle } = this.#extent;
     return compile({
-      outputs: ({ graph, read, slope }) => {
+      outputs: (formulas) => {
+        const { graph, read, slope } = formulas;
         const along = this.#scale.map((scale, i) => graph.multiply(graph.constant(scale), graph.variable(i)));
         const at = middle.map((x, j) =>
           along.reduce((sum, node, i) => graph.add(sum, graph.multiply(graph.constant(axes[i][j]), node)), graph.constant(x)),
@@ -110,8 +112,7 @@ export class Stretched {
         const space = Object.fromEntries(shape.variables.map((name, j) => [name, at[j]]));
         const shaped = read(/** @type {import('../definition.js').Expression[]} */ (shape.outputs)[0], shape.names[0], [], space);
         if (!isMeasured) return [shaped];
-        const density = measure.density === undefined ? graph.one : read(measure.density, 'density', [], space);
-        const square = graph.multiply(density, graph.absolute(density));
+        const square = squareOf(formulas, measure, [], space);
         const gradient = shape.variables.map((name) => slope(shaped, name));
         const size = gradient.map((node) => graph.multiply(node, node)).reduce((sum, node) => graph.add(sum, node));
         const entry = (/** @type {number} */ i, /** @type {number} */ j) => {
