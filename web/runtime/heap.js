@@ -43,8 +43,6 @@ export class Heap extends Memory {
   #options;
   #request;
   #result;
-  /** Address of eight numbers. */
-  #numbers;
 
   /** @param {WebAssembly.Exports} exports of the solver */
   constructor(exports) {
@@ -52,7 +50,6 @@ export class Heap extends Memory {
     this.#options = this.allocate(MOST_STRUCT_BYTES);
     this.#request = this.allocate(MOST_STRUCT_BYTES);
     this.#result = this.allocate(MOST_STRUCT_BYTES);
-    this.#numbers = this.allocate(64);
   }
 
   /** @param {number} at @param {SurfaceRecord} surface */
@@ -155,7 +152,7 @@ export class Heap extends Memory {
    * @returns {{ status: number, place: number[] }}
    */
   project(surface, point, place) {
-    const at = this.#numbers;
+    const at = this.#request;
     this.writeDoubles(at, point);
     this.writeDoubles(at + 24, place);
     const status = this.exports.sp_project_point(surface, at, at + 24);
@@ -169,7 +166,7 @@ export class Heap extends Memory {
    * @returns {{ status: number, positions: Float64Array, normals: Float64Array, indices: Uint32Array }}
    */
   meshImplicit(value, box, resolution) {
-    const numbers = this.#numbers;
+    const numbers = this.#request;
     this.writeDoubles(numbers, box);
     let [vertices, triangles] = [Math.min(USUAL_DENSITY * resolution ** 2, USUAL_VERTICES), 0];
     for (let attempt = 0; ; attempt++) {
@@ -241,7 +238,7 @@ export class Heap extends Memory {
    * @returns {{ status: number, distance: number, candidates: Float64Array[] }} distance: length of the shortest way; candidates: polylines of u v or x y z, shortest first
    */
   searchGraph(surface, graph, from, to, points, all) {
-    const numbers = this.#numbers;
+    const numbers = this.#request;
     const dimension = from.length;
     if (!this.reserve(this.exports.sp_graph_search_bytes(graph.at, points)))
       return { status: OUT_OF_MEMORY, distance: Number.NaN, candidates: [] };
