@@ -87,16 +87,11 @@ export function meetEdge(sides, on, { lower, upper, periodic }, place) {
 }
 
 /** Where creases meet, as they are written on the side with these signs, and on an implicit surface on this side of it. @param {Sides} sides @param {number[]} signs @param {number[]} creases @param {number[]} near */
-export function meet(sides, signs, creases, near) {
-  const side = sides.on(signs) ?? sides;
-  return approach(sides, near, (at) => {
-    const [measured] = side.measure(at);
-    return [
-      ...creases.map((crease) => /** @type {[number, number[]]} */ ([measured[crease], slopeOf(sides, measured, crease)])),
-      ...implicit(sides, { crease: creases[0], signs }, at),
-    ];
-  });
-}
+export const meet = (sides, signs, creases, near) =>
+  approach(sides, near, (at) => [
+    ...creases.map((crease) => vanishing(sides, { crease, signs }, at)),
+    ...implicit(sides, { crease: creases[0], signs }, at),
+  ]);
 
 /** @param {Sides} sides @param {number[]} place @param {(at: number[]) => [number, number[]][]} equations at a place: values that are to vanish and their gradients */
 function approach({ scale }, place, equations) {
