@@ -94,13 +94,15 @@ static double inspect(struct grid *grid, int32_t offset) {
             sp_pair place[2] = {sp_splat(place_of(grid, 0, 2 * i + offset)),
                                 {place_of(grid, 1, 2 * j + offset), place_of(grid, 1, 2 * other + offset)}};
             sp_metric_point(grid->builder->surface, place, &point);
-            struct sp_vector normal = sp_chart_normal(point.chart);
+            sp_pair normal[3];
+            sp_store(sp_chart_normal(point.chart), normal);
             for (int lane = 0; lane < 2; lane++) {
                 double curvature = point.geometry.curvature[lane];
                 if (!(curvature <= largest)) largest = is_finite(curvature) ? curvature : __builtin_inf();
                 if (offset || (lane && other == j)) continue;
                 double *at = grid->normals + 3 * vertex_at(grid, i, j + lane);
-                at[0] = normal.x[lane], at[1] = normal.y[lane], at[2] = normal.z[lane];
+                for (int k = 0; k < 3; k++)
+                    at[k] = normal[k][lane];
                 add_form(grid, &point.geometry.form, lane);
                 grid->steep += is_cell_steep(grid, &point.geometry.form, lane, i, j + lane);
             }
