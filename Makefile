@@ -143,10 +143,10 @@ HOT := blocks chart check dop853 elements elements_condense energy functions_con
     reference sample stride
 $(HOT:%=build/wasm/%.o): LEVEL := -mllvm -rotation-max-header-size=4 -mllvm -inline-threshold=5
 # As fast as with -Os, and shorter.
-SMALLEST := flow graph_search memory mesh newton project refine refine_chords system trace
+SMALLEST := flow graph_search memory mesh newton project refine refine_chords
 $(SMALLEST:%=build/wasm/%.o): LEVEL := -Oz
 # With -Os and -Oz emcc leaves all inlining to wasm-opt. Here it is shorter where the compiler inlines what a call would not be shorter than.
-INLINED := arcs bridge crossing flow hole memory mesh newton project refine refine_spread start system trace
+INLINED := bridge flow hole memory mesh newton project refine start trace
 $(INLINED:%=build/wasm/%.o): LEVEL += -finline-functions -mllvm -inline-threshold=-30
 
 # A constant is loaded into both lanes by one instruction; combined with others it is loaded as two, and shuffled.
