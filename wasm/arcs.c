@@ -184,7 +184,7 @@ static void arc_end(const struct sp_arc *arc, int end, double place[3]) {
     }
     const struct sp_polyline *line = &arc->system.line;
     for (int32_t j = 0; j < 2; j++)
-        place[j] = sp_polyline_coordinate(line, end != arc->reversed ? line->fold.inner + 1 : 0, j);
+        place[j] = sp_polyline_end(line, end != arc->reversed, j);
 }
 
 enum sp_status sp_arcs_sample(const struct sp_arcs *arcs, const struct sp_surface *surface, double scale, int32_t point_count,

@@ -33,11 +33,11 @@ int sp_contact_leaves(const struct sp_system *system) {
 static int32_t cut(const struct sp_system *system, const struct sp_run *runs, int32_t count, struct sp_piece *pieces,
                    struct sp_arcs *arcs) {
     const struct sp_polyline *line = &system->line;
-    int32_t last = line->fold.inner + 1, made = 0;
+    int32_t made = 0;
     double from = 0;
     struct sp_joint start = {0};
     for (int32_t j = 0; j < 2; j++)
-        start.place[j] = sp_polyline_coordinate(line, 0, j);
+        start.place[j] = sp_polyline_end(line, 0, j);
     arcs->count = 0;
     for (int32_t r = 0; r <= count; r++) {
         const struct sp_run *run = runs + r;
@@ -45,7 +45,7 @@ static int32_t cut(const struct sp_system *system, const struct sp_run *runs, in
         if (r > 0 && r < count && !(to > from)) return -1; /* no way between them */
         struct sp_joint end = {.slides = r < count && to > 0};
         for (int32_t j = 0; j < 2; j++)
-            end.place[j] = sp_polyline_coordinate(line, last, j);
+            end.place[j] = sp_polyline_end(line, 1, j);
         if (r < count) {
             end.across = run->across;
             end.place[run->across] = run->side ? line->surface->upper[run->across] : line->surface->lower[run->across];

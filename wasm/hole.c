@@ -104,7 +104,6 @@ static int wind(struct sp_newton *newton, const struct near *near, double wall, 
 struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options *options, const struct sp_passage *passage,
                               struct sp_arena *arena, struct sp_arcs *arcs) {
     const struct sp_surface *surface = newton->system.line.surface;
-    struct sp_fold fold = newton->system.line.fold;
     struct sp_refined refined = {.outcome = {.status = SP_SINGULAR_METRIC}};
     int32_t upper = passage->edge % 2;
     double beyond = passage->beyond;
@@ -113,7 +112,7 @@ struct sp_refined sp_hole_run(struct sp_newton *newton, const struct sp_options 
     near.side = upper ? -1 : 1, near.middle = wall - near.side * beyond;
     for (int i = 0; i < 2; i++) {
         for (int32_t j = 0; j < 2; j++)
-            near.ends[i][j] = sp_polyline_coordinate(&newton->system.line, i ? fold.inner + 1 : 0, j);
+            near.ends[i][j] = sp_polyline_end(&newton->system.line, i, j);
         near.far[i] = near.side * (near.ends[i][near.across] - near.middle);
         if (!(near.far[i] > 0)) return refined;
     }

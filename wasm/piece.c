@@ -33,7 +33,7 @@ static void move_ends(const struct sp_piece *piece, struct sp_system *start) {
     double by[2][2];
     for (int e = 0; e < 2; e++)
         for (int32_t j = 0; j < 2; j++)
-            by[e][j] = piece->joint[e].place[j] - sp_polyline_coordinate(line, e ? last : 0, j);
+            by[e][j] = piece->joint[e].place[j] - sp_polyline_end(line, e, j);
     for (int32_t i = 0; i <= last; i++) {
         double t = sp_sample_parameter(&start->elements, i);
         for (int32_t j = 0; j < 2; j++)

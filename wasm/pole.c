@@ -86,11 +86,11 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     const struct sp_surface *surface = line->surface;
     struct sp_refined none = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     struct sp_storage storage;
-    int32_t across = passage->edge / 2, last = line->fold.inner + 1;
+    int32_t across = passage->edge / 2;
     struct sp_surface open = *surface;
     double value = passage->edge % 2 ? surface->upper[across] + passage->beyond : surface->lower[across] - passage->beyond, around[2];
     for (int i = 0; i < 2; i++)
-        around[i] = sp_polyline_coordinate(line, i ? last : 0, 1 - across);
+        around[i] = sp_polyline_end(line, i, 1 - across);
     double range = around[1] - around[0]; /* not the rectangle's: where the chart closes that is infinite */
     arcs->count = 0;
     if (!sp_storage_take(&storage, line->kind->dimension, line->fold.inner, arena)) return none;
@@ -103,7 +103,7 @@ struct sp_refined sp_pole_run(struct sp_newton *newton, const struct sp_options 
     for (int i = 0; i < 2; i++) {
         struct sp_piece piece = {.system = given, .first = i ? 1 : 0, .last = i ? 1 : 0};
         for (int32_t j = 0; j < 2; j++)
-            piece.joint[0].place[j] = piece.joint[1].place[j] = sp_polyline_coordinate(&given.line, i ? last : 0, j);
+            piece.joint[0].place[j] = piece.joint[1].place[j] = sp_polyline_end(&given.line, i, j);
         piece.joint[1].place[across] = value;
         if (!sp_refine_take(&piece.storage, newton, arena)) break;
         /* No path: what newton holds may be half an arc, or set up for a rung that memory was too short for. */

@@ -54,6 +54,9 @@ static inline double sp_polyline_coordinate(const struct sp_polyline *line, int3
     return sp_fold_get(line->fold, line->nodes.places, 2, i, j);
 }
 
+/* Coordinate j of an end, 0 or 1. */
+static inline double sp_polyline_end(const struct sp_polyline *line, int end, int32_t j) { return line->nodes.places[j][end]; }
+
 /* Writes coordinate j of node i: of the middle one, which stands alone, into both lanes. */
 void sp_polyline_put(const struct sp_polyline *line, int32_t i, int32_t j, double x);
 
