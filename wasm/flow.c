@@ -29,7 +29,10 @@ static void turning(const struct sp_geometry *geometry, const sp_pair x[2], cons
             geometry->gamma[0][c] * x[0] * y[0] + geometry->gamma[1][c] * (x[0] * y[1] + x[1] * y[0]) + geometry->gamma[2][c] * x[1] * y[1];
 }
 
-static void store(struct sp_vector a, double at[3]) { at[0] = a.x[0], at[1] = a.y[0], at[2] = a.z[0]; }
+static void store(const sp_pair a[3], double at[3]) {
+    for (int j = 0; j < 3; j++)
+        at[j] = a[j][0];
+}
 
 static void slope_at(const struct sp_surface *surface, const struct sp_point *point, const double *state, double *slope) {
     static const sp_pair AXES[2][2] = {{{1, 1}, {0, 0}}, {{0, 0}, {1, 1}}};
@@ -39,11 +42,12 @@ static void slope_at(const struct sp_surface *surface, const struct sp_point *po
     turning(&point->geometry, w, w, turn);
     for (int a = 0; a < 2; a++)
         change[a] = -sp_geometry_raise(&point->geometry, AXES[a], turn);
-    struct sp_vector second = {change[0], change[1], sp_splat(0.0)};
+    sp_pair second[3] = {change[0], change[1], sp_splat(0.0)};
     if (surface->kind == SP_IMPLICIT) {
-        second = along(chart, change);
+        struct sp_vector sum = along(chart, change);
         for (int ab = 0; ab < 3; ab++)
-            second = sp_add(second, sp_scale(sp_load(chart + SP_CHART_11 + 3 * ab), (ab == 1 ? 2.0 : 1.0) * w[ab / 2] * w[(ab + 1) / 2]));
+            sum = sp_add(sum, sp_scale(sp_load(chart + SP_CHART_11 + 3 * ab), (ab == 1 ? 2.0 : 1.0) * w[ab / 2] * w[(ab + 1) / 2]));
+        sp_store(sum, second);
     }
     store(second, slope + SP_VELOCITY);
     for (int j = 0; j < 3; j++)
@@ -68,7 +72,7 @@ struct sp_ode sp_flow_ode(const struct sp_surface *surface) {
 static int settle(const struct sp_surface *surface, double scale, double *state) {
     sp_pair place[3] = {sp_splat(state[0]), sp_splat(state[1]), sp_splat(state[2])};
     int settled = sp_implicit_settle(surface, 1, place, scale);
-    store(sp_load(place), state);
+    store(place, state);
     return settled;
 }
 
@@ -111,7 +115,7 @@ double sp_flow_area(const struct sp_surface *surface, const struct sp_traveller 
 /* An epsilon of each coordinate, and of the velocity. */
 static struct sp_deviation find_rounding(const struct sp_surface *surface, const struct sp_traveller *traveller) {
     double place[3];
-    store(sp_load(traveller->point.chart), place);
+    store(traveller->point.chart + SP_CHART_X, place);
     struct sp_deviation sum = {most_of(&traveller->point, place), 1};
     for (int j = 0; j < 2 && surface->kind != SP_IMPLICIT; j++) {
         double change[SP_STATE] = {0};
@@ -126,19 +130,21 @@ enum sp_status sp_flow_arrive(const struct sp_surface *surface, double scale, st
     double *state = traveller->state, *velocity = state + SP_VELOCITY, vector[3];
     struct sp_point *point = &traveller->point;
     struct sp_form form;
-    sp_pair w[2];
+    sp_pair w[2], stored[3];
     if (surface->kind == SP_IMPLICIT && !settle(surface, scale, state)) return SP_OFF_SURFACE;
     find_point(surface, state, point);
     form = point->geometry.form;
     velocity_in(surface, point->chart, velocity, w);
     struct sp_vector tangent = along(point->chart, w), normal = sp_chart_normal(point->chart);
-    if (surface->kind == SP_IMPLICIT) store(tangent, velocity);
-    store(tangent, vector);
+    sp_store(tangent, stored);
+    if (surface->kind == SP_IMPLICIT) store(stored, velocity);
+    store(stored, vector);
     double length = length_of(point, vector), determinant = point->geometry.determinant[0];
     *speed = root(sp_dot(tangent, tangent)[0]);
     if (!is_finite(form.e[0] + determinant + *speed)) return SP_NOT_FINITE;
     if (!(length > 0 && determinant > 0)) return SP_SINGULAR_METRIC;
-    store(sp_scale(normal, 1.0 / sp_square_root(sp_dot(normal, normal))), traveller->normal);
+    sp_store(sp_scale(normal, 1.0 / sp_square_root(sp_dot(normal, normal))), stored);
+    store(stored, traveller->normal);
     for (int j = 0; j < 3; j++)
         velocity[j] /= length;
     state[SP_FIELDS] = state[SP_FIELD_SLOPES + 1] = 1, state[SP_FIELDS + 1] = state[SP_FIELD_SLOPES] = 0;
