@@ -128,7 +128,7 @@ static int take_reference(struct climb *climb, int32_t degree) {
 }
 
 /* A rung from the path of the rung before; if that leads astray, from the first path. */
-static void climb_guarded(struct climb *climb, struct sp_rung rung) {
+static void climb_guarded(struct climb *climb, const struct sp_rung *rung) {
     climb->now = sp_rung_climb(climb->newton, climb->options, &climb->before, rung, climb->arena);
     if (strayed(&climb->now, climb->first_length) && climb->before.elements.reference.degree > 1) {
         climb->arena->used = climb->bottom;
@@ -144,7 +144,7 @@ static double allow(const struct climb *climb) {
 }
 
 /* Climbs a rung; a draft that agrees with the path before, to its end. Returns whether the two agree. */
-static int climb_rung(struct climb *climb, struct sp_rung rung) {
+static int climb_rung(struct climb *climb, const struct sp_rung *rung) {
     struct sp_newton *newton = climb->newton;
     struct sp_climbed *now = &climb->now;
     climb_guarded(climb, rung);
@@ -161,9 +161,9 @@ static int climb_rung(struct climb *climb, struct sp_rung rung) {
 }
 
 /* Whether the first path is one of too few chords: a rung at rest that has twice as many nodes has strayed from it. */
-static int wants_chords(const struct climb *climb, struct sp_rung rung) {
+static int wants_chords(const struct climb *climb, const struct sp_rung *rung) {
     int32_t count = 2 * (climb->first->line.fold.inner + 1);
-    return climb->astray && climb->now.outcome.status == SP_CONVERGED && climb->chords && count <= rung.degree * rung.count &&
+    return climb->astray && climb->now.outcome.status == SP_CONVERGED && climb->chords && count <= rung->degree * rung->count &&
            count <= SP_REFINE_CHORDS;
 }
 
@@ -230,13 +230,13 @@ static struct sp_refined climb_all(struct climb *climb, const uint8_t (*ladder)[
         if (!take_reference(climb, rung.degree)) return out_of_memory(climb);
         aim(newton, climb->options, r < rungs - (climb->follows ? LAST_RUNGS : 1));
         if (uneven) rung.spread = memcpy(present, spread, sizeof spread);
-        int agrees = climb_rung(climb, rung), status = now->outcome.status;
+        int agrees = climb_rung(climb, &rung), status = now->outcome.status;
         if (status == SP_ITERATION_LIMIT) return give_up(climb);
         /* Spread as chords say, rungs of a fine start may wander, and each that changes much tells the next better. */
         double change = absolute(now->length - climb->last);
         int wanders = status == SP_TOLERANCE_NOT_MET && !climb->astray && !(climb->is_fine && change > LOOSEST * now->length);
         if (wanders || status == SP_OUT_OF_MEMORY) return finish(climb, change);
-        if (wants_chords(climb, rung)) {
+        if (wants_chords(climb, &rung)) {
             if (!begin_again(climb)) return finish(climb, absolute(now->length - climb->last));
             r--;
             continue;
@@ -274,7 +274,7 @@ struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_optio
     aim(newton, options, 0);
     newton->decrement = larger(newton->decrement, 10 * options->tolerance);
     if (sp_reference_make(&newton->system.elements.reference, rung.degree, arena))
-        climbed = sp_rung_climb(newton, options, from, rung, arena);
+        climbed = sp_rung_climb(newton, options, from, &rung, arena);
     return sp_rung_finish(newton, &climbed, 0);
 }
 

@@ -21,7 +21,7 @@ struct sp_climbed sp_chords_climb(struct sp_newton *newton, const struct sp_opti
     struct sp_climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
     newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
     if (sp_reference_make(&newton->system.elements.reference, 1, arena))
-        chords = sp_rung_climb(newton, options, from, (struct sp_rung){1, count, NULL}, arena);
+        chords = sp_rung_climb(newton, options, from, &(struct sp_rung){1, count, NULL}, arena);
     return chords;
 }
 

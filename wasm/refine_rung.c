@@ -44,19 +44,19 @@ enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *f
 }
 
 /* Sets the system up as `rung`, whose reference element is made, started from the path of `from`. */
-static enum sp_status start_rung(struct sp_newton *newton, const struct sp_system *from, struct sp_rung rung, const sp_pair **start,
+static enum sp_status start_rung(struct sp_newton *newton, const struct sp_system *from, const struct sp_rung *rung, const sp_pair **start,
                                  struct sp_arena *arena) {
     struct sp_system *system = &newton->system;
     struct sp_elements *elements = &system->elements;
-    size_t order = (size_t)sp_elements_order(rung.degree);
-    elements->count = rung.count, elements->spread = rung.spread;
-    elements->matrices = sp_arena_take(arena, order * order * (size_t)rung.count / 2, sizeof(sp_pair));
-    elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung.degree + 2), sizeof(sp_pair));
-    elements->skeleton = sp_arena_take(arena, (size_t)rung.count / 2 + 1, sizeof(struct sp_row));
+    size_t order = (size_t)sp_elements_order(rung->degree);
+    elements->count = rung->count, elements->spread = rung->spread;
+    elements->matrices = sp_arena_take(arena, order * order * (size_t)rung->count / 2, sizeof(sp_pair));
+    elements->velocity = sp_arena_take(arena, 3 * ((size_t)rung->degree + 2), sizeof(sp_pair));
+    elements->skeleton = sp_arena_take(arena, (size_t)rung->count / 2 + 1, sizeof(struct sp_row));
     if (!elements->matrices || !elements->velocity || !elements->skeleton) return SP_OUT_OF_MEMORY;
     if (sp_elements_graded(elements) && !sp_graded_make(&elements->graded, &elements->reference, elements->singular, arena))
         return SP_OUT_OF_MEMORY;
-    enum sp_status status = sp_rung_carry(newton, from, rung.count);
+    enum sp_status status = sp_rung_carry(newton, from, rung->count);
     if (status != SP_CONVERGED) return status;
     *start = note_start(system, arena);
     return *start ? SP_CONVERGED : SP_OUT_OF_MEMORY;
@@ -75,7 +75,7 @@ void sp_rung_run(struct sp_newton *newton, const struct sp_options *options, str
 }
 
 struct sp_climbed sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                struct sp_rung rung, struct sp_arena *arena) {
+                                const struct sp_rung *rung, struct sp_arena *arena) {
     struct sp_climbed climbed = {0};
     climbed.outcome.status = start_rung(newton, from, rung, &climbed.start, arena);
     if (climbed.outcome.status == SP_CONVERGED) sp_rung_run(newton, options, &climbed);

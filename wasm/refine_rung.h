@@ -24,7 +24,7 @@ enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *f
 
 /* Sets newton->system up as `rung`, whose reference element is made, from the path of `from`, and runs Newton there. */
 struct sp_climbed sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                struct sp_rung rung, struct sp_arena *arena);
+                                const struct sp_rung *rung, struct sp_arena *arena);
 
 /* Runs Newton from the path as it stands and measures where it leads. One that wanders is SP_TOLERANCE_NOT_MET. */
 void sp_rung_run(struct sp_newton *newton, const struct sp_options *options, struct sp_climbed *climbed);
