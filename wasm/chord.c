@@ -57,9 +57,9 @@ static void towards_crease(const struct chord *chord, double place[3]) {
         place[j] = chord->at[0][j] + apart[j] + (is_far ? 0 : offset[j]);
 }
 
-static int spans_creases(const struct sp_surface *surface, struct chord chord, double scale) {
-    struct chord creased[MOST_CREASES];
-    creased[0] = chord;
+static int spans_creases(const struct sp_surface *surface, const struct chord *whole, double scale) {
+    struct chord creased[MOST_CREASES], chord;
+    creased[0] = *whole;
     for (int count = 1, k = 0; k < count; k++) {
         chord = creased[k];
         double near = NEAR_CREASE * distance_between(chord.at[0], chord.at[1]) + 1e-14 * scale, place[3];
@@ -85,7 +85,8 @@ static int spans_creases(const struct sp_surface *surface, struct chord chord, d
 /* Whether a chord passes straight over a curve along which the surface crosses itself: there f changes its sign on both sides of the sheet,
  * so that the normal turns over, but not the sheet. All shorter parts of the chord lie along it, and grad f vanishes there; from face to
  * face of what is thin it does not. Parts are no halves: the middle of what is symmetric may be on the curve, where there is no normal. */
-static int passes_crossing(const struct sp_surface *surface, struct chord chord, double scale) {
+static int passes_crossing(const struct sp_surface *surface, const struct chord *whole, double scale) {
+    struct chord chord = *whole;
     double length = distance_between(chord.at[0], chord.at[1]), least = SHORTEST_PART * length + 1e-12 * scale, steepest = 0, slope = 0;
     for (; length > least; length = distance_between(chord.at[0], chord.at[1])) {
         struct chord parts[2] = {chord, chord};
@@ -110,7 +111,7 @@ int sp_chord_spans_crease(const struct sp_surface *surface, const double from[3]
         chord.at[0][j] = from[j], chord.at[1][j] = to[j];
         chord.normal[0][j] = normal[j], chord.normal[1][j] = other[j];
     }
-    return spans_creases(surface, chord, scale);
+    return spans_creases(surface, &chord, scale);
 }
 
 /* At a node, where a path may end, the normal is that of the sheet on which it ends. */
@@ -126,8 +127,8 @@ static enum sp_status check_implicit(const struct sp_polyline *line, struct chor
     for (int j = 0; j < 3; j++)
         half[j] = 0.5 * (chord->at[0][j] + chord->at[1][j]);
     if (!(cosine_of(chord) >= SP_CHORD_COSINE)) mend_normals(line, larger(length, SP_NODE_FAR * scale), chord);
-    if (cosine_of(chord) <= -SP_CHORD_COSINE && passes_crossing(line->surface, *chord, scale)) return SP_CONVERGED;
-    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_creases(line->surface, *chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
+    if (cosine_of(chord) <= -SP_CHORD_COSINE && passes_crossing(line->surface, chord, scale)) return SP_CONVERGED;
+    if (!(cosine_of(chord) >= SP_CHORD_COSINE)) return spans_creases(line->surface, chord, scale) ? SP_TOLERANCE_NOT_MET : SP_SHEET_JUMP;
     if (!sp_implicit_halve(line->surface, chord->at[0], chord->at[1], scale, settled, normal)) return SP_SHEET_JUMP;
     return distance_between(half, settled) <= LARGEST_SAGITTA * length + 1e-14 * scale ? SP_CONVERGED : SP_SHEET_JUMP;
 }

@@ -42,16 +42,16 @@ struct numbers {
 
 /* The square of what an element leaves over: of the last two Legendre coefficients of its nodes' numbers, the largest of which is
  * `largest`. At GLL nodes 1/P_p is a root of the weight, but for its sign, and P_p-1 is t P_p. */
-static double tail_squared(const struct sp_system *system, struct numbers numbers, int32_t element, double *largest) {
+static double tail_squared(const struct sp_system *system, const struct numbers *numbers, int32_t element, double *largest) {
     const struct sp_reference *reference = &system->elements.reference;
     struct sp_fold fold = system->line.fold;
     int32_t p = reference->degree;
     double last[6] = {0}, squares = 0;
     for (int32_t j = 0; j <= p; j++) {
         int32_t i = element * p + j;
-        const sp_pair *node = numbers.pairs + numbers.stride * (size_t)sp_fold_pair(fold, i);
+        const sp_pair *node = numbers->pairs + numbers->stride * (size_t)sp_fold_pair(fold, i);
         double factor = root(reference->weight[j] * p / (p + 1)) * ((p - j) % 2 ? -1 : 1);
-        for (int c = 0; c < numbers.count; c++) {
+        for (int c = 0; c < numbers->count; c++) {
             double x = node[c][sp_fold_lane(fold, i)];
             last[c] += factor * x, last[3 + c] += (2.0 - 1.0 / p) * (2 * reference->node[j] - 1) * factor * x;
             *largest = larger(*largest, absolute(x));
@@ -67,7 +67,7 @@ double sp_spread_tail(const struct sp_system *system) {
     struct numbers places = {system->line.nodes.places, (size_t)dimension, dimension};
     double squares = 0, largest = 0, extent = 0;
     for (int32_t e = 0; e < system->elements.count; e++)
-        squares = larger(squares, tail_squared(system, places, e, &largest));
+        squares = larger(squares, tail_squared(system, &places, e, &largest));
     for (int c = 0; c < dimension; c++)
         extent = larger(extent, absolute(places.pairs[c][1] - places.pairs[c][0]));
     return root(squares) / extent;
@@ -80,7 +80,7 @@ static int32_t measure_tails(const struct sp_system *system, sp_pair *pieces) {
     int32_t p = elements->reference.degree;
     double largest = 0;
     for (int32_t e = 0; e < elements->count; e++)
-        pieces[e] = (sp_pair){tail_squared(system, positions, e, &largest), sp_sample_parameter(elements, e * p + p)};
+        pieces[e] = (sp_pair){tail_squared(system, &positions, e, &largest), sp_sample_parameter(elements, e * p + p)};
     for (int32_t e = 0; e < elements->count; e++)
         pieces[e][0] = root(root(root(root(pieces[e][0] + LEAST_TAIL * LEAST_TAIL * largest * largest))));
     return elements->count;
