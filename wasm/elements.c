@@ -101,7 +101,7 @@ struct sp_vector sp_elements_end_pull(const struct sp_elements *elements, const 
 }
 
 /* One row, and the coordinates of it that are held. */
-static int32_t assemble_node(const struct sp_polyline *line, int32_t k, struct sp_vector pull, sp_pair weight, struct sp_row *row,
+static int32_t assemble_node(const struct sp_polyline *line, int32_t k, const struct sp_vector *pull, sp_pair weight, struct sp_row *row,
                              sp_mask *straight, sp_mask held[2]) {
     const sp_pair *chart = line->nodes.charts + SP_CHART * k;
     sp_row_assemble(chart, pull, weight, *straight, row);
@@ -134,7 +134,7 @@ struct sp_energy sp_elements_assemble(const struct sp_elements *elements, const 
             }
             if (k == p * pairs) pull = sp_add(pull, sp_swap_vector(pull)), weight += sp_swap(weight);
             straight[k] = hessian == SP_COORDINATE ? (sp_mask){-1, -1} : (sp_mask){0, 0};
-            energy.active += assemble_node(line, k, pull, weight, rows + k, straight + k, held + 2 * k);
+            energy.active += assemble_node(line, k, &pull, weight, rows + k, straight + k, held + 2 * k);
         }
     }
     energy.squares = squares[0] + squares[1];

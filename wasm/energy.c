@@ -55,8 +55,8 @@ static inline __attribute__((always_inline)) void assemble_node(const sp_pair *c
     row->d = weight * row->g - sp_dot(part, sp_load(chart + SP_CHART_22));
 }
 
-void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
-    assemble_node(chart, minus(pull), weight, coordinate, row);
+void sp_row_assemble(const sp_pair *chart, const struct sp_vector *pull, sp_pair weight, sp_mask coordinate, struct sp_row *row) {
+    assemble_node(chart, minus(*pull), weight, coordinate, row);
 }
 
 static inline __attribute__((always_inline)) void assemble_coupling(const sp_pair *chart, const sp_pair *next, struct sp_row *row) {
@@ -108,7 +108,8 @@ void sp_row_hold_coupling(struct sp_row *row, const sp_mask here[2], const sp_ma
 static int32_t hold_active(const struct sp_polyline *line, int32_t k, const sp_mask held[2], struct sp_row *rows, sp_mask *straight) {
     sp_mask none[2] = {{0}, {0}};
     straight[k] |= held[0] | held[1];
-    sp_row_assemble(line->nodes.charts + SP_CHART * k, pull_at(line->fold, line->nodes.charts, k), sp_splat(2.0), straight[k], rows + k);
+    struct sp_vector pull = pull_at(line->fold, line->nodes.charts, k);
+    sp_row_assemble(line->nodes.charts + SP_CHART * k, &pull, sp_splat(2.0), straight[k], rows + k);
     sp_row_hold(rows + k, held);
     sp_mask mirrored[2] = {sp_swap_mask(held[0]), sp_swap_mask(held[1])};
     int meets_itself = !sp_fold_odd(line->fold) && k == sp_fold_both(line->fold); /* the last Q leads to the same pair, lanes exchanged */
@@ -133,7 +134,8 @@ struct sp_energy sp_polyline_assemble(const struct sp_polyline *line, enum sp_he
         struct sp_vector next = mirrored ? minus(sp_swap_vector(chord)) : sp_subtract(sp_load(chart + SP_CHART), sp_load(chart));
         straight[k] = coordinate;
         assemble_node(chart, sp_subtract(next, chord), sp_splat(2.0), none, rows + k);
-        if (coordinate[0]) sp_row_assemble(chart, sp_subtract(chord, next), sp_splat(2.0), coordinate, rows + k);
+        struct sp_vector pull = sp_subtract(chord, next);
+        if (coordinate[0]) sp_row_assemble(chart, &pull, sp_splat(2.0), coordinate, rows + k);
         if (!mirrored) assemble_coupling(chart, chart + SP_CHART, rows + k);
         if (line->touches && sp_row_find_held(line->surface, line->nodes.places + 2 * k, rows + k, held))
             energy.active += hold_active(line, k, held, rows, straight);

@@ -22,7 +22,7 @@ struct sp_energy {
 
 /* Diagonal block, metric and right-hand side of one pair of nodes: `pull` is D, minus the force on the node, `weight` the stiffness of the
  * node itself. */
-void sp_row_assemble(const sp_pair *chart, struct sp_vector pull, sp_pair weight, sp_mask coordinate, struct sp_row *row);
+void sp_row_assemble(const sp_pair *chart, const struct sp_vector *pull, sp_pair weight, sp_mask coordinate, struct sp_row *row);
 
 /* Coordinates of a pair that lie on a wall of the surface's rectangle and that their force pushes outwards. Returns whether there are any.
  */
