@@ -156,7 +156,7 @@ struct sp_refined sp_arcs_join(struct sp_arcs *arcs, struct sp_newton *newton, d
         whole.length_error += arc->error, whole.outcome.energy += share * arc->energy, squared += gradient * gradient;
     }
     whole.outcome.gradient_norm = root(squared);
-    sp_newton_tell_end(newton, (struct sp_iterate){whole.outcome.energy, whole.outcome.gradient_norm, not_a_number(), 0});
+    sp_newton_tell_end(newton, &(struct sp_iterate){whole.outcome.energy, whole.outcome.gradient_norm, not_a_number(), 0});
     return whole;
 }
 

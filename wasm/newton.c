@@ -66,20 +66,20 @@ static void assemble(struct sp_newton *newton, const struct sp_options *options,
     newton->short_step = sp_system_is_plain(&newton->system) && round->decrement <= SHORT;
 }
 
-void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end) {
+void sp_newton_tell_end(struct sp_newton *newton, const struct sp_iterate *end) {
     int32_t last = newton->history_count - 1, continues = last >= 0 && newton->history[last].step == 0;
-    double ratio = continues && newton->history[last].energy > 0 ? end.energy / newton->history[last].energy : 1;
+    double ratio = continues && newton->history[last].energy > 0 ? end->energy / newton->history[last].energy : 1;
     for (int32_t i = 0; i < last; i++)
         newton->history[i].energy *= ratio;
     if (!continues) newton->history_count++;
-    newton->history[newton->history_count - 1] = end;
+    newton->history[newton->history_count - 1] = *end;
 }
 
 /* Adds the present path to the history, and its points to the record: as its end until a step is taken from it. */
 static void note(struct sp_newton *newton, const struct sp_round *round) {
     if (!newton->history) return;
-    sp_newton_tell_end(newton, (struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm,
-                                                   round->decrement, 0});
+    sp_newton_tell_end(newton, &(struct sp_iterate){sp_system_segments(&newton->system) * round->energy.squares, round->gradient_norm,
+                                                    round->decrement, 0});
     if (newton->record)
         sp_sample_points(&newton->system, newton->scale, newton->record_points, newton->reversed,
                          newton->record + (size_t)(newton->history_count - 1) * 3 * ((size_t)newton->record_points + 2), NULL);

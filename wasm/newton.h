@@ -58,6 +58,6 @@ int sp_newton_confirm(struct sp_newton *newton, struct sp_outcome *outcome);
 
 /* Makes `end` the last entry of the history. Where the one that was last is the end of a run, the two are the same path, measured by two
  * discretisations: it is replaced, and the energies before it are multiplied by what the new measure is larger. */
-void sp_newton_tell_end(struct sp_newton *newton, struct sp_iterate end);
+void sp_newton_tell_end(struct sp_newton *newton, const struct sp_iterate *end);
 
 #endif

@@ -90,12 +90,12 @@ static int dips(const struct sp_system *system, const double depth[2], double sl
 }
 
 /* Puts a dip among the others, in the order of the path. Returns how many they are then. */
-static int32_t insert(struct sp_run runs[SP_MAX_ARCS], int32_t count, struct sp_run dip) {
+static int32_t insert(struct sp_run runs[SP_MAX_ARCS], int32_t count, const struct sp_run *dip) {
     if (count == SP_MAX_ARCS) return count;
     int32_t r = count;
-    for (; r > 0 && runs[r - 1].first > dip.first; r--)
+    for (; r > 0 && runs[r - 1].first > dip->first; r--)
         runs[r] = runs[r - 1];
-    runs[r] = dip;
+    runs[r] = *dip;
     return count + 1;
 }
 
@@ -122,7 +122,7 @@ int32_t sp_runs_between(const struct sp_system *system, double least, struct sp_
                 struct sp_run dip = {.first = lane ? line->fold.inner - k : k, .across = edge / 2, .side = edge % 2};
                 dip.last = dip.first + 1;
                 double depth[2] = {(lane ? next : here)[lane], (lane ? here : next)[lane]};
-                if (near[lane] && dips(system, depth, slack, &dip)) count = insert(runs, count, dip);
+                if (near[lane] && dips(system, depth, slack, &dip)) count = insert(runs, count, &dip);
             }
             before = here, here = next, next = after;
         }
