@@ -103,11 +103,11 @@ sp_pair sp_log(sp_pair x) {
     return sp_any(~((x > 0.0) & (x < SP_INFINITY))) ? logarithm_of(x, value) : value;
 }
 
-/* log(x 2^doublings) for x.high >= 1; exact in x.low, however small the logarithm. Out of line, as three functions share it. */
-__attribute__((noinline)) static sp_pair logarithm_beyond_one(struct sp_wide x, sp_pair doublings) {
-    struct scaled parts = split(x.high);
+/* log((high + low) 2^doublings) for high >= 1; exact in low, however small the logarithm. Out of line, as three functions share it. */
+__attribute__((noinline)) static sp_pair logarithm_beyond_one(sp_pair high, sp_pair low, sp_pair doublings) {
+    struct scaled parts = split(high);
     parts.exponent += doublings;
-    return logarithm(parts, parts.exponent * sp_constants.ln2_low + x.low / x.high);
+    return logarithm(parts, parts.exponent * sp_constants.ln2_low + low / high);
 }
 
 /* log(x + sqrt(x^2 + one)) for x >= 0, one = 1 or -1; NaN where the root is. Out of line, as two functions share it. */
@@ -118,7 +118,7 @@ __attribute__((noinline)) static sp_pair inverse_hyperbolic(sp_pair x, double on
     argument.low += root.low;
     sp_mask large = x > ROOT_IS_X;
     argument = sp_wide_select(large, (struct sp_wide){x, sp_splat(0.0)}, argument);
-    sp_pair value = logarithm_beyond_one(argument, sp_select(large, sp_splat(1.0), sp_splat(0.0)));
+    sp_pair value = logarithm_beyond_one(argument.high, argument.low, sp_select(large, sp_splat(1.0), sp_splat(0.0)));
     return sp_select(x < SP_INFINITY, value, x);
 }
 
@@ -133,7 +133,7 @@ sp_pair sp_atanh(sp_pair x) {
     struct sp_wide product = sp_multiply_exactly(ratio.high, below.high);
     sp_pair rest = ((above.high - product.high) - product.low) + (above.low - ratio.high * below.low);
     ratio.low = rest / below.high;
-    sp_pair value = 0.5 * logarithm_beyond_one(ratio, sp_splat(0.0));
+    sp_pair value = 0.5 * logarithm_beyond_one(ratio.high, ratio.low, sp_splat(0.0));
     sp_pair special = sp_select(magnitude == 1.0, sp_splat(SP_INFINITY), sp_splat(SP_NAN));
     return sp_with_sign_of(sp_select(magnitude < 1.0, value, special), x);
 }
@@ -159,14 +159,14 @@ __attribute__((noinline)) static struct sp_wide wide_logarithm(sp_pair x) {
 }
 
 /* Out of line, as two functions share it. */
-__attribute__((noinline)) static sp_pair scaled_logarithm(sp_pair x, struct sp_wide factor) {
-    struct sp_wide value = sp_wide_multiply(wide_logarithm(x), factor);
+__attribute__((noinline)) static sp_pair scaled_logarithm(sp_pair x, const struct sp_wide *factor) {
+    struct sp_wide value = sp_wide_multiply(wide_logarithm(x), *factor);
     return logarithm_of(x, value.high + value.low);
 }
 
-sp_pair sp_log2(sp_pair x) { return scaled_logarithm(x, sp_constants.inverse_ln2); }
+sp_pair sp_log2(sp_pair x) { return scaled_logarithm(x, &sp_constants.inverse_ln2); }
 
-sp_pair sp_log10(sp_pair x) { return scaled_logarithm(x, sp_constants.inverse_ln10); }
+sp_pair sp_log10(sp_pair x) { return scaled_logarithm(x, &sp_constants.inverse_ln10); }
 
 static inline sp_mask is_integer(sp_pair x) {
     sp_pair magnitude = sp_absolute(x);
