@@ -129,10 +129,10 @@ static int take_reference(struct climb *climb, int32_t degree) {
 
 /* A rung from the path of the rung before; if that leads astray, from the first path. */
 static void climb_guarded(struct climb *climb, const struct sp_rung *rung) {
-    climb->now = sp_rung_climb(climb->newton, climb->options, &climb->before, rung, climb->arena);
+    sp_rung_climb(climb->newton, climb->options, &climb->before, rung, climb->arena, &climb->now);
     if (strayed(&climb->now, climb->first_length) && climb->before.elements.reference.degree > 1) {
         climb->arena->used = climb->bottom;
-        climb->now = sp_rung_climb(climb->newton, climb->options, climb->first, rung, climb->arena);
+        sp_rung_climb(climb->newton, climb->options, climb->first, rung, climb->arena, &climb->now);
     }
 }
 
@@ -171,7 +171,7 @@ static int wants_chords(const struct climb *climb, const struct sp_rung *rung) {
 static int begin_again(struct climb *climb) {
     struct sp_climbed *now = &climb->now;
     climb->arena->used = climb->floor;
-    *now = sp_chords_climb(climb->newton, climb->options, 2 * (climb->first->line.fold.inner + 1), climb->first, climb->arena);
+    sp_chords_climb(climb->newton, climb->options, 2 * (climb->first->line.fold.inner + 1), climb->first, climb->arena, now);
     if (now->outcome.status != SP_CONVERGED) return 0;
     climb->before = *climb->first = sp_storage_keep(climb->chords, &climb->newton->system);
     climb->last = climb->change = climb->first_length = now->length, climb->moved = 0;
@@ -274,7 +274,7 @@ struct sp_refined sp_refine_same(struct sp_newton *newton, const struct sp_optio
     aim(newton, options, 0);
     newton->decrement = larger(newton->decrement, 10 * options->tolerance);
     if (sp_reference_make(&newton->system.elements.reference, rung.degree, arena))
-        climbed = sp_rung_climb(newton, options, from, &rung, arena);
+        sp_rung_climb(newton, options, from, &rung, arena, &climbed);
     return sp_rung_finish(newton, &climbed, 0);
 }
 

@@ -16,13 +16,12 @@ enum { SEEING_CHORDS = 512 };
 /* From how many chords on a coarser polyline helps, how few it may have, and by what it is coarser. */
 enum { LEAST_CHORDS = 128, COARSE_CHORDS = 16, COARSEN = 4 };
 
-struct sp_climbed sp_chords_climb(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
-                                  struct sp_arena *arena) {
-    struct sp_climbed chords = {.outcome = {.status = SP_OUT_OF_MEMORY}};
+void sp_chords_climb(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                     struct sp_arena *arena, struct sp_climbed *chords) {
+    *chords = (struct sp_climbed){.outcome = {.status = SP_OUT_OF_MEMORY}};
     newton->decrement = FIRST_DECREMENT, newton->enough = 0, newton->draft = 0;
     if (sp_reference_make(&newton->system.elements.reference, 1, arena))
-        chords = sp_rung_climb(newton, options, from, &(struct sp_rung){1, count, NULL}, arena);
-    return chords;
+        sp_rung_climb(newton, options, from, &(struct sp_rung){1, count, NULL}, arena, chords);
 }
 
 /* What chords are wrong by in length, and whether they may be trusted. */
@@ -84,8 +83,9 @@ struct sp_climbed sp_chords_given(struct sp_newton *newton) {
 
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
                                    struct sp_arena *arena) {
-    struct sp_climbed chords = sp_chords_climb(newton, options, count, from, arena);
+    struct sp_climbed chords;
     enum sp_status ignored;
+    sp_chords_climb(newton, options, count, from, arena, &chords);
     return sp_rung_finish(newton, &chords, chords.outcome.status < 0 ? 0 : check_chords(newton, &chords, &ignored));
 }
 

@@ -14,8 +14,8 @@ struct sp_climbed sp_chords_first(struct sp_newton *newton, const struct sp_opti
 struct sp_climbed sp_chords_given(struct sp_newton *newton);
 
 /* The path of `count` chords, from another one, which is not in newton's own arrays. */
-struct sp_climbed sp_chords_climb(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
-                                  struct sp_arena *arena);
+void sp_chords_climb(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,
+                     struct sp_arena *arena, struct sp_climbed *chords);
 
 /* A path of `count` chords, even, from another path, which is not in newton's own arrays. */
 struct sp_refined sp_refine_chords(struct sp_newton *newton, const struct sp_options *options, int32_t count, const struct sp_system *from,

@@ -74,12 +74,11 @@ void sp_rung_run(struct sp_newton *newton, const struct sp_options *options, str
     climbed->moved = displacement(&newton->system, climbed->start);
 }
 
-struct sp_climbed sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                const struct sp_rung *rung, struct sp_arena *arena) {
-    struct sp_climbed climbed = {0};
-    climbed.outcome.status = start_rung(newton, from, rung, &climbed.start, arena);
-    if (climbed.outcome.status == SP_CONVERGED) sp_rung_run(newton, options, &climbed);
-    return climbed;
+void sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, const struct sp_rung *rung,
+                   struct sp_arena *arena, struct sp_climbed *climbed) {
+    *climbed = (struct sp_climbed){0};
+    climbed->outcome.status = start_rung(newton, from, rung, &climbed->start, arena);
+    if (climbed->outcome.status == SP_CONVERGED) sp_rung_run(newton, options, climbed);
 }
 
 struct sp_refined sp_rung_finish(const struct sp_newton *newton, const struct sp_climbed *climbed, double length_error) {

@@ -23,8 +23,8 @@ struct sp_climbed {
 enum sp_status sp_rung_carry(struct sp_newton *newton, const struct sp_system *from, int32_t count);
 
 /* Sets newton->system up as `rung`, whose reference element is made, from the path of `from`, and runs Newton there. */
-struct sp_climbed sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from,
-                                const struct sp_rung *rung, struct sp_arena *arena);
+void sp_rung_climb(struct sp_newton *newton, const struct sp_options *options, const struct sp_system *from, const struct sp_rung *rung,
+                   struct sp_arena *arena, struct sp_climbed *climbed);
 
 /* Runs Newton from the path as it stands and measures where it leads. One that wanders is SP_TOLERANCE_NOT_MET. */
 void sp_rung_run(struct sp_newton *newton, const struct sp_options *options, struct sp_climbed *climbed);
