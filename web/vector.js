@@ -28,7 +28,7 @@ export function largest(numbers) {
   return most;
 }
 
-/** The sum of some numbers. @param {number[]} numbers */
+/** The sum of some numbers, in an array of any type. @param {{ reduce(add: (sum: number, x: number) => number, from: number): number }} numbers */
 export const sumOf = (numbers) => numbers.reduce((sum, x) => sum + x, 0);
 
 /** The distance of two points. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */

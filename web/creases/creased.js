@@ -100,7 +100,7 @@ function findRoutes(question, { ways, distance: told }, start) {
   /** @type {Way | null} */
   let least = measured.reduce(shortestOf, null);
   /* Edges of the graph cut folds off, as chords of its ways do. */
-  const cutOff = field.isPlain && least && least.line.length > 4 ? least.measured / sumOf([...(field.chords?.(least.line) ?? [])]) : 1;
+  const cutOff = field.isPlain && least && least.line.length > 4 ? least.measured / sumOf(field.chords?.(least.line) ?? []) : 1;
   const distance = (cutOff || 1) * told;
   /** @type {Route[]} */
   const routes = [];

@@ -72,7 +72,7 @@ export function sketch(field, sides, ends, ways, { within, points }) {
 export function measureLine({ chords, isPlain }, sides, line) {
   const parts = Math.ceil(MEASURED / (line.length / 2 - 1));
   const route = isPlain ? cut(sides, line, { parts, most: Infinity }) : null;
-  return sumOf([...(chords?.(route ? lineOf(route.legs, 2) : divide(line, 2, parts)) ?? [Number.NaN])]);
+  return sumOf(chords?.(route ? lineOf(route.legs, 2) : divide(line, 2, parts)) ?? [Number.NaN]);
 }
 
 /**

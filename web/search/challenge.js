@@ -11,8 +11,10 @@ import { sumOf } from '../vector.js';
 /** @typedef {import('./candidates.js').Tried} Tried */
 /** @typedef {import('./candidates.js').Problem} Problem */
 
-/** Of the ways that were not, the shortest first, so many are measured, in so many chords, at least: fewer are shorter. */
-const [MOST_MEASURED, MEASURED] = [8, 32_768];
+/** Of the ways that were not, the shortest first, so many are measured, in so many chords, at least. */
+const MOST_MEASURED = 8;
+/** In space fewer chords are shorter: a way that is too long in these is too long in those. */
+const [COARSE, MEASURED] = [512, 32_768];
 /** What the straight line leads to it leads to in as many steps, mostly: more are for where there is nothing else. */
 const STEPS = 100;
 
@@ -24,7 +26,7 @@ const STEPS = 100;
  * @returns {RawPath}
  */
 export function challenge(problem, options, best, tried, known) {
-  const { chords, solve } = problem;
+  const { chords, isPlain, solve } = problem;
   let path = besideStraight(problem, options, best, tried, known);
   if (!chords || !holds({ path })) return path;
   let least = Infinity;
@@ -34,7 +36,9 @@ export function challenge(problem, options, best, tried, known) {
   const failed = [];
   for (const { to, start, followed } of open.slice(0, MOST_MEASURED)) {
     const way = /** @type {Float64Array} */ (start);
-    const length = sumOf([...chords(divide(way, 2, Math.ceil((2 * MEASURED) / way.length)))]);
+    const measure = (/** @type {number} */ count) => sumOf(chords(divide(way, 2, Math.ceil((2 * count) / way.length))));
+    if (isPlain && !isShorter(measure(COARSE))) continue;
+    const length = measure(MEASURED);
     if (!isShorter(length)) continue;
     least = Math.min(least, length);
     if (endAlike(failed)) continue;

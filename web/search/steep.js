@@ -91,7 +91,7 @@ function follow(field, ends, options, line) {
     const path = solveNear(field, ends, within(compared(options), FINE), start);
     if (isGeodesic(path)) return { path, start };
   }
-  const length = sumOf([...(field.chords?.(start) ?? [])]);
+  const length = sumOf(field.chords?.(start) ?? []);
   const path = { ...stalled(drawLine(field, ends, start, options.points)), length };
   return { path: { ...path, lengthError: Math.min(lengthError, (LONGER - 1) * length) }, start };
 }

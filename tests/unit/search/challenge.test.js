@@ -20,22 +20,24 @@ const path = (status, length) => ({ ...emptyPath(status), length });
 /** A way, and what became of it roughly. @param {Float64Array} start @param {number} status @param {number} [length] */
 const tried = (start, status, length = Number.NaN) => ({ to, start, path: path(status, length), coarse: path(status, length) });
 
-/** A plane over u and v, stretched twofold or not; and a solver that answers this. @param {ReturnType<typeof path>} answer @param {number} [factor] */
-const plane = (answer, factor = 1) => {
+/** A plane over u and v, stretched twofold or not; and a solver that answers this. @param {ReturnType<typeof path>} answer @param {number} [factor] @param {boolean} [isPlain] */
+const plane = (answer, factor = 1, isPlain = false) => {
   /** @type {Float64Array[]} */
   const asked = [];
-  const chords = (/** @type {ArrayLike<number>} */ places) =>
-    chordLengths(
-      places,
-      Float64Array.from({ length: 1.5 * places.length }, (_, i) => [1, 0, 1][i % 3] * factor ** 2),
-      'form',
-    );
+  /** How many chords were measured at a time. @type {number[]} */
+  const counts = [];
+  const chords = (/** @type {ArrayLike<number>} */ places) => {
+    const form = Float64Array.from({ length: 1.5 * places.length }, (_, i) => [1, 0, 1][i % 3] * factor ** 2);
+    const lengths = chordLengths(places, form, 'form');
+    counts.push(lengths.length);
+    return lengths;
+  };
   const solve = (/** @type {number[]} */ _, /** @type {Float64Array} */ start) => {
     asked.push(start);
     return answer;
   };
   const domain = { poles: [], tips: [], around: [], periodic: [false, false] };
-  return { problem: anything({ from, to, domain, branches: [], chords, solve }), asked };
+  return { problem: anything({ from, to, domain, branches: [], isPlain, chords, solve }), asked, counts };
 };
 
 describe('a way that was not followed', () => {
@@ -59,6 +61,17 @@ describe('a way that was not followed', () => {
       const { problem } = plane(answer);
       assert.deepEqual(challenge(problem, OPTIONS, best, [tried(corner, SHEET_JUMP)]), { ...best, status: STALLED });
     }
+  });
+
+  test('in space is measured in many chords only where it is not longer in few; by a metric these may be longer', () => {
+    const few = (/** @type {Float64Array} */ way, /** @type {boolean} */ isPlain) => {
+      const { problem, counts } = plane(path(STALLED, 6), 1, isPlain);
+      challenge(problem, OPTIONS, best, [tried(way, SHEET_JUMP)]);
+      return counts.map((count) => count < 1000);
+    };
+    assert.deepEqual(few(peak, true), [true]);
+    assert.deepEqual(few(corner, true), [true, false]);
+    assert.deepEqual(few(peak, false), [false]);
   });
 
   test('is measured on the surface, not in its parameters', () => {

@@ -91,6 +91,20 @@ describe('from a pole, given any longitude', () => {
     assert.ok(milliseconds < allowance(1000), `${milliseconds} ms`);
   });
 
+  test('about as fast as from elsewhere: ways that wind around it are seen to be longer in few chords', () => {
+    const random = createRandom(5);
+    const sphere = surfpath.revolution({ r: 'cos(t)', z: 'sin(t)', t: ['-pi/2', 'pi/2'] });
+    sphere.shortestPath([0, 0], [1, 1]);
+    const start = performance.now();
+    for (let i = 0; i < 40; i++) {
+      const t = random.between(-1.4, 1.4);
+      close(sphere.shortestPath([random.between(0, TURN), Math.PI / 2], [random.between(0, TURN), t]).length, Math.PI / 2 - t);
+    }
+    const milliseconds = performance.now() - start;
+    assert.ok(milliseconds < allowance(500), `${milliseconds} ms`);
+    sphere.dispose();
+  });
+
   test('polylines say by how much they are too short there, too', () => {
     const sphere = surfpath.surface(sphereByHeight);
     for (const points of [31, 200]) {
