@@ -189,9 +189,12 @@ function findNodes(jets, box, grid) {
  * @param {Node} node @param {number[]} a direction from the node @param {number[]} b
  */
 export function crosses({ second, determinant, isFlat }, a, b) {
-  if (isFlat) return dot(a, b) < 0;
-  const product = Math.sign(determinant) * dot(a, times(second, b));
-  return product < -FLAT * largestOf(second) * dot(a, b);
+  const cosine = dot(a, b);
+  if (isFlat) return cosine < 0;
+  const form = (/** @type {number[]} */ one, /** @type {number[]} */ other) => Math.sign(determinant) * dot(one, times(second, other));
+  /* aᵀHa and bᵀHb are zero on the cones: less their mean it is (a ± b)ᵀH(a ± b)/2, which stays small where the path goes straight on, however rough a and b are. */
+  const product = form(a, b) - 0.5 * Math.sign(cosine) * (form(a, a) + form(b, b));
+  return product < -FLAT * largestOf(second) * cosine;
 }
 
 /**

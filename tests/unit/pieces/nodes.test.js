@@ -8,6 +8,7 @@ import { distancesAlong } from '../../helpers/mesh-distances.js';
 import { createRandom } from '../../helpers/random.js';
 import { ofAll } from '../../helpers/sample.js';
 import { anything, close } from '../../helpers/refuses.js';
+import { simpson } from '../../helpers/simpson.js';
 
 /** @typedef {[number, number]} Range */
 
@@ -173,6 +174,30 @@ describe('a double cone', () => {
     assert.equal(neck.status, 'converged');
     assert.ok(neck.length < 2 * Math.SQRT2 && neck.length > 2 * Math.SQRT2 - 0.01);
   });
+});
+
+test('a lemniscate, revolved: from one lobe to the other, also straight on through the node, where curved legs tell roughly how they lead there', () => {
+  const surface = surfpath.implicit({ f: '(x^2 + y^2 + z^2)^2 - x^2 + y^2 + z^2', bounds: within(1.2) });
+  /** ∫ dr/√(1 − r⁴), with r = sin t. @param {number} radius */
+  const arc = (radius) => simpson((t) => 1 / Math.sqrt(1 + Math.sin(t) ** 2), 0, Math.asin(radius));
+  const at = (/** @type {number} */ radius, /** @type {number} */ angle) => {
+    const aside = Math.sqrt((1 - radius ** 2) / 2);
+    return [Math.sqrt((1 + radius ** 2) / 2), aside * Math.cos(angle), aside * Math.sin(angle)].map((x) => radius * x);
+  };
+  for (const [one, other] of [
+    [0.6, 0.93],
+    [0.9, 0.5],
+    [0.95, 0.93],
+  ])
+    for (const turn of [0, 0.02, 0.05, 0.3, 2, 3]) {
+      const path = surface.shortestPath(
+        at(one, 0.4),
+        at(other, 0.4 + turn).map((x) => -x),
+      );
+      assert.equal(path.status, 'converged', `${[one, other, turn]}`);
+      close(path.length, arc(one) + arc(other));
+    }
+  surface.dispose();
 });
 
 describe('where f is a square, or a higher power, there is no normal', () => {
