@@ -133,6 +133,20 @@ describe('options', () => {
       }
   });
 
+  test('points: as many as asked, and all of them recorded, also of a path that is cut short', () => {
+    const ends = /** @type {const} */ ([
+      [0.5, 0.6],
+      [2.6, 1.2],
+    ]);
+    for (const points of [1, 11, 63, 64, 100]) {
+      const path = ring.shortestPath(...ends, { points, record: true, maxIterations: 2 });
+      assert.deepEqual([path.status, path.points.length], ['iteration-limit', 3 * (points + 2)], `${points}`);
+      assert.ok(path.history.every((entry) => (entry.points?.length ?? 0) > 0));
+      const through = ring.shortestPath(...ends, { points: points + 2, maxIterations: 2, via: [[1, 3]] });
+      assert.equal(through.points.length, 3 * (points + 4), `${points}, via`);
+    }
+  });
+
   test('points: too few to see the surface between them is stalled, not converged', () => {
     assert.equal(ring.shortestPath([0.5, 0.6], [2.6, 1.2], { ...STRAIGHT, points: 1 }).status, 'stalled');
   });

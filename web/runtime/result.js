@@ -50,6 +50,7 @@ import {
  * @property {Float64Array} points
  * @property {Float64Array | null} parameters
  * @property {Iterate[]} history
+ * @property {(options: import('./heap.js').SolveOptions) => RawPath} [again] solves it as asked, where so far it was as others can be compared with
  * @property {string} [turns] how often it leads around, where paths that differ in that are not the same
  * @property {{ velocity: number[], turn: number, field: number, slope: number }} [end] of a trace: turn: error of the velocity's direction; field, slope: of the Jacobi field that vanishes at the start
  */

@@ -85,7 +85,7 @@ function refineWell(problem, found, options) {
   const isFew = options.algorithm === ELEMENTS && options.points < COMPARED_POINTS;
   const refineFrom = (/** @type {Found} */ one) => {
     const again = (/** @type {SolveOptions} */ wanted) => refine(problem, one, wanted);
-    return isFew ? { to: one.to, path: again(compared(options)), again } : { to: one.to, path: again(options) };
+    return isFew ? { to: one.to, path: { ...again(compared(options)), again }, again } : { to: one.to, path: again(options) };
   };
   let refined = refineFrom(found);
   const isLeft = (/** @type {Found} */ { path }) =>

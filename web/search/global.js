@@ -142,7 +142,7 @@ function choosePaths(problem, options, most, { tried, status, rough, ways, besid
   usable.push(...over.filter(({ path }) => path.length < lengthOfShortest(usable) - path.lengthError).slice(0, 1));
   const chosen = distinct(usable);
   const shorter = most === 1 && shorterThan(problem, options, chosen[0]?.path, { failed, unknown });
-  if (shorter) return [shorter, ...chosen.map(({ path }) => path)];
-  if (chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
-  return [withoutAny(problem, options, status, { tried, failed, beside })];
+  if (!shorter && chosen.length > 0) return chosen.slice(0, most).map((found) => asAsked(found, options));
+  const weak = shorter || withoutAny(problem, options, status, { tried, failed, beside });
+  return [weak.again?.(options) ?? weak, ...chosen.map(({ path }) => path)];
 }
