@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../web/index.js';
+import { allowance } from '../helpers/allowance.js';
 import { createRandom } from '../helpers/random.js';
 
 const surfpath = await load();
@@ -156,6 +157,29 @@ test('a cone with its tip cut off and a slit: as in the plane into which it unro
     assert.equal(path.status, 'converged', `${from} to ${to}`);
     assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
   }
+});
+
+test('a plane with a slit and a small hole, where no curvature is positive: around the hole as the tangents say, at once, seed 8', () => {
+  const hole = 0.003;
+  const plane = surfpath.parametric({ x: 'v cos(u)', y: 'v sin(u)', z: 0, u: [0, 6.28], v: [hole, 1] });
+  plane.shortestPath([0, 1], [1, 1]);
+  const random = createRandom(8);
+  const start = performance.now();
+  for (let i = 0; i < PAIRS / 2; i++) {
+    const [from, to] = [
+      [random.between(0, 1), random.between(0.2, 1)],
+      [random.between(4.5, 6.28), random.between(0.2, 1)],
+    ];
+    const turned = [from, to].map(([, v]) => Math.acos(hole / v));
+    const tangents = [from, to].map(([, v]) => Math.sqrt(v ** 2 - hole ** 2));
+    const length = tangents[0] + tangents[1] + hole * (to[0] - from[0] - turned[0] - turned[1]);
+    const path = plane.shortestPath(from, to);
+    assert.deepEqual([path.status, path.touchesBoundary], ['converged', true], `${from} to ${to}`);
+    assert.ok(Math.abs(path.length / length - 1) <= RIGHT, `${from} to ${to}: ${path.length}, not ${length}`);
+  }
+  const milliseconds = performance.now() - start;
+  assert.ok(milliseconds < allowance(1000), `${milliseconds} ms`);
+  plane.dispose();
 });
 
 test('a density around a hole: the plane measured as a sphere, seed 6', () => {

@@ -69,8 +69,10 @@ function solveOnly(problem, options) {
   const { domain, to, solve } = problem;
   if (!domain || !problem.graph(0)?.unique) return null;
   const rough = solveRoughly(problem, { to, start: null }, []);
-  if (stallsAtBranch(problem, rough)) return null;
-  const start = holds(rough) ? null : solve(to, null, asItIs(DRAWN)).parameters;
+  const isAtRest = holds(rough);
+  /* What winds around a hole takes hundreds of steps to the path that the search has at once. */
+  if (stallsAtBranch(problem, rough) || (!isAtRest && domain.tips.length > 0)) return null;
+  const start = isAtRest ? null : solve(to, null, asItIs(DRAWN)).parameters;
   const path = solve(to, start, options);
   return path.status === CONVERGED ? path : null;
 }
