@@ -20,7 +20,7 @@ import { gap, largest, norm } from './vector.js';
 /** @typedef {import('./search/routes.js').Field} Field */
 /** @typedef {import('./runtime/heap.js').SolveOptions} SolveOptions */
 
-/** Steps of Newton after which no more is tried; who allows fewer altogether wants to know where they end. */
+/** Steps of Newton across creases, and by E, F and G under a density, after which no more is tried; who allows fewer altogether wants to know where they end. */
 const STEPS = 100;
 /** Statuses of paths that may be none because of how they were measured; under a density or a metric the last two are its own, as a rule. */
 const ASTRAY = ['stalled', 'singular-metric', 'iteration-limit', 'tolerance-not-met'];
@@ -72,7 +72,7 @@ function measure({ jets }, line) {
 function instead({ own, graphs, isPlain }, path, options) {
   const isOpen = ASTRAY.slice(0, isPlain ? 4 : 2).includes(path.status) && options.algorithm === ELEMENTS && options.maxIterations >= STEPS;
   const field = own && isOpen && !graphs.branches?.length ? own() : null;
-  return field && { field, options: { ...options, maxIterations: STEPS } };
+  return field && { field, options: isPlain ? options : { ...options, maxIterations: STEPS } };
 }
 
 /** Whether a path by E, F and G is one in space, as good as was asked. @param {Field} field @param {Path} path @param {SolveOptions} options */

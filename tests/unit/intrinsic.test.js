@@ -230,6 +230,38 @@ test('over a strip folded many times: as unfolded, whatever chords stall on', ()
   }
 });
 
+test('a plane in logarithms of the distance, cut off at e^-8 of it, with a slit: around the hole as the tangents say', () => {
+  const plane = surfpath.parametric({ x: 'exp(u) cos(v)', y: 'exp(u) sin(v)', z: 0, u: [-8, 2], v: [0, 6] });
+  const hole = Math.exp(-8);
+  for (const ends of [
+    [
+      [1.53, 1.54],
+      [-0.37, 5.6],
+    ],
+    [
+      [0.747, 3.893],
+      [-0.135, 0.374],
+    ],
+    [
+      [0.142, 5.789],
+      [0.603, 1.99],
+    ],
+    [
+      [1.903, 1.353],
+      [0.523, 4.975],
+    ],
+  ]) {
+    const path = plane.shortestPath(ends[0], ends[1]);
+    const away = ends.map(([u]) => Math.exp(u));
+    const tangents = away.map((x) => Math.sqrt(x ** 2 - hole ** 2));
+    const along = Math.abs(ends[1][1] - ends[0][1]) - Math.acos(hole / away[0]) - Math.acos(hole / away[1]);
+    const length = tangents[0] + tangents[1] + hole * along;
+    assert.equal(path.status, 'converged', `${ends}`);
+    assert.ok(along > 0 && Math.abs(path.length / length - 1) <= RIGHT, `${ends}: ${path.length}, not ${length}`);
+  }
+  plane.dispose();
+});
+
 test('who allows few steps learns where they end', () => {
   const surface = surfpath.parametric(PINCHED[1].surface);
   const [from, to] = [
