@@ -82,7 +82,9 @@ function closes(surface, range, edge, gluing) {
   const list = (/** @type {Float64Array} */ jets, /** @type {number} */ k) => sizes.map((_, i) => vector(jets, i, 3 + 3 * k));
   const turned = (/** @type {number} */ k) => Array(3).fill(k === direction ? 1 : gluing.sign);
   return (
-    [0, 1].every((k) => agree([...list(low, k), ...list(high, k)], turned(k))) &&
+    [0, 1].every((k) =>
+      agree([...list(low, k), ...list(high, k)], turned(k), (POSITION_GAP * Math.max(...sizes)) / (range.upper[k] - range.lower[k])),
+    ) &&
     (!surface.tensors || agree([...surface.metrics(before), ...surface.metrics(places)], signsOf(direction, gluing, true))) &&
     repeats(surface, range, edge, gluing)
   );
@@ -97,12 +99,12 @@ function signsOf(direction, { sign }, isTensor) {
   return [1, direction === 0 ? 1 : sign, direction === 0 ? sign : 1].flatMap((own) => values.map((value) => own * value));
 }
 
-/** Whether the second half of the lists repeats the first, but for these signs. @param {ArrayLike<number>[]} lists @param {number[]} signs */
-function agree(lists, signs) {
+/** Whether the second half of the lists repeats the first, but for these signs, and for so much as is zero. @param {ArrayLike<number>[]} lists @param {number[]} signs */
+function agree(lists, signs, zero = 0) {
   const half = lists.length / 2;
   let largest = 0;
   for (const list of lists) for (const x of Array.from(list)) if (Math.abs(x) > largest && Math.abs(x) < Infinity) largest = Math.abs(x);
-  const near = DERIVATIVE_GAP * largest;
+  const near = Math.max(DERIVATIVE_GAP * largest, zero);
   return lists.slice(0, half).every((list, i) => Array.from(list).every((x, k) => isNear(signs[k] * x, lists[half + i][k], near)));
 }
 
