@@ -1,4 +1,4 @@
-// Random pairs on implicit surfaces that cross themselves along curves: how many paths converge, and how many are longer than over some random place, the legs to which the same search finds:
+// Random pairs on implicit surfaces that cross themselves along curves, or end in edges: how many paths converge, and how many are longer than over some random place, the legs to which the same search finds:
 // distances obey the triangle inequality. Prints a table. `node tests/accuracy/crossings.js [pairs on a surface [places a pair [seed]]]`.
 import { load } from '../../web/index.js';
 import { createRandom } from '../helpers/random.js';
@@ -13,6 +13,9 @@ const SURFACES = {
   'two spheres': ['((x - 0.5)^2 + y^2 + z^2 - 1)*((x + 0.5)^2 + y^2 + z^2 - 1)', 1.6],
   'two cylinders': ['(x^2 + y^2 - 1)*(x^2 + z^2 - 0.5)', 1.5],
   'Roman surface': ['y^2*z^2 + z^2*x^2 + x^2*y^2 - 1.5*x*y*z', 1],
+  'semicubical edge': ['y^2 - x^3', 1.5],
+  'astroid’s edges': ['(x^2 + y^2 - 1)^3 + 27*x^2*y^2', 1.5],
+  'lens’s edge': ['z^2 - (1 - x^2 - y^2)^3', 1.3],
   'cross-cap': ['4*x^2*(x^2 + y^2 + z^2 + z) + y^2*(y^2 + z^2 - 1)', 1.3],
   'Klein bottle': ['(x^2 + y^2 + z^2 + 2*y - 1)*((x^2 + y^2 + z^2 - 2*y - 1)^2 - 8*z^2) + 16*x*z*(x^2 + y^2 + z^2 - 2*y - 1)', 4],
 };

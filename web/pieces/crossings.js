@@ -4,14 +4,16 @@
  */
 
 import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
-import { solveLinear } from '../creases/linear.js';
-import { mostOf, stalled } from '../path.js';
+import { scaled, solveLinear } from '../creases/linear.js';
+import { isGeodesic, mostOf, stalled } from '../path.js';
 import { holds } from '../search/candidates.js';
-import { concatenate, inOrder, joinLegs, reverse, turned } from '../search/join.js';
+import { shortestWay } from '../search/chain.js';
+import { concatenate, inOrder, joinLegs, reverse } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
+import { roughlyIn } from '../search/rough.js';
 import { drawLine, findWays, solveAlong } from '../search/routes.js';
 import { dot, gap, sumOf } from '../vector.js';
-import { AT_REST, crossingsFrom } from './singular.js';
+import { AT_REST as NEAR_REST, crossingsFrom, jetOf } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -20,11 +22,14 @@ import { AT_REST, crossingsFrom } from './singular.js';
 /** @typedef {{ points: Float64Array, length: number }} Drawn a polyline on the surface */
 /** @typedef {{ line: Float64Array, length: number, pulls?: number[][] }} Leg its polyline as it was solved last */
 /** @typedef {{ legs: Leg[], joints: Crossing[] }} Route one joint less than legs */
+/** @typedef {{ field: Field, ends: number[][], exactness: Exactness, budget: { moves: number } }} Question budget: of nodes, for all that is tried */
 
 /** A polyline passes a crossing where it leads nearer to it than so many of its chords are long. */
 const NEAR = 1.5;
-/** Polylines are drawn on the surface with so many points, and are shorter than what leads along them by this part at most; a path is so many times as short as its polyline, at most. */
-const [DRAWN, ROUGH, LONGER] = [63, 2e-3, 1.05];
+/** An edge that a chord spans is no farther from it than so many chords are long. */
+const BEYOND = 10;
+/** Polylines are drawn on the surface with so many points, and are shorter than what leads along them by this part at most, or, over an edge beside which they change sheets, by that; a path is so many times as short as its polyline, at most. */
+const [DRAWN, ROUGH, OVER_EDGE, LONGER] = [63, 2e-3, 1e-2, 1.05];
 /** Places next to each other on a polyline are beside one crossing if its directions there are no farther apart than this cosine says. */
 const ALIKE = 0.7;
 const SPACE = [1, 1, 1];
@@ -32,12 +37,28 @@ const SPACE = [1, 1, 1];
 const MOST_ROUTES = 24;
 /** Where joints of polylines are no farther apart than this part of the length they lead the same way; and as a rule where they are no farther apart than this one. */
 const [BESIDE, APART] = [0.03, 0.25];
-/** Joints are at rest where the length changes with them by no more than this part of the way; so often they are moved, by no more than the third part of the longer leg beside each, and no less than the last one of a step. */
-const [BALANCED, MOST_MOVES, FARTHEST, SHORTEST] = [1e-7, 20, 0.5, 1e-3];
+/** So often joints are moved, by no more than this part of the longer leg beside each, and no less than that one of a step. */
+const [MOST_MOVES, FARTHEST, SHORTEST] = [20, 0.5, 1e-3];
 /** Legs that hold do so in fewer steps. */
 const WITHIN = { ...LEG, maxIterations: 30 };
-/** Differences of lengths are taken over this part of the shorter leg. */
-const DIFFERENCE = 1e-4;
+/** @typedef {{ options: SolveOptions, balanced: number, aside: number }} Exactness how legs are solved, at which slope joints rest, and over what differences are taken: of slopes, in parts of the shorter leg beside a joint; of the lengths of a leg that ends at an edge, in parts of its own */
+/** @type {Exactness} */
+const EXACTLY = { options: WITHIN, balanced: 1e-7, aside: 1e-4 };
+/** Joints on edges find their places roughly first, as most routes come to nothing. @type {Exactness} */
+const ROUGHLY = { options: roughlyIn(31), balanced: 1e-4, aside: 1e-2 };
+/** Then legs are so much more exact than the path, if they can be, or as exact as that; and where lengths are exact to t, joints are at rest below so many √t: then the length is right to a twentieth of t. */
+const [FINER, AT_REST] = [[1e-2, 1], 0.3];
+/** A leg to an edge takes thousands of moves of nodes; where the edge is lost in rounding, a thousand times as many, and these are all that are made. */
+const MOST_WORK = 1e7;
+
+/** Where lengths are that exact, differences of them are best over its fourth root: what rounding and curvature make of them is less than joints need. @param {number} tolerance @returns {Exactness} */
+function exactTo(tolerance) {
+  const aside = Math.sqrt(Math.sqrt(tolerance));
+  return { options: { ...WITHIN, tolerance }, balanced: AT_REST * Math.sqrt(tolerance), aside };
+}
+
+/** @param {Route} route */
+const passesEdge = ({ joints }) => joints.some(({ isEdge }) => isEdge);
 
 /**
  * The shortest of the paths that lead over crossings, and of one that is known.
@@ -48,63 +69,113 @@ const DIFFERENCE = 1e-4;
 export function overCrossings(field, net, ends, options, known) {
   const crossings = net.crossings.filter(({ place }) => gap(ends[0], place) + gap(place, ends[1]) <= mostOf(known) + 2 * net.apart);
   if (crossings.length === 0) return known;
-  return inOrder(null, ends, (both, isTurned) => leadOver(field, crossings, both, options, isTurned ? reverse(known) : known));
+  return inOrder(null, ends, (both, isTurned) => leadOver(field, net, crossings, both, options, isTurned ? reverse(known) : known));
 }
 
-/** As {@link overCrossings}, over some of these, from the lexicographically smaller end. @param {Field} field @param {Crossing[]} crossings @param {number[][]} ends @param {SolveOptions} options @param {Path} known @returns {Path} */
-function leadOver(field, crossings, ends, options, known) {
+/** As {@link overCrossings}, over some of these, from the lexicographically smaller end. @param {Field} field @param {{ crossings: Crossing[] }} net @param {Crossing[]} crossings @param {number[][]} ends @param {SolveOptions} options @param {Path} known @returns {Path} */
+function leadOver(field, net, crossings, ends, options, known) {
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
   const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
-  const drawn = [...ways, ...waysOver(field, crossings, ends)].sort((a, b) => a.length - b.length);
-  /** @type {Route | null} */
-  let best = null;
+  const drawn = [...ways, ...waysOver(field, net.crossings, crossings, ends)].sort((a, b) => a.length - b.length);
+  /** @type {Route[]} */
+  const found = [];
+  const asked = { field, ends, budget: { moves: Infinity } };
+  let shortest = mostOf(known);
   let missed = Infinity;
   /** @type {{ joints: Crossing[], path: Route | null }[]} */
   const tried = [];
   for (const { points, length } of drawn) {
-    if (length > LONGER * Math.min(mostOf(known), best ? lengthOf(best.legs) : Infinity)) break;
+    if (length > LONGER * shortest) break;
     const first = split(field, ends, points);
-    let found = first.joints.length > 0 ? Infinity : 0;
+    let least = first.joints.length > 0 ? Infinity : 0;
     /* Near a place where such curves meet, a polyline may cross some that a path passes by. */
     for (const open = [first]; open.length > 0 && tried.length < MOST_ROUTES; ) {
       const route = /** @type {Route} */ (open.shift());
       const { joints } = route;
       const other = tried.find((one) => areBeside(joints, one.joints, BESIDE * length));
-      const path = other ? other.path : balance(field, ends, route);
+      const path = other ? other.path : balance({ ...asked, exactness: passesEdge(route) ? ROUGHLY : EXACTLY }, route);
       if (!other) tried.push({ joints, path });
-      if (path && !(best && lengthOf(best.legs) <= lengthOf(path.legs))) best = path;
-      if (path) found = Math.min(found, lengthOf(path.legs));
+      if (path && !other) found.push(path);
+      if (path) least = Math.min(least, lengthOf(path.legs));
       if (joints.length > 1) open.push(...joints.map((_, j) => without(route, j)));
     }
-    const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + ROUGH);
-    if (found > most) missed = Math.min(missed, most);
+    const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + (passesEdge(first) ? OVER_EDGE : ROUGH));
+    shortest = Math.min(shortest, least || Infinity);
+    if (least > most) missed = Math.min(missed, most);
   }
-  if (!best || mostOf(known) <= lengthOf(best.legs)) return known;
-  const { legs, joints } = best;
+  found.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs));
+  /** @type {Route | null} */
+  let best = null;
+  shortest = mostOf(known);
+  for (const route of found) {
+    const least = lengthOf(route.legs) * (passesEdge(route) ? 1 - ROUGH : 1);
+    if (least > shortest) break;
+    const path = passesEdge(route) ? solveExactly(field, ends, route, options.tolerance) : route;
+    if (path && lengthOf(path.legs) < shortest) best = path;
+    if (best) shortest = lengthOf(best.legs);
+    if (path) continue;
+    /* Where one edge is lost in rounding, others are. */
+    missed = Math.min(missed, least);
+    break;
+  }
+  const isRough = !best && !isGeodesic(known) && found.length > 0;
+  if (!best && !isRough) return known;
+  const { legs, joints } = best ?? found[0];
   const places = placesOf({ ends }, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
-    solveAlong(field, [places[k], places[k + 1]], asked, legs[k].line);
+    solveAlong(field, [places[k], places[k + 1]], isRough ? roughlyIn(asked.points) : asked, legs[k].line);
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
   return missed < path.length ? { ...stalled(path), lengthError: path.length - missed } : path;
 }
 
-/** The graph's ways over one crossing each, the shortest of those near each other. @param {Field} field @param {Crossing[]} crossings @param {number[][]} ends @returns {Drawn[]} */
-function waysOver(field, crossings, ends) {
-  const places = crossings.flatMap(({ place }) => place);
+/** A route over edges, solved as exactly as they allow; null: not so exactly as asked. @param {Field} field @param {number[][]} ends @param {Route} route @param {number} tolerance @returns {Route | null} */
+function solveExactly(field, ends, route, tolerance) {
+  const budget = { moves: MOST_WORK };
+  for (const finer of FINER) {
+    const path = balance({ field, ends, exactness: exactTo(Math.max(LEG.tolerance, finer * tolerance)), budget }, route);
+    if (path) return path;
+  }
+  return null;
+}
+
+/**
+ * The graph's ways over each crossing, the shortest of those near each other. Edges end it: between them it leads from one to another, all of which are measured once.
+ * @param {Field} field @param {Crossing[]} all @param {Crossing[]} near those of interest @param {number[][]} ends @returns {Drawn[]}
+ */
+function waysOver(field, all, near, ends) {
+  const places = all.flatMap(({ place }) => place);
   return field.run((heap, record) => {
     const graph = field.graphs.find(heap, record, field, 0);
     if (graph?.status !== CONVERGED) return [];
-    const lengths = ends.map((end) => heap.measureField(record, graph, end, places).lengths);
-    const over = crossings.map((joint, i) => ({ joint, length: lengths[0][i] + lengths[1][i] })).filter(({ length }) => length < Infinity);
+    const stops = [...ends, ...all.map(({ place }) => place)];
+    const lengths = new Float64Array(stops.length ** 2).fill(Infinity);
+    const measured = (/** @type {number[]} */ from) => heap.measureField(record, graph, from, places).lengths;
+    const fill = (/** @type {number} */ i, /** @type {Float64Array} */ row) =>
+      row.forEach((length, k) => {
+        lengths[stops.length * i + k + 2] = lengths[stops.length * (k + 2) + i] = length;
+      });
+    for (const [i, end] of ends.entries()) fill(i, measured(end));
+    for (const [i, one] of all.entries()) {
+      if (!one.isEdge) continue;
+      one.lengths ??= measured(one.place);
+      fill(i + 2, one.lengths);
+    }
+    const over = near.flatMap((joint) => {
+      const [there, back] = ends.map((_, end) => shortestWay(stops.length, lengths, end, all.indexOf(joint) + 2));
+      const way = [...there.way, ...back.way.reverse().slice(1)];
+      const joints = way.slice(1, -1).map((stop) => all[stop - 2]);
+      return joints.length > 0 && joints.every(Boolean) ? [{ way, joints, length: there.length + back.length }] : [];
+    });
     over.sort((one, other) => one.length - other.length);
     /** @type {typeof over} */
     const kept = [];
-    for (const one of over) if (!kept.some(({ joint }) => areBeside([joint], [one.joint], APART * one.length))) kept.push(one);
-    return kept.flatMap(({ joint, length }) => {
-      const [there, back] = ends.flatMap((end) =>
-        heap.searchGraph(record, graph, end, joint.place, (DRAWN - 1) / 2, false).candidates.slice(0, 1),
-      );
-      return back ? [{ points: concatenate([there, turned(back, 3)], 3), length }] : [];
+    for (const one of over) if (!kept.some(({ joints }) => areBeside(joints, one.joints, APART * one.length))) kept.push(one);
+    return kept.flatMap(({ way, length }) => {
+      const points = Math.floor((DRAWN - 1) / (way.length - 1));
+      const lines = way
+        .slice(1)
+        .flatMap((to, k) => heap.searchGraph(record, graph, stops[way[k]], stops[to], points, false).candidates.slice(0, 1));
+      return lines.length === way.length - 1 ? [{ points: concatenate(lines, 3), length }] : [];
     });
   });
 }
@@ -116,16 +187,27 @@ const areAlike = (one, other) => Math.abs(dot(one.along, other.along)) > ALIKE;
 const areBeside = (some, others, far) =>
   some.length === others.length && some.every((joint, i) => gap(joint.place, others[i].place) <= far && areAlike(joint, others[i]));
 
+/** Nodes, and between two whose normals are turned over, where the chord leads from sheet to sheet, the place on the edge beyond it in which these end. @param {import('./singular.js').Jets} jets @param {number[][]} nodes @param {number} far @param {number} size */
+function withEdges(jets, nodes, far, size) {
+  const seen = jets(nodes.flat());
+  const slopes = nodes.map((_, i) => jetOf(seen, i).slice(1, 4));
+  const isTurned = slopes.map((slope, i) => i > 0 && dot(slope, slopes[i - 1]) < 0);
+  const middles = nodes.map((node, i) => node.map((x, j) => (isTurned[i] ? (x + nodes[i - 1][j]) / 2 : x)));
+  const edges = crossingsFrom(jets, middles, far, size);
+  return nodes.flatMap((node, i) => (isTurned[i] && edges[i]?.isEdge ? [edges[i].place, node] : [node]));
+}
+
 /** A polyline cut where it passes crossings; its nodes beside these may lie on any sheet. @param {Field} field @param {number[][]} ends @param {Float64Array} line @returns {Route} */
 function split({ jets }, ends, line) {
   const nodes = nodesOf(line, 3);
   const step = Math.max(...nodes.slice(1).map((node, i) => gap(node, nodes[i])));
-  const inner = nodes.slice(1, -1);
+  const size = gap(ends[0], ends[1]);
+  const inner = withEdges(jets, nodes.slice(1, -1), BEYOND * step, size);
   /** @type {{ joint: Crossing, away: number, last: number }[]} */
   const passed = [];
   /** @type {number[][][]} */
   const between = [[]];
-  for (const [i, joint] of crossingsFrom(jets, inner, NEAR * step, gap(ends[0], ends[1])).entries()) {
+  for (const [i, joint] of crossingsFrom(jets, inner, NEAR * step, size).entries()) {
     if (!joint) {
       between[passed.length].push(inner[i]);
       continue;
@@ -151,22 +233,40 @@ function without({ joints, legs }, j) {
   return { joints: joints.filter((_, i) => i !== j), legs: [...legs.slice(0, j), { line, length: Number.NaN }, ...legs.slice(j + 2)] };
 }
 
-/** The leg near that line between two places, null if it does not hold. @param {Field} field @param {Leg} leg @param {number[]} from @param {number[]} to @returns {Leg | null} */
-function solveLeg(field, { line }, from, to) {
-  const { path, pulls } = solvePulled(field, [from, to], line, WITHIN);
-  return holds({ path }) ? { line: path.points, length: path.length, pulls } : null;
+/**
+ * The leg near that line between two places, null if it does not hold. Where one ends at an edge, there it is no smoother than a power of 3/2, and its direction is known much worse than its length: how
+ * this changes is a difference.
+ * @param {Question} question @param {Leg} leg @param {number[][]} places @param {(Crossing | undefined)[]} joints which of these are joints @returns {Leg | null}
+ */
+function solveLeg({ field, exactness: { options, aside }, budget }, { line }, places, joints) {
+  if (budget.moves < 0) return null;
+  const { path, pulls, work } = solvePulled(field, places, line, options);
+  budget.moves -= work;
+  if (!holds({ path })) return null;
+  const solved = { line: path.points, length: path.length, pulls };
+  for (const [end, joint] of joints.entries()) {
+    if (!joint?.isEdge) continue;
+    const [back, ahead] = [-1, 1].map((sign) => {
+      const place = moved(field, { ...joint, place: places[end] }, sign * aside * path.length, path.length)?.place;
+      const other = place && solvePulled(field, end ? [places[0], place] : [place, places[1]], path.points, options).path;
+      return other && holds({ path: other }) ? { along: dot(place, joint.along), length: other.length } : null;
+    });
+    if (!back || !ahead) return null;
+    pulls[end] = scaled(joint.along, (ahead.length - back.length) / (ahead.along - back.along));
+  }
+  return solved;
 }
 
-/** All legs over these joints; null: one does not hold. @param {Field} field @param {number[][]} ends @param {Route} route @returns {Route | null} */
-function solveAll(field, ends, { joints, legs }) {
-  const places = placesOf({ ends }, joints);
-  const solved = legs.map((leg, k) => solveLeg(field, leg, places[k], places[k + 1]));
+/** All legs over these joints; null: one does not hold. @param {Question} question @param {Route} route @returns {Route | null} */
+function solveAll(question, { joints, legs }) {
+  const places = placesOf(question, joints);
+  const solved = legs.map((leg, k) => solveLeg(question, leg, [places[k], places[k + 1]], [joints[k - 1], joints[k]]));
   return solved.every((leg) => leg !== null) ? { joints, legs: solved } : null;
 }
 
 /** A crossing moved along its curve. @param {Field} field @param {Crossing} crossing @param {number} by @param {number} size of what is between the ends @returns {Crossing | null} */
 const moved = ({ jets }, { place, along }, by, size) =>
-  crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + AT_REST * size, size)[0];
+  crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + NEAR_REST * size, size)[0];
 
 /** How long the shorter of the two legs beside each joint is. @param {Leg[]} legs */
 const leastBeside = (legs) => legs.slice(1).map(({ length }, j) => Math.min(legs[j].length, length));
@@ -182,37 +282,39 @@ function isPositive(matrix) {
 
 /**
  * Moves joints until the length does not change with them; null: they do not come to rest, or where it is no minimum.
- * @param {Field} field @param {number[][]} ends @param {Route} route @returns {Route | null}
+ * @param {Question} question @param {Route} route @returns {Route | null}
  */
-function balance(field, ends, route) {
-  let now = route.joints.length > 0 ? solveAll(field, ends, route) : null;
+function balance(question, route) {
+  const { field, ends, exactness } = question;
+  let now = route.joints.length > 0 ? solveAll(question, route) : null;
   for (let move = 0; now && move < MOST_MOVES; move++) {
     const { joints, legs } = now;
     const { slopes, matrix } = changes(
       legs,
       placesOf({ ends }, joints),
       joints.map(({ along }) => along),
-      leastBeside(legs).map((least) => DIFFERENCE * least),
+      leastBeside(legs).map((least) => exactness.aside * least),
       (j, by) => moved(field, joints[j], by, gap(ends[0], ends[1])),
-      (i, from, to) => solveLeg(field, legs[i], from, to),
+      (i, from, to) => solveLeg(question, legs[i], [from, to], [joints[i - 1], joints[i]]),
     );
     const isBent = isPositive(matrix);
-    if (slopes.every((slope) => Math.abs(slope) <= BALANCED)) return isBent ? now : null;
+    if (slopes.every((slope) => Math.abs(slope) <= exactness.balanced)) return isBent ? now : null;
     const step = isBent ? solveLinear(matrix, slopes) : slopes;
-    now = step && descend(field, ends, now, step);
+    now = step && descend(question, now, step);
   }
   return null;
 }
 
-/** A path whose joints are moved back by a step, or a part of it, and that is no longer; null: there is none. @param {Field} field @param {number[][]} ends @param {Route} route @param {number[]} step @returns {Route | null} */
-function descend(field, ends, route, step) {
+/** A path whose joints are moved back by a step, or a part of it, and that is no longer; null: there is none. @param {Question} question @param {Route} route @param {number[]} step @returns {Route | null} */
+function descend(question, route, step) {
+  const { field, ends, exactness } = question;
   const size = gap(ends[0], ends[1]);
   const longest = route.joints.map((_, j) => Math.max(route.legs[j].length, route.legs[j + 1].length));
   const most = Math.max(1, ...step.map((x, j) => Math.abs(x) / (FARTHEST * longest[j])));
   for (let factor = 1 / most; factor > SHORTEST; factor /= 2) {
     const joints = route.joints.map((joint, j) => moved(field, joint, -factor * step[j], size));
-    const tried = joints.every((joint) => joint !== null) ? solveAll(field, ends, { joints, legs: route.legs }) : null;
-    if (tried && lengthOf(tried.legs) <= lengthOf(route.legs) * (1 + LEG.tolerance)) return tried;
+    const tried = joints.every((joint) => joint !== null) ? solveAll(question, { joints, legs: route.legs }) : null;
+    if (tried && lengthOf(tried.legs) <= lengthOf(route.legs) * (1 + exactness.options.tolerance)) return tried;
   }
   return null;
 }

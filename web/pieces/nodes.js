@@ -1,7 +1,7 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; what of the surface hangs together without them, and where it crosses itself. */
 
 import { gridOf } from '../manifold/extent.js';
-import { cross, diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
+import { diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
 import {
   cofactors,
   crossingsFrom,
@@ -9,7 +9,8 @@ import {
   formOf,
   isSaddle,
   jetOf,
-  longest,
+  orderOf,
+  planeOf,
   SHRINKING,
   SINGULAR,
   STEPS,
@@ -34,8 +35,6 @@ const MOST = 256;
 const MOST_FLAT = 4096;
 /** A node is the same as another up to this part of the box. */
 const SAME = 1e-6;
-/** Where the gradient vanishes like a power of these orders, steps shrink by the same part, 1 − 1/order, up to this, and in a row, up to that cosine. */
-const [ORDERS, ALIKE, STRAIGHT] = [[2, 3, 4], 0.02, 0.99];
 /** Nodes where f″ is singular lie on a curve of such points if they are nearer to each other than so many cells. */
 const ALONE = 3;
 /** Cones flatter than this are not told from planes. */
@@ -64,8 +63,7 @@ function stepFrom(jet, at, extent, before = { by: [], size: Infinity, order: 0 }
   /* 0/0: at rest. */
   const by = times(minors, jet.slice(1)).map((part) => part / determinant || 0);
   const size = norm(by);
-  const isStraight = before.order === 1 && dot(by, before.by) > STRAIGHT * size * before.size;
-  const order = (isStraight && ORDERS.find((n) => Math.abs(1 - 1 / n - size / before.size) < ALIKE)) || 1;
+  const order = orderOf(by, size, before);
   const isOn = size <= SHRINKING * before.size && endsAtZero(jet, by, largestOf(second), extent);
   return { by, size, next: at.map((from, j) => from - order * by[j]), order, determinant, isOn };
 }
@@ -91,8 +89,7 @@ const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
  */
 function isPassage(jets, { at, second }, cell) {
   const { isLine, axis, back, trace, product, largest } = formOf(second);
-  const aside = unit(longest([cross(axis, [1, 0, 0]), cross(axis, [0, 1, 0])]));
-  const other = cross(axis, aside);
+  const [aside, other] = planeOf(axis);
   const halves = Array.from({ length: HALF }, (_, i) => (2 * i + 1) / HALF - 1).flatMap((t) => [
     [1 - t * t, 2 * t],
     [t * t - 1, 2 * t],

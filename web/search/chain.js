@@ -12,7 +12,7 @@ const MOST_LEGS = 64;
  * The shortest way from one place to another. @param {number} count of places @param {Float64Array} lengths of each to each @param {number} [from] @param {number} [to]
  * @returns {{ way: number[], length: number }} places, none: there is no way
  */
-function shortestWay(count, lengths, from = 0, to = 1) {
+export function shortestWay(count, lengths, from = 0, to = 1) {
   const far = Array.from({ length: count }, (_, i) => (i === from ? 0 : Infinity));
   const before = Array(count).fill(-1);
   const open = new Set(far.keys());
