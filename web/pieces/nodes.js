@@ -18,6 +18,7 @@ import {
   ZERO,
 } from './singular.js';
 
+/** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./singular.js').Crossing} Crossing */
 /** @typedef {import('./singular.js').Jets} Jets */
 
@@ -33,6 +34,8 @@ import {
 const MOST = 256;
 /** So many at which second derivatives are singular are no points: f is a square, or zero everywhere. */
 const MOST_FLAT = 4096;
+/** Steps to a node, where coordinates may approach it each like a power of its own. */
+const FARTHEST = 3 * STEPS;
 /** A node is the same as another up to this part of the box. */
 const SAME = 1e-6;
 /** Nodes where f″ is singular lie on a curve of such points if they are nearer to each other than so many cells. */
@@ -48,15 +51,15 @@ const SMALL = 3.5;
 
 /**
  * A step to where ∇f would vanish if it were linear, taken so many times.
- * @typedef {{ by: number[], size: number, next: number[], order: number, determinant: number, isOn: boolean }} Step size: of it taken once; determinant: of f″ where it begins; isOn: more of them may
- *   lead to a node
+ * @typedef {{ by: number[], size: number, limit: number, next: number[], order: number, determinant: number, isOn: boolean }} Step size: of it taken once; limit: what the next shrinks from, which is that of one
+ *   taken several times if this only mended what that did to faster coordinates; determinant: of f″ where it begins; isOn: more of them may lead to a node
  */
 
 /**
- * @param {number[]} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {number} extent of the box @param {Pick<Step, 'by' | 'size' | 'order'>} [before] that led there
+ * @param {number[]} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {number} extent of the box @param {Pick<Step, 'by' | 'size' | 'limit' | 'order'>} [before] that led there
  * @returns {Step}
  */
-function stepFrom(jet, at, extent, before = { by: [], size: Infinity, order: 0 }) {
+function stepFrom(jet, at, extent, before = { by: [], size: Infinity, limit: Infinity, order: 0 }) {
   const second = jet.slice(4);
   const minors = cofactors(second);
   const determinant = dot(second, minors);
@@ -64,8 +67,9 @@ function stepFrom(jet, at, extent, before = { by: [], size: Infinity, order: 0 }
   const by = times(minors, jet.slice(1)).map((part) => part / determinant || 0);
   const size = norm(by);
   const order = orderOf(by, size, before);
-  const isOn = size <= SHRINKING * before.size && endsAtZero(jet, by, largestOf(second), extent);
-  return { by, size, next: at.map((from, j) => from - order * by[j]), order, determinant, isOn };
+  const isOn = size <= SHRINKING * before.limit && endsAtZero(jet, by, largestOf(second), extent);
+  const limit = before.order > 1 ? before.limit : size;
+  return { by, size, limit, next: at.map((from, j) => from - order * by[j]), order, determinant, isOn };
 }
 
 /** The node where steps end, if one is there. @param {number[]} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
@@ -136,7 +140,7 @@ function nodesFrom(jets, places, cell, size) {
     walks.push({ from, step: stepFrom(jet, from, size), mayCross: isSaddle(jet.slice(4)), node: null });
   }
   let walking = walks;
-  for (let k = 0; k < STEPS && walking.length > 0; k++) {
+  for (let k = 0; k < FARTHEST && walking.length > 0; k++) {
     walking = walking.filter(({ from, step }) => step.isOn && step.size < cell && gap(step.next, from) < 2 * cell);
     const own = jets(walking.flatMap(({ step }) => step.next));
     walking = walking.filter((walk, i) => {
@@ -180,15 +184,25 @@ function findNodes(jets, box, grid) {
   return { nodes: [...nodes, ...flat.filter((node) => isAlone(node) && isPassage(jets, node, cell))], crossings };
 }
 
+/** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */
+const leaving = ({ points }) => unit([0, 1, 2].map((j) => 4 * points[3 + j] - points[6 + j] - 3 * points[j]));
+
+/** How far a path leads along an axis with its first chord. @param {Path} path @param {number[]} axis */
+const risesBy = ({ points }, axis) => axis.reduce((sum, x, j) => sum + x * (points[3 + j] - points[j]), 0);
+
 /**
  * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
- * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular a path that goes on passes from one cusp to another: on one, or on a bowl, there is a shorter one beside the node.
- * @param {Node} node @param {number[]} a direction from the node @param {number[]} b
+ * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular a path that goes on passes from one cusp to another, or, where it is zero in a plane, from a bowl on one side of that to one on the other, in whatever
+ * direction: on one cusp or bowl there is a shorter one beside the node.
+ * @param {Node} node @param {Path} one from the node @param {Path} other from there, too
  */
-export function crosses({ second, determinant, isFlat }, a, b) {
+export function crosses({ second, determinant, isFlat }, one, other) {
+  const { isLine, axis } = formOf(second);
+  if (isFlat && !isLine) return risesBy(one, axis) * risesBy(other, axis) < 0;
+  const [a, b] = [leaving(one), leaving(other)];
   const cosine = dot(a, b);
   if (isFlat) return cosine < 0;
-  const form = (/** @type {number[]} */ one, /** @type {number[]} */ other) => Math.sign(determinant) * dot(one, times(second, other));
+  const form = (/** @type {number[]} */ v, /** @type {number[]} */ w) => Math.sign(determinant) * dot(v, times(second, w));
   /* aᵀHa and bᵀHb are zero on the cones: less their mean it is (a ± b)ᵀH(a ± b)/2, which stays small where the path goes straight on, however rough a and b are. */
   const product = form(a, b) - 0.5 * Math.sign(cosine) * (form(a, a) + form(b, b));
   return product < -FLAT * largestOf(second) * cosine;

@@ -6,7 +6,7 @@ import { findChain } from '../search/chain.js';
 import { inOrder, joinLegs, reverse } from '../search/join.js';
 import { roughlyIn } from '../search/rough.js';
 import { findGlobal, solveNear } from '../search/routes.js';
-import { gap, unit } from '../vector.js';
+import { gap } from '../vector.js';
 import { overCrossings } from './crossings.js';
 import { crosses, findNet } from './nodes.js';
 
@@ -104,7 +104,7 @@ function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
   const isSmooth = (over, legs) =>
     over.length > 2 &&
     legs.length === over.length - 1 &&
-    over.slice(1, -1).every((node, k) => node > 1 && crosses(passed[node - 2], leaving(reverse(legs[k])), leaving(legs[k + 1])));
+    over.slice(1, -1).every((node, k) => node > 1 && crosses(passed[node - 2], reverse(legs[k]), legs[k + 1]));
   const solveAgain = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
     solveNear(field, [places[way[k]].at, places[way[k + 1]].at], asked, known[k].points);
   const path = isSmooth(way, known) ? joinLegs(known, options, solveAgain, null).path : within();
@@ -120,8 +120,3 @@ function joinThrough(field, { nodes, partsAt, near }, ends, options, within) {
 
 /** What passes a node nearer than can be told is no path by itself: a way over that which is as long stands before it. @param {Path} path @param {SolveOptions} options */
 const weighed = (path, { tolerance }) => (isGeodesic(path) ? path : { ...path, length: path.length * (1 + tolerance) });
-
-/** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */
-function leaving({ points }) {
-  return unit([0, 1, 2].map((j) => 4 * points[3 + j] - points[6 + j] - 3 * points[j]));
-}

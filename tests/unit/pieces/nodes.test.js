@@ -278,6 +278,42 @@ describe('cusps that meet in a point, where second derivatives do not tell how',
       });
 });
 
+test('two bowls that touch: from one to the other through that point, however the path turns there', () => {
+  const bowls = surfpath.implicit({ f: 'x^2 - (y^2 + z^2)^2', bounds: within(1.4) });
+  const away = (/** @type {number} */ r) => (2 * r * Math.sqrt(1 + 4 * r * r) + Math.asinh(2 * r)) / 4;
+  const at = (/** @type {number} */ side, /** @type {number} */ r, /** @type {number} */ angle) => [
+    side * r * r,
+    r * Math.cos(angle),
+    r * Math.sin(angle),
+  ];
+  for (const turn of [0.2, 1.4, 3]) {
+    const path = bowls.shortestPath(at(1, 0.8, 0.3), at(-1, 0.5, 0.3 + turn));
+    assert.equal(path.status, 'converged', `${turn}`);
+    close(path.length, away(0.8) + away(0.5), 1e-9);
+  }
+  bowls.dispose();
+});
+
+test('sheets that meet in a point to which each coordinate leads by a power of its own: through it, as far as it is from both ends', () => {
+  const calypso = surfpath.implicit({ f: 'x^2 + y^2*z - z^2', bounds: within(1.5) });
+  const at = (/** @type {number} */ side, /** @type {number} */ x, /** @type {number} */ y) => [
+    x,
+    y,
+    (y * y + side * Math.sqrt(y ** 4 + 4 * x * x)) / 2,
+  ];
+  for (const [from, to] of [
+    [at(1, 0.5, 0.3), at(-1, -0.6, 0.4)],
+    [at(1, -0.2, 0.7), at(-1, 0.5, -0.5)],
+  ]) {
+    const path = calypso.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    const legs = [from, to].map((end) => calypso.shortestPath(end, [0, 0, 0], { start: 'straight' }));
+    assert.ok(legs.every(({ converged }) => converged));
+    close(path.length, legs[0].length + legs[1].length, 1e-9);
+  }
+  calypso.dispose();
+});
+
 test('where sheets cross along lines, the point where two of these meet is no passage: across one of them it is shorter', () => {
   const surface = surfpath.implicit({ f: '6x^2 - 2x^4 - y^2*z^2', bounds: within(1.5) });
   const from = [-0.5709723468826052, -1.4826763828390788, -0.8905609328418467];
