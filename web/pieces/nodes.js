@@ -9,6 +9,7 @@ import {
   formOf,
   isSaddle,
   jetOf,
+  longest,
   orderOf,
   planeOf,
   SHRINKING,
@@ -28,6 +29,7 @@ import {
  * @property {number[]} second the second derivatives of f: xx xy xz yy yz zz
  * @property {number} determinant of these
  * @property {boolean} isFlat the determinant is zero: derivatives of higher order tell how sheets meet, as those of two cusps, or of two bowls that touch
+ * @property {number[]} [axis] if so, on which sides of the node they lie
  */
 
 /** Of more nodes none is taken, as ways over them would be too many. */
@@ -86,12 +88,12 @@ function nodeAt([value, , , , ...second], { next, determinant }, size) {
 const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
 
 /**
- * Whether sheets meet at a node where f″ is singular, and there alone. In the directions in which f″ is zero f is what terms of higher order leave of it where it is stationary in the others: if
- * its gradient vanishes nowhere around the node, no curve of such points leads through this. On a line f must have on both sides the sign that f″ has not, if that is semidefinite: else the surface
- * ends there as in a tip.
- * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen
+ * The axis of a node where f″ is singular, if sheets meet there, and there alone: they lie on both sides along it. In the directions in which f″ is zero f is what terms of higher order leave of it where it is
+ * stationary in the others: if its gradient vanishes nowhere around the node, no curve of such points leads through this. Of a plane the axis is what is normal to it. On a line f must have on both sides the sign
+ * that f″ has not, if that is semidefinite, and the line is the axis: else the surface ends there as in a tip. Or f has the sign there that f″ has in one direction; the axis is the other one.
+ * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen @returns {number[] | null} null: they do not
  */
-function isPassage(jets, { at, second }, cell) {
+function axisOf(jets, { at, second }, cell) {
   const { isLine, axis, back, trace, product, largest } = formOf(second);
   const [aside, other] = planeOf(axis);
   const halves = Array.from({ length: HALF }, (_, i) => (2 * i + 1) / HALF - 1).flatMap((t) => [
@@ -108,11 +110,21 @@ function isPassage(jets, { at, second }, cell) {
     seen = jets(places.flat());
   }
   /* Third derivatives are all there is: f″ is rounding. */
-  if (seen.some((x, i) => i % 10 > 3 && Math.abs(x) * NO_FORM > largest)) return false;
+  if (seen.some((x, i) => i % 10 > 3 && Math.abs(x) * NO_FORM > largest)) return null;
   const slopes = places.map((_, i) => norm(slopeOf(i)));
   const steepest = Math.max(...slopes);
-  if (!(Math.min(...slopes) > EVEN * steepest && steepest > LARGE * largest * cell)) return false;
-  return !(isLine && product > 0) || places.every((_, i) => seen[10 * i] * trace < 0);
+  if (!(Math.min(...slopes) > EVEN * steepest && steepest > LARGE * largest * cell)) return null;
+  if (!isLine) return axis;
+  if (product > 0) return places.every((_, i) => seen[10 * i] * trace < 0) ? axis : null;
+  const along = (trace + Math.sign(seen[0]) * Math.sqrt(trace * trace - 4 * product)) / 2;
+  return longest(
+    [aside, other].map((e) =>
+      minus(
+        times(second, e),
+        e.map((x) => along * x),
+      ),
+    ),
+  );
 }
 
 /**
@@ -181,27 +193,33 @@ function findNodes(jets, box, grid) {
     }
   }
   const isAlone = (/** @type {Node} */ node) => flat.every((other) => other === node || gap(other.at, node.at) > ALONE * cell);
-  return { nodes: [...nodes, ...flat.filter((node) => isAlone(node) && isPassage(jets, node, cell))], crossings };
+  return {
+    nodes: [
+      ...nodes,
+      ...flat.flatMap((node) => {
+        const axis = isAlone(node) && axisOf(jets, node, cell);
+        return axis ? [{ ...node, axis }] : [];
+      }),
+    ],
+    crossings,
+  };
 }
 
 /** Where a path that begins at a node leads from there, a unit vector. @param {Path} path */
 const leaving = ({ points }) => unit([0, 1, 2].map((j) => 4 * points[3 + j] - points[6 + j] - 3 * points[j]));
 
-/** How far a path leads along an axis with its first chord. @param {Path} path @param {number[]} axis */
-const risesBy = ({ points }, axis) => axis.reduce((sum, x, j) => sum + x * (points[3 + j] - points[j]), 0);
-
 /**
  * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
- * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular a path that goes on passes from one cusp to another, or, where it is zero in a plane, from a bowl on one side of that to one on the other, in whatever
- * direction: on one cusp or bowl there is a shorter one beside the node.
+ * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular what has passed to the other side along the axis, as from cusp to cusp or bowl to bowl, has come from one to the other, in whatever direction.
  * @param {Node} node @param {Path} one from the node @param {Path} other from there, too
  */
-export function crosses({ second, determinant, isFlat }, one, other) {
-  const { isLine, axis } = formOf(second);
-  if (isFlat && !isLine) return risesBy(one, axis) * risesBy(other, axis) < 0;
+export function crosses({ second, determinant, axis }, one, other) {
+  if (axis) {
+    const [rise, fall] = [one, other].map(({ points }) => dot(axis, minus(listOf(points, 3, 6), listOf(points, 0, 3))));
+    return rise * fall < 0;
+  }
   const [a, b] = [leaving(one), leaving(other)];
   const cosine = dot(a, b);
-  if (isFlat) return cosine < 0;
   const form = (/** @type {number[]} */ v, /** @type {number[]} */ w) => Math.sign(determinant) * dot(v, times(second, w));
   /* aᵀHa and bᵀHb are zero on the cones: less their mean it is (a ± b)ᵀH(a ± b)/2, which stays small where the path goes straight on, however rough a and b are. */
   const product = form(a, b) - 0.5 * Math.sign(cosine) * (form(a, a) + form(b, b));

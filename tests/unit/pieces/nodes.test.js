@@ -303,7 +303,7 @@ test('sheets that meet in a point to which each coordinate leads by a power of i
   ];
   for (const [from, to] of [
     [at(1, 0.5, 0.3), at(-1, -0.6, 0.4)],
-    [at(1, -0.2, 0.7), at(-1, 0.5, -0.5)],
+    [at(1, -0.6, -0.8), at(-1, 0.3, -0.7)],
   ]) {
     const path = calypso.shortestPath(from, to);
     assert.equal(path.status, 'converged', `${from} to ${to}`);
