@@ -2,22 +2,7 @@
 
 import { gridOf } from '../manifold/extent.js';
 import { diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
-import {
-  cofactors,
-  crossingsFrom,
-  endsAtZero,
-  formOf,
-  isSaddle,
-  jetOf,
-  longest,
-  orderOf,
-  planeOf,
-  SHRINKING,
-  SINGULAR,
-  STEPS,
-  times,
-  ZERO,
-} from './singular.js';
+import { cofactors, crossingsFrom, formOf, isSaddle, jetOf, longest, planeOf, SINGULAR, STEPS, step, times, walkFrom, walkOn } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./singular.js').Crossing} Crossing */
@@ -32,12 +17,12 @@ import {
  * @property {number[]} [axis] if so, on which sides of the node they lie
  */
 
+/** @typedef {import('./singular.js').Walk<Node>} Walk */
+
 /** Of more nodes none is taken, as ways over them would be too many. */
 const MOST = 256;
 /** So many at which second derivatives are singular are no points: f is a square, or zero everywhere. */
 const MOST_FLAT = 4096;
-/** Steps to a node, where coordinates may approach it each like a power of its own. */
-const FARTHEST = 3 * STEPS;
 /** A node is the same as another up to this part of the box. */
 const SAME = 1e-6;
 /** Nodes where f″ is singular lie on a curve of such points if they are nearer to each other than so many cells. */
@@ -51,37 +36,13 @@ const BESIDE = 1.5;
 /** What lies nearer to a node, and what lies between two that are nearer than twice that, may be gone altogether: only a solve tells where it leads. */
 const SMALL = 3.5;
 
-/**
- * A step to where ∇f would vanish if it were linear, taken so many times.
- * @typedef {{ by: number[], size: number, limit: number, next: number[], order: number, determinant: number, isOn: boolean }} Step size: of it taken once; limit: what the next shrinks from, which is that of one
- *   taken several times if this only mended what that did to faster coordinates; determinant: of f″ where it begins; isOn: more of them may lead to a node
- */
-
-/**
- * @param {number[]} jet f, ∇f, f_xx f_xy f_xz f_yy f_yz f_zz of a place @param {number[]} at the place @param {number} extent of the box @param {Pick<Step, 'by' | 'size' | 'limit' | 'order'>} [before] that led there
- * @returns {Step}
- */
-function stepFrom(jet, at, extent, before = { by: [], size: Infinity, limit: Infinity, order: 0 }) {
-  const second = jet.slice(4);
-  const minors = cofactors(second);
-  const determinant = dot(second, minors);
-  /* 0/0: at rest. */
-  const by = times(minors, jet.slice(1)).map((part) => part / determinant || 0);
-  const size = norm(by);
-  const order = orderOf(by, size, before);
-  const isOn = size <= SHRINKING * before.limit && endsAtZero(jet, by, largestOf(second), extent);
-  const limit = before.order > 1 ? before.limit : size;
-  return { by, size, limit, next: at.map((from, j) => from - order * by[j]), order, determinant, isOn };
-}
-
-/** The node where steps end, if one is there. @param {number[]} jet @param {Step} step @param {number} size of the box @returns {Node | null} */
-function nodeAt([value, , , , ...second], { next, determinant }, size) {
-  const largest = largestOf(second);
-  if (!(Math.abs(value) <= ZERO * largest * size ** 2)) return null;
-  const isFlat = Math.abs(determinant) <= SINGULAR * largest ** 3;
+/** The node where steps end, if one is there. @param {number[]} at @param {number[]} second @returns {Node | null} */
+function nodeAt(at, second) {
+  const determinant = dot(second, cofactors(second));
+  const isFlat = Math.abs(determinant) <= SINGULAR * largestOf(second) ** 3;
   /* A form that is definite: nothing of the surface is near. */
   if (!isFlat && second[0] * second[3] > second[1] ** 2 && second[0] * determinant > 0) return null;
-  return { at: next, second, determinant, isFlat };
+  return { at, second, determinant, isFlat };
 }
 
 /** Half as many places are looked at around a node in the plane in which f″ is zero; so even is |∇f| on them, and so large beside what f″ makes of it, where no curve of such points leads through the node. */
@@ -138,34 +99,34 @@ function mayLead(jets, k, cell) {
 }
 
 /**
- * The nodes to which Newton's steps lead from some places. All take a step together: one by one, calls took most of the time.
- * @param {Jets} jets @param {Float64Array} places @param {number} cell farther than two no node is looked for @param {number} size of the box
+ * The nodes to which Newton's steps lead from some places.
+ * @param {Jets} jets @param {Float64Array} places @param {number} cell farther than two no node is looked for @param {number} extent of the box
  */
-function nodesFrom(jets, places, cell, size) {
+function nodesFrom(jets, places, cell, extent) {
   const sampled = jets(places);
-  /** @type {{ from: number[], step: Step, mayCross: boolean, node: Node | null }[]} */
-  const walks = [];
+  const reach = { extent, far: 2 * cell };
+  const goesOn = (/** @type {Walk} */ walk, /** @type {number[]} */ jet) => {
+    const second = jet.slice(4);
+    const minors = cofactors(second);
+    const determinant = dot(second, minors);
+    /* 0/0: at rest. */
+    const by = times(minors, jet.slice(1)).map((part) => part / determinant || 0);
+    return step(walk, jet, by, reach) && walk.size < cell;
+  };
+  /** @type {[Walk[], Walk[]]} */
+  const [walks, crossing] = [[], []];
   for (let i = 0; 3 * i < places.length; i++) {
     if (!mayLead(sampled, 10 * i, cell)) continue;
-    const from = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
+    /** @type {Walk} */
+    const walk = walkFrom(listOf(places, 3 * i, 3 * i + 3));
     const jet = jetOf(sampled, i);
-    walks.push({ from, step: stepFrom(jet, from, size), mayCross: isSaddle(jet.slice(4)), node: null });
+    if (goesOn(walk, jet)) walks.push(walk);
+    if (isSaddle(jet.slice(4))) crossing.push(walk);
   }
-  let walking = walks;
-  for (let k = 0; k < FARTHEST && walking.length > 0; k++) {
-    walking = walking.filter(({ from, step }) => step.isOn && step.size < cell && gap(step.next, from) < 2 * cell);
-    const own = jets(walking.flatMap(({ step }) => step.next));
-    walking = walking.filter((walk, i) => {
-      const jet = jetOf(own, i);
-      walk.step = stepFrom(jet, walk.step.next, size, walk.step);
-      const ends = walk.step.size <= SAME * SAME * size;
-      if (ends) walk.node = nodeAt(jet, walk.step, size);
-      return !ends;
-    });
-  }
+  walkOn(jets, walks, reach, goesOn, ({ at }, jet) => nodeAt(at, jet.slice(4)));
   return {
-    nodes: walks.flatMap(({ node }) => node ?? []),
-    open: walks.flatMap(({ from, mayCross, node }) => (mayCross && !node ? [from] : [])),
+    nodes: walks.flatMap(({ end }) => end ?? []),
+    open: crossing.flatMap(({ from, end }) => (end ? [] : [from])),
   };
 }
 

@@ -1,5 +1,6 @@
 /** Singular places of an implicit surface, where ∇f = 0: what second derivatives tell of them, and steps to curves of such places. */
 
+import { ahead, scaled } from '../creases/linear.js';
 import { cross, dot, gap, largest as largestOf, listOf, norm, unit } from '../vector.js';
 
 /** Jets of places, ten numbers each. @typedef {(places: ArrayLike<number>) => Float64Array} Jets */
@@ -65,114 +66,116 @@ export function formOf(second) {
   return { isLine, axis, back, trace, product, largest };
 }
 
-/** Where a step leads to which ∇f vanishes f is f − ½∇f·by, but for so much of what second derivatives make of the step, by those of higher order. */
-const HIGHER = 10;
-
-/** Whether f may be zero where steps end. @param {number[]} jet @param {number[]} by the next of them @param {number} largest number of f″ @param {number} size of the box */
-export const endsAtZero = (jet, by, largest, size) =>
-  Math.abs(jet[0] - dot(by, jet.slice(1)) / 2) <= largest * (HIGHER * dot(by, by) + ZERO * size ** 2);
-
 /** Two directions at right angles in the plane that is normal to an axis. @param {number[]} axis */
 export function planeOf(axis) {
   const aside = unit(longest([cross(axis, [1, 0, 0]), cross(axis, [0, 1, 0])]));
   return [aside, cross(axis, aside)];
 }
 
+/** Where a step leads to which ∇f vanishes f is f − ½∇f·by, but for so much of what second derivatives make of the step, by those of higher order. */
+const HIGHER = 10;
 /** Where the gradient vanishes like a power of these orders, steps shrink by the same part, 1 − 1/order, up to this, and in a row, up to that cosine. */
 const [ORDERS, ALIKE, STRAIGHT] = [[2, 3, 4], 0.02, 0.99];
 
-/** How many times a step is taken, by the one before it. @param {number[]} by @param {number} size @param {{ by: number[], size: number, order: number }} before */
-export function orderOf(by, size, before) {
-  const isStraight = before.order === 1 && dot(by, before.by) > STRAIGHT * size * before.size;
-  return (isStraight && ORDERS.find((n) => Math.abs(1 - 1 / n - size / before.size) < ALIKE)) || 1;
+/** @typedef {{ extent: number, far: number }} Reach extent: of the box; far: no walk leads farther from where it began */
+
+/** Steps towards a singular place, of the kind that is looked for. @template T @typedef {{ from: number[], at: number[], by: number[], size: number, limit: number, order: number, end: T | null }} Walk by: the last step; size: of it taken once; limit: what the next shrinks from: where this only mended what one taken several times did to faster coordinates, that; order: taken so many times; end: what is where the steps end */
+
+/** @template T @param {number[]} from @returns {Walk<T>} */
+export const walkFrom = (from) => ({ from, at: from, by: [], size: Infinity, limit: Infinity, order: 0, end: null });
+
+/** So many steps are taken: coordinates may approach a node each like a power of its own. */
+const LONGEST = 3 * STEPS;
+
+/** Takes a step to where f would be stationary; whether more of them may lead to where it is, and f is zero. @param {Walk<any>} walk @param {number[]} jet @param {number[]} by @param {Reach} reach */
+export function step(walk, jet, by, { extent, far }) {
+  const { size: before, limit, order } = walk;
+  walk.size = norm(by);
+  walk.limit = order > 1 ? limit : walk.size;
+  const isStraight = order === 1 && dot(by, walk.by) > STRAIGHT * walk.size * before;
+  walk.order = (isStraight && ORDERS.find((n) => Math.abs(1 - 1 / n - walk.size / before) < ALIKE)) || 1;
+  walk.by = by;
+  walk.at = ahead(walk.at, by, -walk.order);
+  const mayEnd = Math.abs(jet[0] - dot(by, jet.slice(1)) / 2) <= largestOf(jet.slice(4)) * (HIGHER * dot(by, by) + ZERO * extent ** 2);
+  return mayEnd && walk.size <= SHRINKING * limit && gap(walk.at, walk.from) <= far;
 }
+
+/**
+ * Walks until they end on the surface, or lead to nothing. All take a step together: one by one, calls took most of the time.
+ * @template {Walk<any>} W @param {Jets} jets @param {W[]} walks @param {Reach} reach @param {(walk: W, jet: number[]) => boolean} goesOn takes a step @param {(walk: W, jet: number[]) => W['end']} endOf
+ */
+export function walkOn(jets, walks, { extent }, goesOn, endOf) {
+  let walking = walks;
+  for (let k = 0; k < LONGEST && walking.length > 0; k++) {
+    const seen = jets(walking.flatMap(({ at }) => at));
+    walking = walking.filter((walk, i) => {
+      const jet = jetOf(seen, i);
+      const isOn = goesOn(walk, jet);
+      if (!(walk.size <= AT_REST * extent)) return isOn;
+      if (isZero(jet, extent)) walk.end = endOf(walk, jet);
+      return false;
+    });
+  }
+}
+
+/** Whether f is zero but for rounding. @param {number[]} jet @param {number} extent of the box */
+const isZero = (jet, extent) => Math.abs(jet[0]) <= ZERO * largestOf(jet.slice(4)) * extent ** 2;
 
 /** Steps to a cuspidal edge from beside it, and the part of how far off it may be that third derivatives are differences over. */
 const [EDGE_STEPS, DIFFERENCE] = [4, 1e-4];
 
 /**
- * The places on cuspidal edges beside some places. There f″ is of rank 1, and in the plane in which it is zero third derivatives are a cube, c(b·v)³: the sheets end along the edge, at right angles to b.
+ * The place on a cuspidal edge beside a place. There f″ is of rank 1, and in the plane in which it is zero third derivatives are a cube, c(b·v)³: the sheets end along the edge, at right angles to b.
  * The gradient vanishes with the square of how far off the edge is, f″ with itself: so what is zero is the gradient along the axis of f″, and its trace in the plane.
- * @param {Jets} jets @param {number[][]} places @param {number} far @param {number} size of the box
- * @returns {(Crossing | null)[]}
+ * @param {Jets} jets @param {number[]} from @param {Reach} reach
+ * @returns {Crossing | null}
  */
-function edgesFrom(jets, places, far, size) {
+function edgeFrom(jets, from, { extent, far }) {
   const h = DIFFERENCE * far;
-  /** @type {{ place: number[], along: number[], isOn: boolean }[]} */
-  let edges = places.map((place) => ({ place, along: [], isOn: false }));
-  for (let k = 0; k < EDGE_STEPS && edges.length > 0; k++) {
-    const here = jets(edges.flatMap(({ place }) => place));
-    const frames = edges.map((_, i) => {
-      const { axis, trace, largest } = formOf(jetOf(here, i).slice(4));
-      return { axis, trace, largest, plane: planeOf(axis) };
-    });
-    const beside = jets(
-      edges.flatMap(({ place }, i) => frames[i].plane.flatMap((e) => [1, -1].flatMap((sign) => place.map((x, j) => x + sign * h * e[j])))),
-    );
-    edges = edges.map(({ place }, i) => {
-      const { axis, trace, largest, plane } = frames[i];
-      const flat = (/** @type {number[]} */ jet) => traceOf(jet.slice(4)) - dot(axis, times(jet.slice(4), axis));
-      const jet = jetOf(here, i);
-      const slopes = plane.map((_, j) => (flat(jetOf(beside, 4 * i + 2 * j)) - flat(jetOf(beside, 4 * i + 2 * j + 1))) / (2 * h));
-      const bend = plane[0].map((x, j) => slopes[0] * x + slopes[1] * plane[1][j]);
-      const cube = norm(bend);
-      const across = unit(bend);
-      const [rise, fall] = [dot(axis, jet.slice(1, 4)) / trace, flat(jet) / cube];
-      const isOn =
-        Math.abs(jet[0]) <= ZERO * largest * size ** 2 &&
-        norm(jet.slice(1, 4)) <= ZERO * largest * size &&
-        Math.abs(fall) <= AT_REST * size;
-      return { place: place.map((x, j) => x - rise * axis[j] - fall * across[j]), along: cross(axis, across), isOn };
-    });
+  let place = from;
+  /** @type {Crossing | null} */
+  let edge = null;
+  for (let k = 0; k < EDGE_STEPS; k++) {
+    const jet = jetOf(jets(place), 0);
+    const [slope, second] = [jet.slice(1, 4), jet.slice(4)];
+    const { axis, trace, largest } = formOf(second);
+    const flat = (/** @type {number[]} */ six) => traceOf(six) - dot(axis, times(six, axis));
+    const plane = planeOf(axis);
+    const beside = jets(plane.flatMap((e) => [h, -h].flatMap((by) => ahead(place, e, by))));
+    const [p, m, q, n] = [0, 1, 2, 3].map((i) => flat(jetOf(beside, i).slice(4)));
+    const bend = ahead(scaled(plane[0], (p - m) / (2 * h)), plane[1], (q - n) / (2 * h));
+    const across = unit(bend);
+    const fall = flat(second) / norm(bend);
+    place = ahead(ahead(place, axis, -dot(axis, slope) / trace), across, -fall);
+    const isOn = isZero(jet, extent) && norm(slope) <= ZERO * largest * extent && Math.abs(fall) <= AT_REST * extent;
+    edge = isOn ? { place, along: cross(axis, across), isEdge: true } : null;
   }
-  return edges.map(({ place, along, isOn }) => (isOn ? { place, along, isEdge: true } : null));
+  return edge;
 }
 
 /**
- * The crossings to which steps lead from some places, none where they lead to none. All take a step together.
- * @param {(places: ArrayLike<number>) => Float64Array} jets @param {number[][]} places @param {number} far no step leads farther from where it began
- * @param {number} size of the box
+ * The crossings to which steps lead from some places, none where they lead to none.
+ * @param {Jets} jets @param {number[][]} places @param {number} far no step leads farther from where it began
+ * @param {number} extent of the box
  * @returns {(Crossing | null)[]} one a place
  */
-export function crossingsFrom(jets, places, far, size) {
-  const walks = places.map((from) => ({
-    from,
-    at: from,
-    by: /** @type {number[]} */ ([]),
-    size: Infinity,
-    order: 0,
-    isFlat: false,
-    crossing: /** @type {Crossing | null} */ (null),
-  }));
-  let walking = walks;
-  for (let k = 0; k < STEPS && walking.length > 0; k++) {
-    const seen = jets(walking.flatMap(({ at }) => at));
-    walking = walking.filter((walk, i) => {
-      const jet = jetOf(seen, i);
-      const { isLine, axis, back, product, largest } = formOf(jet.slice(4));
-      walk.isFlat = !isLine;
-      if (walk.isFlat) return false;
-      const by = back(jet.slice(1, 4));
-      const step = norm(by);
-      const order = orderOf(by, step, walk);
-      walk.at = walk.at.map((x, j) => x - order * by[j]);
-      const isAtRest = step <= AT_REST * size;
-      if (isAtRest && product < 0 && Math.abs(jet[0]) <= ZERO * largest * size ** 2) walk.crossing = { place: walk.at, along: axis };
-      /* To a crossing steps shrink; by far most walks lead to none, and end here. */
-      const isOn = !isAtRest && endsAtZero(jet, by, largest, size) && step <= SHRINKING * walk.size && gap(walk.at, walk.from) <= far;
-      walk.by = by;
-      walk.size = step;
-      walk.order = order;
-      return isOn;
-    });
-  }
-  const flat = walks.filter(({ isFlat }) => isFlat);
-  for (const [i, edge] of edgesFrom(
+export function crossingsFrom(jets, places, far, extent) {
+  const reach = { extent, far };
+  /** @type {(Walk<Crossing> & { isFlat?: boolean })[]} */
+  const walks = places.map((from) => walkFrom(from));
+  walkOn(
     jets,
-    flat.map(({ at }) => at),
-    far,
-    size,
-  ).entries())
-    flat[i].crossing = edge;
-  return walks.map(({ crossing }) => crossing);
+    walks,
+    reach,
+    (walk, jet) => {
+      const { isLine, back } = formOf(jet.slice(4));
+      walk.isFlat = !isLine;
+      return isLine && step(walk, jet, back(jet.slice(1, 4)), reach);
+    },
+    ({ at }, jet) => {
+      const { product, axis } = formOf(jet.slice(4));
+      return product < 0 ? { place: at, along: axis } : null;
+    },
+  );
+  return walks.map(({ at, end, isFlat }) => (isFlat ? edgeFrom(jets, at, reach) : end));
 }
