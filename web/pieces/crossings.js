@@ -4,10 +4,10 @@
  */
 
 import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
-import { scaled, solveLinear } from '../creases/linear.js';
+import { ahead, scaled, solveLinear } from '../creases/linear.js';
 import { isGeodesic, mostOf, stalled } from '../path.js';
 import { holds } from '../search/candidates.js';
-import { shortestWay } from '../search/chain.js';
+import { shortestWay, tableOf } from '../search/chain.js';
 import { concatenate, inOrder, joinLegs, reverse } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
 import { roughlyIn } from '../search/rough.js';
@@ -20,8 +20,9 @@ import { AT_REST as NEAR_REST, crossingsFrom, jetOf } from './singular.js';
 /** @typedef {import('../runtime/heap.js').SolveOptions} SolveOptions */
 /** @typedef {import('./singular.js').Crossing} Crossing */
 /** @typedef {{ points: Float64Array, length: number }} Drawn a polyline on the surface */
-/** @typedef {{ line: Float64Array, length: number, pulls?: number[][] }} Leg its polyline as it was solved last */
-/** @typedef {{ legs: Leg[], joints: Crossing[] }} Route one joint less than legs */
+/** @typedef {{ line: Float64Array, length: number, pulls: number[][] }} Leg */
+/** @typedef {{ legs: Pick<Leg, 'line'>[], joints: Crossing[] }} Route polylines of legs, and one joint less */
+/** @typedef {{ legs: Leg[], joints: Crossing[], length: number }} Solved */
 /** @typedef {{ field: Field, ends: number[][], exactness: Exactness, budget: { moves: number } }} Question budget: of nodes, for all that is tried */
 
 /** A polyline passes a crossing where it leads nearer to it than so many of its chords are long. */
@@ -77,12 +78,10 @@ function leadOver(field, net, crossings, ends, options, known) {
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
   const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
   const drawn = [...ways, ...waysOver(field, net.crossings, crossings, ends)].sort((a, b) => a.length - b.length);
-  /** @type {Route[]} */
-  const found = [];
   const asked = { field, ends, budget: { moves: Infinity } };
   let shortest = mostOf(known);
   let missed = Infinity;
-  /** @type {{ joints: Crossing[], path: Route | null }[]} */
+  /** @type {{ joints: Crossing[], path: Solved | null }[]} */
   const tried = [];
   for (const { points, length } of drawn) {
     if (length > LONGER * shortest) break;
@@ -92,43 +91,47 @@ function leadOver(field, net, crossings, ends, options, known) {
     for (const open = [first]; open.length > 0 && tried.length < MOST_ROUTES; ) {
       const route = /** @type {Route} */ (open.shift());
       const { joints } = route;
-      const other = tried.find((one) => areBeside(joints, one.joints, BESIDE * length));
-      const path = other ? other.path : balance({ ...asked, exactness: passesEdge(route) ? ROUGHLY : EXACTLY }, route);
-      if (!other) tried.push({ joints, path });
-      if (path && !other) found.push(path);
-      if (path) least = Math.min(least, lengthOf(path.legs));
+      let one = tried.find((other) => areBeside(joints, other.joints, BESIDE * length));
+      if (!one) {
+        one = { joints, path: balance({ ...asked, exactness: passesEdge(route) ? ROUGHLY : EXACTLY }, route) };
+        tried.push(one);
+      }
+      least = Math.min(least, one.path?.length ?? Infinity);
       if (joints.length > 1) open.push(...joints.map((_, j) => without(route, j)));
     }
     const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + (passesEdge(first) ? OVER_EDGE : ROUGH));
     shortest = Math.min(shortest, least || Infinity);
     if (least > most) missed = Math.min(missed, most);
   }
-  found.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs));
-  /** @type {Route | null} */
+  const found = tried.flatMap(({ path }) => path ?? []).sort((a, b) => a.length - b.length);
+  /** @type {Solved | null} */
   let best = null;
   shortest = mostOf(known);
   for (const route of found) {
-    const least = lengthOf(route.legs) * (passesEdge(route) ? 1 - ROUGH : 1);
+    const isRough = passesEdge(route);
+    const least = route.length * (isRough ? 1 - ROUGH : 1);
     if (least > shortest) break;
-    const path = passesEdge(route) ? solveExactly(field, ends, route, options.tolerance) : route;
-    if (path && lengthOf(path.legs) < shortest) best = path;
-    if (best) shortest = lengthOf(best.legs);
-    if (path) continue;
-    /* Where one edge is lost in rounding, others are. */
-    missed = Math.min(missed, least);
-    break;
+    const path = isRough ? solveExactly(field, ends, route, options.tolerance) : route;
+    if (!path) {
+      /* Where one edge is lost in rounding, others are. */
+      missed = Math.min(missed, least);
+      break;
+    }
+    if (path.length >= shortest) continue;
+    best = path;
+    shortest = path.length;
   }
-  const isRough = !best && !isGeodesic(known) && found.length > 0;
-  if (!best && !isRough) return known;
-  const { legs, joints } = best ?? found[0];
+  const chosen = best ?? (isGeodesic(known) ? null : found[0]);
+  if (!chosen) return known;
+  const { legs, joints } = chosen;
   const places = placesOf({ ends }, joints);
   const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
-    solveAlong(field, [places[k], places[k + 1]], isRough ? roughlyIn(asked.points) : asked, legs[k].line);
+    solveAlong(field, [places[k], places[k + 1]], best ? asked : roughlyIn(asked.points), legs[k].line);
   const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
   return missed < path.length ? { ...stalled(path), lengthError: path.length - missed } : path;
 }
 
-/** A route over edges, solved as exactly as they allow; null: not so exactly as asked. @param {Field} field @param {number[][]} ends @param {Route} route @param {number} tolerance @returns {Route | null} */
+/** A route over edges, solved as exactly as they allow; null: not so exactly as asked. @param {Field} field @param {number[][]} ends @param {Route} route @param {number} tolerance @returns {Solved | null} */
 function solveExactly(field, ends, route, tolerance) {
   const budget = { moves: MOST_WORK };
   for (const finer of FINER) {
@@ -143,27 +146,20 @@ function solveExactly(field, ends, route, tolerance) {
  * @param {Field} field @param {Crossing[]} all @param {Crossing[]} near those of interest @param {number[][]} ends @returns {Drawn[]}
  */
 function waysOver(field, all, near, ends) {
-  const places = all.flatMap(({ place }) => place);
+  const places = all.map(({ place }) => place);
+  const stops = [...places, ...ends];
   return field.run((heap, record) => {
     const graph = field.graphs.find(heap, record, field, 0);
     if (graph?.status !== CONVERGED) return [];
-    const stops = [...ends, ...all.map(({ place }) => place)];
-    const lengths = new Float64Array(stops.length ** 2).fill(Infinity);
-    const measured = (/** @type {number[]} */ from) => heap.measureField(record, graph, from, places).lengths;
-    const fill = (/** @type {number} */ i, /** @type {Float64Array} */ row) =>
-      row.forEach((length, k) => {
-        lengths[stops.length * i + k + 2] = lengths[stops.length * (k + 2) + i] = length;
-      });
-    for (const [i, end] of ends.entries()) fill(i, measured(end));
-    for (const [i, one] of all.entries()) {
-      if (!one.isEdge) continue;
-      one.lengths ??= measured(one.place);
-      fill(i + 2, one.lengths);
-    }
+    const measured = (/** @type {number[]} */ from) => heap.measureField(record, graph, from, places.flat()).lengths;
+    for (const one of all) if (one.isEdge) one.lengths ??= measured(one.place);
+    const rows = [...all.map((one) => one.lengths ?? []), ...ends.map(measured)];
+    const known = (/** @type {number} */ i, /** @type {number} */ j) => rows[i][j] ?? rows[j][i] ?? Infinity;
+    const lengths = tableOf(stops.length, (i, j) => (i > j ? known(i, j) : known(j, i)));
     const over = near.flatMap((joint) => {
-      const [there, back] = ends.map((_, end) => shortestWay(stops.length, lengths, end, all.indexOf(joint) + 2));
+      const [there, back] = ends.map((_, end) => shortestWay(stops.length, lengths, all.length + end, all.indexOf(joint)));
       const way = [...there.way, ...back.way.reverse().slice(1)];
-      const joints = way.slice(1, -1).map((stop) => all[stop - 2]);
+      const joints = way.slice(1, -1).map((stop) => all[stop]);
       return joints.length > 0 && joints.every(Boolean) ? [{ way, joints, length: there.length + back.length }] : [];
     });
     over.sort((one, other) => one.length - other.length);
@@ -190,11 +186,14 @@ const areBeside = (some, others, far) =>
 /** Nodes, and between two whose normals are turned over, where the chord leads from sheet to sheet, the place on the edge beyond it in which these end. @param {import('./singular.js').Jets} jets @param {number[][]} nodes @param {number} far @param {number} size */
 function withEdges(jets, nodes, far, size) {
   const seen = jets(nodes.flat());
-  const slopes = nodes.map((_, i) => jetOf(seen, i).slice(1, 4));
-  const isTurned = slopes.map((slope, i) => i > 0 && dot(slope, slopes[i - 1]) < 0);
-  const middles = nodes.map((node, i) => node.map((x, j) => (isTurned[i] ? (x + nodes[i - 1][j]) / 2 : x)));
+  const slopeAt = (/** @type {number} */ i) => jetOf(seen, i).slice(1, 4);
+  const turned = [...nodes.keys()].filter((i) => i > 0 && dot(slopeAt(i), slopeAt(i - 1)) < 0);
+  const middles = turned.map((i) => nodes[i].map((x, j) => (x + nodes[i - 1][j]) / 2));
   const edges = crossingsFrom(jets, middles, far, size);
-  return nodes.flatMap((node, i) => (isTurned[i] && edges[i]?.isEdge ? [edges[i].place, node] : [node]));
+  return nodes.flatMap((node, i) => {
+    const edge = edges[turned.indexOf(i)];
+    return edge?.isEdge ? [edge.place, node] : [node];
+  });
 }
 
 /** A polyline cut where it passes crossings; its nodes beside these may lie on any sheet. @param {Field} field @param {number[][]} ends @param {Float64Array} line @returns {Route} */
@@ -214,29 +213,32 @@ function split({ jets }, ends, line) {
     }
     const away = gap(joint.place, inner[i]);
     const before = passed.at(-1);
-    const isSame = before?.last === i - 1 && areAlike(joint, before.joint);
-    if (!isSame) between.push([]);
-    if (isSame) passed.pop();
-    passed.push({ ...(isSame && before.away < away ? before : { joint, away }), last: i });
+    if (before?.last !== i - 1 || !areAlike(joint, before.joint)) {
+      between.push([]);
+      passed.push({ joint, away, last: i });
+      continue;
+    }
+    if (away <= before.away) Object.assign(before, { joint, away });
+    before.last = i;
   }
   const joints = passed.map(({ joint }) => joint);
   const places = placesOf({ ends }, joints);
   return {
     joints,
-    legs: between.map((own, k) => ({ line: Float64Array.from([places[k], ...own, places[k + 1]].flat()), length: Number.NaN })),
+    legs: between.map((own, k) => ({ line: Float64Array.from([places[k], ...own, places[k + 1]].flat()) })),
   };
 }
 
 /** A path that goes on within a sheet where it had a joint. @param {Route} route @param {number} j @returns {Route} */
 function without({ joints, legs }, j) {
   const line = Float64Array.from([...legs[j].line.slice(0, -3), ...legs[j + 1].line.slice(3)]);
-  return { joints: joints.filter((_, i) => i !== j), legs: [...legs.slice(0, j), { line, length: Number.NaN }, ...legs.slice(j + 2)] };
+  return { joints: joints.filter((_, i) => i !== j), legs: [...legs.slice(0, j), { line }, ...legs.slice(j + 2)] };
 }
 
 /**
  * The leg near that line between two places, null if it does not hold. Where one ends at an edge, there it is no smoother than a power of 3/2, and its direction is known much worse than its length: how
  * this changes is a difference.
- * @param {Question} question @param {Leg} leg @param {number[][]} places @param {(Crossing | undefined)[]} joints which of these are joints @returns {Leg | null}
+ * @param {Question} question @param {Pick<Leg, 'line'>} leg @param {number[][]} places @param {(Crossing | undefined)[]} joints which of these are joints @returns {Leg | null}
  */
 function solveLeg({ field, exactness: { options, aside }, budget }, { line }, places, joints) {
   if (budget.moves < 0) return null;
@@ -257,19 +259,19 @@ function solveLeg({ field, exactness: { options, aside }, budget }, { line }, pl
   return solved;
 }
 
-/** All legs over these joints; null: one does not hold. @param {Question} question @param {Route} route @returns {Route | null} */
+/** All legs over these joints; null: one does not hold. @param {Question} question @param {Route} route @returns {Solved | null} */
 function solveAll(question, { joints, legs }) {
   const places = placesOf(question, joints);
   const solved = legs.map((leg, k) => solveLeg(question, leg, [places[k], places[k + 1]], [joints[k - 1], joints[k]]));
-  return solved.every((leg) => leg !== null) ? { joints, legs: solved } : null;
+  return solved.every((leg) => leg !== null) ? { joints, legs: solved, length: lengthOf(solved) } : null;
 }
 
 /** A crossing moved along its curve. @param {Field} field @param {Crossing} crossing @param {number} by @param {number} size of what is between the ends @returns {Crossing | null} */
 const moved = ({ jets }, { place, along }, by, size) =>
-  crossingsFrom(jets, [place.map((x, k) => x + by * along[k])], Math.abs(by) + NEAR_REST * size, size)[0];
+  crossingsFrom(jets, [ahead(place, along, by)], Math.abs(by) + NEAR_REST * size, size)[0];
 
-/** How long the shorter of the two legs beside each joint is. @param {Leg[]} legs */
-const leastBeside = (legs) => legs.slice(1).map(({ length }, j) => Math.min(legs[j].length, length));
+/** How long the shorter, or the longer, of the two legs beside each joint is. @param {Leg[]} legs @param {(a: number, b: number) => number} choose */
+const beside = (legs, choose) => legs.slice(1).map(({ length }, j) => choose(legs[j].length, length));
 
 /** Whether a matrix is positive definite, that is zero but on its diagonal and beside it. @param {number[][]} matrix */
 function isPositive(matrix) {
@@ -282,7 +284,7 @@ function isPositive(matrix) {
 
 /**
  * Moves joints until the length does not change with them; null: they do not come to rest, or where it is no minimum.
- * @param {Question} question @param {Route} route @returns {Route | null}
+ * @param {Question} question @param {Route} route @returns {Solved | null}
  */
 function balance(question, route) {
   const { field, ends, exactness } = question;
@@ -293,7 +295,7 @@ function balance(question, route) {
       legs,
       placesOf({ ends }, joints),
       joints.map(({ along }) => along),
-      leastBeside(legs).map((least) => exactness.aside * least),
+      beside(legs, Math.min).map((least) => exactness.aside * least),
       (j, by) => moved(field, joints[j], by, gap(ends[0], ends[1])),
       (i, from, to) => solveLeg(question, legs[i], [from, to], [joints[i - 1], joints[i]]),
     );
@@ -305,16 +307,16 @@ function balance(question, route) {
   return null;
 }
 
-/** A path whose joints are moved back by a step, or a part of it, and that is no longer; null: there is none. @param {Question} question @param {Route} route @param {number[]} step @returns {Route | null} */
+/** A path whose joints are moved back by a step, or a part of it, and that is no longer; null: there is none. @param {Question} question @param {Solved} route @param {number[]} step @returns {Solved | null} */
 function descend(question, route, step) {
   const { field, ends, exactness } = question;
   const size = gap(ends[0], ends[1]);
-  const longest = route.joints.map((_, j) => Math.max(route.legs[j].length, route.legs[j + 1].length));
+  const longest = beside(route.legs, Math.max);
   const most = Math.max(1, ...step.map((x, j) => Math.abs(x) / (FARTHEST * longest[j])));
   for (let factor = 1 / most; factor > SHORTEST; factor /= 2) {
     const joints = route.joints.map((joint, j) => moved(field, joint, -factor * step[j], size));
     const tried = joints.every((joint) => joint !== null) ? solveAll(question, { joints, legs: route.legs }) : null;
-    if (tried && lengthOf(tried.legs) <= lengthOf(route.legs) * (1 + exactness.options.tolerance)) return tried;
+    if (tried && tried.length <= route.length * (1 + exactness.options.tolerance)) return tried;
   }
   return null;
 }

@@ -8,6 +8,9 @@ import { reverse } from './join.js';
 /** So many legs are solved at most. */
 const MOST_LEGS = 64;
 
+/** What is between each of so many places and each, row by row. @param {number} count @param {(i: number, j: number) => number} between */
+export const tableOf = (count, between) => Float64Array.from({ length: count ** 2 }, (_, k) => between(Math.floor(k / count), k % count));
+
 /**
  * The shortest way from one place to another. @param {number} count of places @param {Float64Array} lengths of each to each @param {number} [from] @param {number} [to]
  * @returns {{ way: number[], length: number }} places, none: there is no way
@@ -39,12 +42,12 @@ export function shortestWay(count, lengths, from = 0, to = 1) {
  *   solvedWay: the shortest between two places of legs that were; least: the length of the shortest way if those that came to nothing, and may be legs all the same, count as long as they are at least
  */
 export function findChain(count, bound, solve, most = Infinity) {
-  const bounds = Float64Array.from({ length: count ** 2 }, (_, k) => bound(Math.floor(k / count), k % count));
+  const bounds = tableOf(count, bound);
   const lengths = Float64Array.from(bounds);
-  /** @type {Map<number, Path>} */
-  const solved = new Map();
+  /** @type {(Path | undefined)[]} */
+  const solved = [];
   const legFrom = (/** @type {number} */ i, /** @type {number} */ j) => {
-    const path = solved.get(count * Math.min(i, j) + Math.max(i, j));
+    const path = solved[count * Math.min(i, j) + Math.max(i, j)];
     return path && i > j ? reverse(path) : path;
   };
   let { way, length } = shortestWay(count, lengths);
@@ -53,25 +56,28 @@ export function findChain(count, bound, solve, most = Infinity) {
     if (k < 0) break;
     const [i, j] = [way[k - 1], way[k]].sort((a, b) => a - b);
     const leg = solve(i, j);
-    solved.set(count * i + j, leg);
+    solved[count * i + j] = leg;
     lengths[count * i + j] = lengths[count * j + i] = mostOf(leg);
     ({ way, length } = shortestWay(count, lengths));
   }
-  const isSolved = lengths.map((_, k) => +solved.has(Math.min(k, count * (k % count) + Math.floor(k / count))));
   return {
     way,
     length,
     legsOf: (path) => path.slice(1).map((place, k) => legFrom(path[k], place)),
-    solvedWay(from, to) {
-      const own = lengths.map((known, k) => (isSolved[k] ? known : Infinity));
-      return shortestWay(count, own, from, to).way;
-    },
-    least(isOpen) {
-      const own = lengths.map((known, k) => {
-        const isMissing = isSolved[k] && known === Infinity && bounds[k] > 0;
-        return isMissing && isOpen(Math.floor(k / count), k % count) ? bounds[k] : known;
-      });
-      return shortestWay(count, own).length;
-    },
+    solvedWay: (from, to) =>
+      shortestWay(
+        count,
+        tableOf(count, (i, j) => (legFrom(i, j) ? lengths[count * i + j] : Infinity)),
+        from,
+        to,
+      ).way,
+    least: (isOpen) =>
+      shortestWay(
+        count,
+        tableOf(count, (i, j) => {
+          const [known, least] = [lengths, bounds].map((table) => table[count * i + j]);
+          return legFrom(i, j) && known === Infinity && least > 0 && isOpen(i, j) ? least : known;
+        }),
+      ).length,
   };
 }
