@@ -136,14 +136,15 @@ function waysBetween({ domain, pieces }, [from, to]) {
   const first = starts.find((i) => stops.includes(i)) ?? starts[0];
   const last = stops.includes(first) ? first : stops[0];
   const count = pieces.length;
-  /** So many pieces up (1) or down (−1). @param {number} step @param {number} steps */
-  const chain = (step, steps) =>
-    Array.from({ length: steps + 1 }, (_, k) => {
-      const piece = pieces[(first + k * step + count * (steps + 1)) % count];
+  /** So many pieces up, or down. @param {number} steps */
+  const chain = (steps) =>
+    Array.from({ length: Math.abs(steps) + 1 }, (_, k) => {
+      const step = Math.sign(steps);
+      const piece = pieces[(first + k * step + count) % count];
       const { lower, upper } = /** @type {Domain} */ (piece.domain);
       /* At a pole the coordinate around it is free. */
       const pole = (/** @type {number} */ side) => (side < 0 ? lower : upper).map((x, j) => (j === across ? x : from[j]));
-      const [begin, end] = [k === 0 && into(pinches, piece, from), k === steps && into(pinches, piece, to)];
+      const [begin, end] = [k === 0 && into(pinches, piece, from), k === Math.abs(steps) && into(pinches, piece, to)];
       return { piece, ends: [begin || pole(-step), end || pole(step)] };
     });
   /* An end that is a point between two pieces needs no leg from there to there, unless there is no other. */
@@ -152,11 +153,8 @@ function waysBetween({ domain, pieces }, [from, to]) {
     return needed.length > 0 ? needed : [legs[0]];
   };
   const up = (last - first + count) % count;
-  const all =
-    period > 0
-      ? [chain(1, up), ...(up === 0 ? [chain(1, count), chain(-1, count)] : [chain(-1, count - up)])]
-      : [chain(Math.sign(last - first), Math.abs(last - first))];
-  return all.map(trimmed);
+  const around = up === 0 ? [0, count, -count] : [up, up - count];
+  return (period > 0 ? around : [last - first]).map((steps) => trimmed(chain(steps)));
 }
 
 /**
