@@ -86,8 +86,8 @@ function joinFields(fields) {
  * @param {Field} field @param {string} caller @param {number[]} from on the surface @param {Float64Array} places @returns {Source[]}
  */
 function findSources(field, caller, from, places) {
-  const all = field.domain ? [] : netOf(field).nodes.map(({ at }) => at);
-  const nodes = all.filter((at) => gap(at, from) > SAME * gap(at, [0, 0, 0]));
+  const net = field.domain ? null : netOf(field);
+  const nodes = (net?.nodes ?? []).map(({ at }) => at).filter((at) => gap(at, from) > SAME * gap(at, [0, 0, 0]));
   const wanted = nodes.length > 0 ? Float64Array.from([...places, ...nodes.flat()]) : places;
   const count = places.length / from.length;
   /** @type {Source[]} */
@@ -165,7 +165,7 @@ function measure(field, caller, from, mesh, exact) {
   if (!exact) return rough;
   const { solve } = readOptions(caller, undefined);
   /* A way through the graph may pass a node unseen: what is beyond it is measured from there. */
-  const partsAt = sources.length > 1 ? netOf(field).partsAt : (/** @type {number[]} */ _) => [0];
+  const partsAt = (sources.length > 1 && netOf(field)?.partsAt) || ((/** @type {number[]} */ _) => [0]);
   const parts = Array.from(rough, (_, i) => partsAt([...mesh.positions.subarray(3 * i, 3 * i + 3)]));
   const distances = rough.map((length) => (length < Infinity ? Number.NaN : Infinity));
   for (const source of sources) {

@@ -293,7 +293,7 @@ function balance(question, route) {
     const { joints, legs } = now;
     const { slopes, matrix } = changes(
       legs,
-      placesOf({ ends }, joints),
+      placesOf(question, joints),
       joints.map(({ along }) => along),
       beside(legs, Math.min).map((least) => exactness.aside * least),
       (j, by) => moved(field, joints[j], by, gap(ends[0], ends[1])),

@@ -1,5 +1,6 @@
 /** Nodes of an implicit surface: points where ∇f = 0, and sheets meet as the halves of a double cone do, or two cusps; what of the surface hangs together without them, and where it crosses itself. */
 
+import { ahead, scaled } from '../creases/linear.js';
 import { gridOf } from '../manifold/extent.js';
 import { diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
 import { cofactors, crossingsFrom, formOf, isSaddle, jetOf, longest, planeOf, SINGULAR, STEPS, step, times, walkFrom, walkOn } from './singular.js';
@@ -61,9 +62,9 @@ function axisOf(jets, { at, second }, cell) {
     [1 - t * t, 2 * t],
     [t * t - 1, 2 * t],
   ]);
-  const around = halves.map(([x, y]) => unit(aside.map((along, j) => x * along + y * other[j])));
-  const directions = isLine ? [axis, axis.map((x) => -x)] : around;
-  let places = directions.map((along) => at.map((x, j) => x + cell * along[j]));
+  const around = halves.map(([x, y]) => unit(ahead(scaled(aside, x), other, y)));
+  const directions = isLine ? [axis, scaled(axis, -1)] : around;
+  let places = directions.map((along) => ahead(at, along, cell));
   let seen = jets(places.flat());
   const slopeOf = (/** @type {number} */ i) => listOf(seen, 10 * i + 1, 10 * i + 4);
   for (let k = 0; k < STEPS; k++) {

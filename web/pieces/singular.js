@@ -61,7 +61,7 @@ export function formOf(second) {
     if (!isLine) return bent.map((x) => x / trace ** 2);
     const turned = bent.map((x, j) => (trace * slope[j] - x) / product);
     const along = dot(turned, axis);
-    return turned.map((x, j) => x - along * axis[j]);
+    return ahead(turned, axis, -along);
   };
   return { isLine, axis, back, trace, product, largest };
 }

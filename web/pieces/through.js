@@ -34,10 +34,10 @@ function boxAround([from, to], length) {
   });
 }
 
-/** The nodes within the bounds, none where there are none. @param {Field} field of an implicit surface */
+/** The nodes within the bounds; null where there are no bounds. @param {Field} field of an implicit surface */
 export function netOf(field) {
   const { box, graphs } = field;
-  graphs.net ??= box ? findNet(field, box, FINE) : { nodes: [], partsAt: () => [], near: 0, crossings: [], apart: 0 };
+  graphs.net ??= box && findNet(field, box, FINE);
   return graphs.net;
 }
 
@@ -47,7 +47,7 @@ export function netOf(field) {
  * @returns {Path}
  */
 export function findThrough(field, ends, options) {
-  const { box, domain } = field;
+  const { domain } = field;
   /** @type {Path | undefined} */
   let within;
   const solve = () => (within ??= findGlobal(field, ends, options, 1)[0]);
@@ -62,7 +62,8 @@ export function findThrough(field, ends, options) {
     return inOrder(null, ends, (both, isTurned) => joinThrough(field, net, both, options, () => (isTurned ? reverse(solve()) : solve())));
   };
   if (domain) return solve();
-  return box ? through(netOf(field)) : findFarther(field, ends, through);
+  const net = netOf(field);
+  return net ? through(net) : findFarther(field, ends, through);
 }
 
 /**
