@@ -3,7 +3,21 @@
 import { ahead, scaled } from '../creases/linear.js';
 import { gridOf } from '../manifold/extent.js';
 import { diagonalOf, distancesFrom, dot, gap, largest as largestOf, listOf, minus, norm, unit } from '../vector.js';
-import { cofactors, crossingsFrom, formOf, isSaddle, jetOf, longest, planeOf, SINGULAR, STEPS, step, times, walkFrom, walkOn } from './singular.js';
+import {
+  cofactors,
+  crossingsFrom,
+  formOf,
+  isSaddle,
+  jetOf,
+  longest,
+  planeOf,
+  SINGULAR,
+  STEPS,
+  step,
+  times,
+  walkFrom,
+  walkOn,
+} from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('./singular.js').Crossing} Crossing */
