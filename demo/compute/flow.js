@@ -12,6 +12,7 @@ import {
   meshNow,
   moveEnds,
   pointsOfPath,
+  projected,
   repairEnds,
   surfaceNow,
 } from './footing.js';
@@ -172,7 +173,7 @@ export async function rebuild({ frame, direction, view }) {
 /** Ends that are left behind by the surface are moved onto it: to the nearest places, else anywhere. */
 async function fetchEnds() {
   const mine = builds;
-  for (const elsewhere of [mended, () => chooseEnds(surfaceNow(), meshNow(), state.seen)]) {
+  for (const elsewhere of [mended, projected, () => chooseEnds(surfaceNow(), meshNow(), state.seen)]) {
     if (mine !== builds || state.moving || !areLeftBehind()) return;
     moveEnds(elsewhere());
     await solve(true);

@@ -1,6 +1,6 @@
 /** Where the sketch's points stand on the surface that is seen; and moved back onto it, where it has left them behind. */
 
-import { areOneDot, describeMoved, findBadEnd, mendEnds, placeOf } from '../state/ends.js';
+import { areOneDot, describeMoved, findBadEnd, mendEnds, onto, placeOf } from '../state/ends.js';
 import { surfaceOf } from '../state/sketch.js';
 import { chosenPath, state } from '../state/state.js';
 
@@ -11,6 +11,12 @@ import { chosenPath, state } from '../state/state.js';
 export function mended() {
   const { surface, drawn, mesh, shown, sketch, seen } = /** @type {any} */ (state);
   return mendEnds(sketch.kind, { surface, drawn, mesh }, surfaceOf(shown), sketch.ends, seen);
+}
+
+/** The ends of the sketch on the surface: the solver goes downhill from where they are, and may get nowhere, or too far, where there is a place nearby. */
+export function projected() {
+  const { drawn, shown, sketch } = /** @type {any} */ (state);
+  return sketch.ends.map((/** @type {number[]} */ end) => onto(drawn, surfaceOf(shown), end) ?? end);
 }
 
 /** Ends elsewhere, as the note says; points on the way go. @param {number[][]} ends @param {import('../state/ends.js').Why} [why] */

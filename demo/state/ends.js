@@ -55,7 +55,7 @@ export const rangesOf = ({ domain }, { bounds }) => (domain ? [domain.u, domain.
 const FAR = 0.1;
 
 /**
- * A point as one of a surface: an implicit one is so near that it can be moved there, downhill, as the solver does it. Null: it is not on the surface.
+ * A point as one of a surface: an implicit one is so near that it can be moved there, downhill. Null: it is not on the surface.
  * @param {Surface} drawn @param {any} definition of it @param {number[]} point
  */
 export function onto(drawn, { bounds }, point) {

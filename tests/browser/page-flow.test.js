@@ -66,6 +66,22 @@ describe('changes that overtake each other', () => {
     assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
+  test('one from which the solver gets nowhere downhill goes to the place nearby, not anywhere', async () => {
+    const f = '(x^2+(9/4)y^2+z^2-1)^3-x^2z^3-(9/80)y^2z^3';
+    const bounds = { 'x-from': '-1.5', 'x-to': '1.5', 'z-from': '-1.5', 'z-to': '1.5' };
+    const ends = [
+      [0.8, 0.3, 0.5],
+      [-0.8, -0.3, 0.5],
+    ];
+    await openSketch(page, { entry: 'own-implicit', texts: { f, ...bounds }, ends });
+    assert.equal(await status(), 'converged', await text('#advice'));
+    for (const [i, end] of ends.entries())
+      for (const [k, x] of end.entries()) {
+        const now = Number(await page.inputValue(`#end-${i}-${k}`));
+        assert.ok(Math.abs(now - x) < 0.15, `${x} became ${now}`);
+      }
+  });
+
   test('and those where it has no value', async () => {
     await openEntry(page, 'own-graph');
     await page.fill('#field-z', 'sqrt(4-x^2-y^2)');
