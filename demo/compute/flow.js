@@ -94,8 +94,8 @@ function begin() {
   return ++turn;
 }
 
-/** Whether what is seen is a surface of the sketch's kind, so that the sketch's points lie on it. */
-const isReady = () => state.surface !== null && !state.building && state.shown?.kind === state.sketch.kind;
+/** Whether what is seen is what the sketch began with, so that the sketch's points lie on it. */
+const isReady = () => state.surface !== null && !state.building && state.shown?.entry === state.sketch.entry;
 
 /** What was to be computed cannot be: says why, and comes to rest. @param {Partial<import('../state/state.js').State>} why */
 function give(why) {

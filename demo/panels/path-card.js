@@ -198,7 +198,7 @@ function placeOfRow({ drawn, shown, building, sketch }, row, point) {
   const last = written[row];
   const isHere = document.getElementById(`end-${row}-0`)?.closest('.end')?.contains(document.activeElement);
   if (last?.point === point && (isHere || last.shown === shown)) return last.place;
-  const isKnown = drawn && shown && !isHere && !building && shown.kind === sketch.kind;
+  const isKnown = drawn && shown && !isHere && !building && shown.entry === sketch.entry;
   const place = (isKnown && onto(drawn, surfaceOf(shown), point)) || point;
   written[row] = { point, shown: isKnown ? shown : null, place };
   return place;

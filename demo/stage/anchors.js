@@ -117,7 +117,7 @@ function renderHandles(view) {
   const { drawn, mesh, building } = state;
   // The sketch's points belong to a surface that is not here yet.
   if (building) return;
-  const wanted = drawn && mesh && state.shown?.kind === state.sketch.kind ? points() : [];
+  const wanted = drawn && mesh && state.shown?.entry === state.sketch.entry ? points() : [];
   while (handles.length > wanted.length) handles.pop()?.dispose();
   if (!drawn || !state.shown) return;
   if (themeOfHandles !== view.theme) colourHandles(view);

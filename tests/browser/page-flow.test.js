@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { allowance } from '../helpers/allowance.js';
+import { sketchOf } from '../../demo/state/sketch.js';
 import { COARSE, hashOf, openBrowser, openEntry, openPage, openSettled, openSketch, settled } from '../helpers/page.js';
 
 /** @type {Awaited<ReturnType<typeof openBrowser>>} */ let browser;
@@ -200,6 +201,23 @@ describe('changes that overtake each other', () => {
     const target = await other.evaluate(() => /** @type {any} */ (window).surfpathView.controls.target.toArray());
     assert.ok(Math.abs(target[0] - 30) < 1, `looks at ${target}`);
     await other.close();
+  });
+
+  test('after a mistake in a link the surface seen before stays, but the ends of the link are not put onto it', async () => {
+    await openEntry(page, 'genus2');
+    const before = await text('#length');
+    const { ends } = sketchOf('own-implicit');
+    await openSketch(page, { entry: 'own-implicit', texts: { f: 'x^2+y^2+z^2-' } });
+    assert.equal(await text('#status'), 'Last good surface');
+    assert.equal(await page.locator('.surfpath-handle').count(), 0);
+    for (const [k, x] of ends[0].entries()) assert.equal(Number(await page.inputValue(`#end-0-${k}`)), x);
+    await page.fill('#end-0-0', '0.3');
+    await rest();
+    assert.equal(await text('#length'), before, 'nothing is computed on a surface of another entry');
+    await page.fill('#field-f', 'x^2+y^2+z^2-1');
+    await rest();
+    assert.equal(await status(), 'converged', await text('#advice'));
+    assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
   test('a metric that is none has no ellipses', async () => {
