@@ -28,10 +28,14 @@ function bump() {
   }
   const domain = state.surface?.domain;
   if (!domain) return '';
-  const { u, v } = domain;
   const [a, b] = [0, 1].map((k) => (ends[0][k] + ends[1][k]) / 2);
-  const [p, q] = [u, v].map(([low, high]) => ((high - low) / 7) ** 2);
-  return `1+3*exp(-${shifted('u', a)}^2/${write(p)}-${shifted('v', b)}^2/${write(q)})`;
+  const term = (/** @type {'u' | 'v'} */ name, /** @type {number} */ middle) => {
+    const width = domain[name][1] - domain[name][0];
+    const [away, turn] = [shifted(name, middle), width / Math.PI];
+    // Around a direction that closes a density must repeat, or the surface is cut there.
+    return `-${domain.periodic[name] ? `(${turn}sin(${away}/${turn}))` : away}^2/${write((width / 7) ** 2)}`;
+  };
+  return `1+3*exp(${term('u', a)}${term('v', b)})`;
 }
 
 /** Nine times as long across as along a direction that turns. @param {string} angle in brackets */

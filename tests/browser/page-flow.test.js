@@ -220,6 +220,20 @@ describe('changes that overtake each other', () => {
     assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
+  test('a slow hill repeats where the surface closes: paths go on over the seam', async () => {
+    const ends = [
+      [0.3, 0.2],
+      [6, 6.1],
+    ];
+    await openSketch(page, { entry: 'parametricTorus', ends });
+    const before = await length();
+    await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-preset=bump]')).click());
+    await rest();
+    assert.equal(await status(), 'converged', await text('#advice'));
+    assert.ok(Math.abs((await length()) / before - 1) < 0.1, `${before} became ${await length()}`);
+    assert.match(await page.inputValue('#field-density'), /^1\+3\*exp\(-\(2sin\(\(u-3\.15\)\/2\)\)\^2/);
+  });
+
   test('a metric that is none has no ellipses', async () => {
     await openEntry(page, 'own-metric');
     await page.fill('#field-E', '-1');
