@@ -435,8 +435,8 @@ describe('with controls', () => {
     for (const [name, value] of [
       ['parameters', null],
       ['points', null],
-      ['density', null],
-      ['periodic', null],
+      ['density', ''], // empty is absent
+      ['periodic', ''],
       ['from', '0.5,0.6'],
     ])
       await change('torus', String(name), value);

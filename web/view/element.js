@@ -78,9 +78,12 @@ export class SurfacePathElement extends BaseElement {
     reflect(this, 'path', formulas);
   }
 
+  /** What an attribute says; empty, as templates leave those that they have no value for, it is none. @param {string} name */
+  #attribute = (name) => this.getAttribute(name) || null;
+
   /** The definition of the surface: what was set, else what the attributes say. Throws as that may. @returns {AnyDefinition} */
   get definition() {
-    return this.#given ?? readDefinition((name) => this.getAttribute(name));
+    return this.#given ?? readDefinition(this.#attribute);
   }
 
   /** @param {AnyDefinition | null} definition takes the place of all attributes of the surface; null gives it back to them */
@@ -208,7 +211,7 @@ export class SurfacePathElement extends BaseElement {
 
   /** Where a reader has dragged an end it stays, until another place is asked for. */
   #readEnds() {
-    const asked = readEnds((name) => this.getAttribute(name), this.definition);
+    const asked = readEnds(this.#attribute, this.definition);
     return { asked, ends: asked.map((point, i) => (String(point) === String(this.#asked[i]) ? this.#ends[i] : point)) };
   }
 
@@ -235,7 +238,7 @@ export class SurfacePathElement extends BaseElement {
     // Of an end alone it is known, too, whether there is such a place.
     if (from && !to) this.#surface.shortestPath(from, from);
     if (to) {
-      const options = readOptions((name) => this.getAttribute(name));
+      const options = readOptions(this.#attribute);
       this.#path = this.#surface.shortestPath(from, to, start && !options.via ? { ...options, start } : options);
     }
     this.#caption.tell(this.#path);
@@ -276,7 +279,7 @@ export class SurfacePathElement extends BaseElement {
   #draw(surface) {
     const stage = this.#stage ?? this.#openStage();
     const definition = this.definition;
-    const { camera, ...look } = readLook((name) => this.getAttribute(name), definition, this.#ends[0]);
+    const { camera, ...look } = readLook(this.#attribute, definition, this.#ends[0]);
     stage.setSurface(surface, look);
     const framed = JSON.stringify([{ ...definition, parameters: null }, camera]);
     if (framed !== this.#framed) stage.frame(camera, this.#path);
