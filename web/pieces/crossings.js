@@ -1,6 +1,6 @@
 /**
- * Curves along which an implicit surface crosses itself: where ∇f = 0, and f″ has one positive and one negative eigenvalue. Four half sheets meet there, and a path may go on in any: it
- * consists of legs between places on such curves, which are moved until its length does not change with them. MATH.md, "Crossings".
+ * Curves along which an implicit surface crosses itself, where ∇f = 0, and f″ has one positive and one negative eigenvalue: four half sheets meet there, and a path may go on in any; and cuspidal edges, in which two
+ * end, where f″ is of rank 1. A path consists of legs between places on such curves, which are moved until its length does not change with them. MATH.md, "Crossings".
  */
 
 import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
@@ -50,7 +50,7 @@ const ROUGHLY = { options: roughlyIn(31), balanced: 1e-4, aside: 1e-2 };
 /** Then legs are so much more exact than the path, if they can be, or as exact as that; and where lengths are exact to t, joints are at rest below so many √t: then the length is right to a twentieth of t. */
 const [FINER, AT_REST] = [[1e-2, 1], 0.3];
 /** A leg to an edge takes thousands of moves of nodes; where the edge is lost in rounding, a thousand times as many, and these are all that are made. */
-const MOST_WORK = 1e7;
+const MOST_WORK = 2e7;
 
 /** Where lengths are that exact, differences of them are best over its fourth root: what rounding and curvature make of them is less than joints need. @param {number} tolerance @returns {Exactness} */
 function exactTo(tolerance) {
@@ -241,22 +241,25 @@ function without({ joints, legs }, j) {
  * @param {Question} question @param {Pick<Leg, 'line'>} leg @param {number[][]} places @param {(Crossing | undefined)[]} joints which of these are joints @returns {Leg | null}
  */
 function solveLeg({ field, exactness: { options, aside }, budget }, { line }, places, joints) {
-  if (budget.moves < 0) return null;
-  const { path, pulls, work } = solvePulled(field, places, line, options);
-  budget.moves -= work;
-  if (!holds({ path })) return null;
-  const solved = { line: path.points, length: path.length, pulls };
+  const solve = (/** @type {number[][]} */ between, /** @type {Float64Array} */ near) => {
+    const solved = budget.moves > 0 ? solvePulled(field, between, near, options) : null;
+    budget.moves -= solved?.work ?? 0;
+    return solved && holds(solved) ? solved : null;
+  };
+  const leg = solve(places, line);
+  if (!leg) return null;
+  const { path, pulls } = leg;
   for (const [end, joint] of joints.entries()) {
     if (!joint?.isEdge) continue;
     const [back, ahead] = [-1, 1].map((sign) => {
       const place = moved(field, { ...joint, place: places[end] }, sign * aside * path.length, path.length)?.place;
-      const other = place && solvePulled(field, end ? [places[0], place] : [place, places[1]], path.points, options).path;
-      return other && holds({ path: other }) ? { along: dot(place, joint.along), length: other.length } : null;
+      const other = place && solve(end ? [places[0], place] : [place, places[1]], path.points);
+      return other && { along: dot(place, joint.along), length: other.path.length };
     });
     if (!back || !ahead) return null;
     pulls[end] = scaled(joint.along, (ahead.length - back.length) / (ahead.along - back.along));
   }
-  return solved;
+  return { line: path.points, length: path.length, pulls };
 }
 
 /** All legs over these joints; null: one does not hold. @param {Question} question @param {Route} route @returns {Solved | null} */

@@ -66,7 +66,7 @@ const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
 /**
  * The axis of a node where f″ is singular, if sheets meet there, and there alone: they lie on both sides along it. In the directions in which f″ is zero f is what terms of higher order leave of it where it is
  * stationary in the others: if its gradient vanishes nowhere around the node, no curve of such points leads through this. Of a plane the axis is what is normal to it. On a line f must have on both sides the sign
- * that f″ has not, if that is semidefinite, and the line is the axis: else the surface ends there as in a tip. Or f has the sign there that f″ has in one direction; the axis is the other one.
+ * that f″ has not, if that is semidefinite, and the line is the axis: else the surface ends there as in a tip. Or f has the sign there that f″ has in one of its directions: the axis is the other one, which is left where f″ less that eigenvalue is applied.
  * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen @returns {number[] | null} null: they do not
  */
 function axisOf(jets, { at, second }, cell) {
@@ -92,15 +92,8 @@ function axisOf(jets, { at, second }, cell) {
   if (!(Math.min(...slopes) > EVEN * steepest && steepest > LARGE * largest * cell)) return null;
   if (!isLine) return axis;
   if (product > 0) return places.every((_, i) => seen[10 * i] * trace < 0) ? axis : null;
-  const along = (trace + Math.sign(seen[0]) * Math.sqrt(trace * trace - 4 * product)) / 2;
-  return longest(
-    [aside, other].map((e) =>
-      minus(
-        times(second, e),
-        e.map((x) => along * x),
-      ),
-    ),
-  );
+  const same = (trace + Math.sign(seen[0]) * Math.sqrt(trace * trace - 4 * product)) / 2;
+  return longest([aside, other].map((e) => ahead(times(second, e), e, -same)));
 }
 
 /**
