@@ -29,7 +29,7 @@ import {
  * @property {number[]} second the second derivatives of f: xx xy xz yy yz zz
  * @property {number} determinant of these
  * @property {boolean} isFlat the determinant is zero: derivatives of higher order tell how sheets meet, as those of two cusps, or of two bowls that touch
- * @property {number[]} [axis] if so, on which sides of the node they lie
+ * @property {number[][]} [axes] if so: of the line in which f″ is zero, and along which sheets lie on two sides of the node ahead on that, and behind
  */
 
 /** @typedef {import('./singular.js').Walk<Node>} Walk */
@@ -64,12 +64,13 @@ function nodeAt(at, second) {
 const [HALF, EVEN, LARGE, NO_FORM] = [48, 0.1, 1e-6, 1e-3];
 
 /**
- * The axis of a node where f″ is singular, if sheets meet there, and there alone: they lie on both sides along it. In the directions in which f″ is zero f is what terms of higher order leave of it where it is
- * stationary in the others: if its gradient vanishes nowhere around the node, no curve of such points leads through this. Of a plane the axis is what is normal to it. On a line f must have on both sides the sign
- * that f″ has not, if that is semidefinite, and the line is the axis: else the surface ends there as in a tip. Or f has the sign there that f″ has in one of its directions: the axis is the other one, which is left where f″ less that eigenvalue is applied.
- * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen @returns {number[] | null} null: they do not
+ * The axes of a node where f″ is singular, if sheets meet there, and there alone. In the directions in which f″ is zero f is what terms of higher order leave of it where it is stationary in the others: if
+ * its gradient vanishes nowhere around the node, no curve of such points leads through this. Of a plane the axis is what is normal to it. On a line f must have on both sides the sign that f″ has not, if that is
+ * semidefinite, and the line is the axis: else the surface ends there as in a tip. Or f has a sign there that f″ has in one of its directions: the axis is the other one, which is left where f″ less that
+ * eigenvalue is applied.
+ * @param {Jets} jets @param {Node} node @param {number} cell how far from it that is seen @returns {number[][] | null} null: they do not
  */
-function axisOf(jets, { at, second }, cell) {
+function axesOf(jets, { at, second }, cell) {
   const { isLine, axis, back, trace, product, largest } = formOf(second);
   const [aside, other] = planeOf(axis);
   const halves = Array.from({ length: HALF }, (_, i) => (2 * i + 1) / HALF - 1).flatMap((t) => [
@@ -90,10 +91,14 @@ function axisOf(jets, { at, second }, cell) {
   const slopes = places.map((_, i) => norm(slopeOf(i)));
   const steepest = Math.max(...slopes);
   if (!(Math.min(...slopes) > EVEN * steepest && steepest > LARGE * largest * cell)) return null;
-  if (!isLine) return axis;
-  if (product > 0) return places.every((_, i) => seen[10 * i] * trace < 0) ? axis : null;
-  const same = (trace + Math.sign(seen[0]) * Math.sqrt(trace * trace - 4 * product)) / 2;
-  return longest([aside, other].map((e) => ahead(times(second, e), e, -same)));
+  if (!isLine) return [axis, axis, axis];
+  const signs = places.map((_, i) => Math.sign(seen[10 * i]));
+  if (product > 0) return signs.every((sign) => sign * trace < 0) ? [axis, axis, axis] : null;
+  const sides = signs.map((sign) => {
+    const same = (trace + sign * Math.sqrt(trace * trace - 4 * product)) / 2;
+    return longest([aside, other].map((e) => ahead(times(second, e), e, -same)));
+  });
+  return [axis, ...sides];
 }
 
 /**
@@ -166,8 +171,8 @@ function findNodes(jets, box, grid) {
     nodes: [
       ...nodes,
       ...flat.flatMap((node) => {
-        const axis = isAlone(node) && axisOf(jets, node, cell);
-        return axis ? [{ ...node, axis }] : [];
+        const axes = isAlone(node) && axesOf(jets, node, cell);
+        return axes ? [{ ...node, axes }] : [];
       }),
     ],
     crossings,
@@ -179,15 +184,19 @@ const leaving = ({ points }) => unit([0, 1, 2].map((j) => 4 * points[3 + j] - po
 
 /**
  * Whether a path through a node passes from one of its cones to the other: else it has a corner there. With H the second derivatives, a and b on one cone,
- * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular what has passed to the other side along the axis, as from cusp to cusp or bowl to bowl, has come from one to the other, in whatever direction.
+ * det H · aᵀHb ≥ 0; on two, ≤ 0. Where H is singular what has passed to the other side along its axis, as from cusp to cusp or bowl to bowl, has come from one to
+ * the other, in whatever direction. With one sign of f on the line and another behind the node sheets are joined otherwise there, and the node is one point of a whole, around which angles sum up to 4π: a path has π on
+ * both sides if it changes sides along the axis on whose side of the node more of it lies.
  * @param {Node} node @param {Path} one from the node @param {Path} other from there, too
  */
-export function crosses({ second, determinant, axis }, one, other) {
-  if (axis) {
+export function crosses({ second, determinant, axes }, one, other) {
+  const [a, b] = [leaving(one), leaving(other)];
+  if (axes) {
+    const [line, before, behind] = axes;
+    const axis = dot(line, a) + dot(line, b) < 0 ? behind : before;
     const [rise, fall] = [one, other].map(({ points }) => dot(axis, minus(listOf(points, 3, 6), listOf(points, 0, 3))));
     return rise * fall < 0;
   }
-  const [a, b] = [leaving(one), leaving(other)];
   const cosine = dot(a, b);
   const form = (/** @type {number[]} */ v, /** @type {number[]} */ w) => Math.sign(determinant) * dot(v, times(second, w));
   /* aᵀHa and bᵀHb are zero on the cones: less their mean it is (a ± b)ᵀH(a ± b)/2, which stays small where the path goes straight on, however rough a and b are. */

@@ -314,6 +314,32 @@ test('sheets that meet in a point to which each coordinate leads by a power of i
   calypso.dispose();
 });
 
+test('a node around which angles sum up to 4π: through it where there are π on both sides, else past it', () => {
+  const dromedary = surfpath.implicit({ f: 'x^4 - 3*x^2 + y^2 + z^3', bounds: within(1.8) });
+  const at = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ z) => [
+    x * Math.sqrt((3 - Math.sqrt(9 - 4 * (y * y + z ** 3))) / 2),
+    y,
+    z,
+  ];
+  const away = (/** @type {number[]} */ end) => dromedary.shortestPath(end, [0, 0, 0], { start: 'straight' }).length;
+  const high = at(1, -0.5, 0.3);
+  const low = at(1, -0.5, -0.3);
+  for (const [from, to, isThrough] of /** @type {[number[], number[], boolean][]} */ ([
+    [high, at(-1, 0.6, 0.2), true],
+    [high, at(-1, -0.6, 0.2), true],
+    [high, at(1, 0.6, 0.2), false],
+    [low, at(-1, 0.6, -0.25), true],
+    [low, at(-1, -0.6, -0.25), false],
+    [low, at(1, 0.6, -0.25), true],
+  ])) {
+    const path = dromedary.shortestPath(from, to);
+    assert.equal(path.status, 'converged', `${from} to ${to}`);
+    if (isThrough) close(path.length, away(from) + away(to), 1e-9);
+    else assert.ok(path.length < 0.95 * (away(from) + away(to)));
+  }
+  dromedary.dispose();
+});
+
 test('where sheets cross along lines, the point where two of these meet is no passage: across one of them it is shorter', () => {
   const surface = surfpath.implicit({ f: '6x^2 - 2x^4 - y^2*z^2', bounds: within(1.5) });
   const from = [-0.5709723468826052, -1.4826763828390788, -0.8905609328418467];
