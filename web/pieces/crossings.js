@@ -13,7 +13,7 @@ import { CONVERGED } from '../runtime/status.js';
 import { roughlyIn } from '../search/rough.js';
 import { drawLine, findWays, solveAlong } from '../search/routes.js';
 import { dot, gap, sumOf } from '../vector.js';
-import { AT_REST as NEAR_REST, crossingsFrom, jetOf } from './singular.js';
+import { AT_REST, crossingsFrom, jetOf } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
 /** @typedef {import('../search/routes.js').Field} Field */
@@ -48,14 +48,14 @@ const EXACTLY = { options: WITHIN, balanced: 1e-7, aside: 1e-4 };
 /** Joints on edges find their places roughly first, as most routes come to nothing. @type {Exactness} */
 const ROUGHLY = { options: roughlyIn(31), balanced: 1e-4, aside: 1e-2 };
 /** Then legs are so much more exact than the path, if they can be, or as exact as that; and where lengths are exact to t, joints are at rest below so many √t: then the length is right to a twentieth of t. */
-const [FINER, AT_REST] = [[1e-2, 1], 0.3];
+const [FINER, BALANCED] = [[1e-2, 1], 0.3];
 /** A leg to an edge takes thousands of moves of nodes; where the edge is lost in rounding, a thousand times as many, and these are all that are made. */
 const MOST_WORK = 2e7;
 
 /** Where lengths are that exact, differences of them are best over its fourth root: what rounding and curvature make of them is less than joints need. @param {number} tolerance @returns {Exactness} */
 function exactTo(tolerance) {
   const aside = Math.sqrt(Math.sqrt(tolerance));
-  return { options: { ...WITHIN, tolerance }, balanced: AT_REST * Math.sqrt(tolerance), aside };
+  return { options: { ...WITHIN, tolerance }, balanced: BALANCED * Math.sqrt(tolerance), aside };
 }
 
 /** @param {Route} route */
@@ -271,7 +271,7 @@ function solveAll(question, { joints, legs }) {
 
 /** A crossing moved along its curve. @param {Field} field @param {Crossing} crossing @param {number} by @param {number} size of what is between the ends @returns {Crossing | null} */
 const moved = ({ jets }, { place, along }, by, size) =>
-  crossingsFrom(jets, [ahead(place, along, by)], Math.abs(by) + NEAR_REST * size, size)[0];
+  crossingsFrom(jets, [ahead(place, along, by)], Math.abs(by) + AT_REST * size, size)[0];
 
 /** How long the shorter, or the longer, of the two legs beside each joint is. @param {Leg[]} legs @param {(a: number, b: number) => number} choose */
 const beside = (legs, choose) => legs.slice(1).map(({ length }, j) => choose(legs[j].length, length));

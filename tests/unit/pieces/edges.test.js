@@ -44,7 +44,7 @@ describe('a cylinder over y² = x³', () => {
     checkUnrolled(surface, draw(1), draw(-1), Infinity);
     surface.dispose();
   });
-  test('is lost in nothing where it is moved and turned', () => {
+  test('moved and turned, where places on its edge are no round numbers', () => {
     const [cos, sin, aside] = [0.8, 0.6, [0.31, -0.22]];
     const surface = surfpath.implicit({
       f: `(${cos}*(y - ${aside[1]}) - ${sin}*(x - ${aside[0]}))^2 - (${cos}*(x - ${aside[0]}) + ${sin}*(y - ${aside[1]}))^3`,
