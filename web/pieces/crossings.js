@@ -134,8 +134,8 @@ function leadOver(field, net, crossings, ends, options, known) {
 /** A route over edges, solved as exactly as they allow; null: not so exactly as asked. @param {Field} field @param {number[][]} ends @param {Route} route @param {number} tolerance @returns {Solved | null} */
 function solveExactly(field, ends, route, tolerance) {
   const budget = { moves: MOST_WORK };
-  for (const finer of FINER) {
-    const path = balance({ field, ends, exactness: exactTo(Math.max(LEG.tolerance, finer * tolerance)), budget }, route);
+  for (const exact of new Set(FINER.map((finer) => Math.max(LEG.tolerance, finer * tolerance)))) {
+    const path = balance({ field, ends, exactness: exactTo(exact), budget }, route);
     if (path) return path;
   }
   return null;
