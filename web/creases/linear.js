@@ -1,6 +1,6 @@
 /** Lists of numbers as vectors of any length, and small systems of linear equations. */
 
-import { minus, product } from '../vector.js';
+import { largest, minus, product } from '../vector.js';
 
 /** The product of two vectors whose coordinates count by a scale. @param {number[]} a @param {number[]} b @param {readonly number[]} scale */
 export const inner = (a, b, scale) => a.reduce((sum, x, j) => sum + x * b[j] * scale[j] * scale[j], 0);
@@ -38,4 +38,34 @@ export function solveLinear(matrix, right) {
     }
   }
   return rows.map((row, i) => row[rows.length] / row[i]);
+}
+
+/** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */
+export function descend(matrix, slope) {
+  const size = largest(matrix.flat());
+  if (!(size > 0 && size < Infinity)) return null;
+  for (let shift = 0; shift <= 4 * size; shift = shift ? 4 * shift : 1e-3 * size) {
+    const factor = matrix.map((row) => row.map(() => 0));
+    const isPositive = matrix.every((row, i) => {
+      for (let j = 0; j <= i; j++) {
+        let sum = row[j] + (i === j ? shift : 0);
+        for (let k = 0; k < j; k++) sum -= factor[i][k] * factor[j][k];
+        if (i === j && !(sum > 1e-9 * size)) return false;
+        factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
+      }
+      return true;
+    });
+    if (!isPositive) continue;
+    const step = slope.map((x) => -x);
+    for (let i = 0; i < step.length; i++) {
+      for (let k = 0; k < i; k++) step[i] -= factor[i][k] * step[k];
+      step[i] /= factor[i][i];
+    }
+    for (let i = step.length - 1; i >= 0; i--) {
+      for (let k = i + 1; k < step.length; k++) step[i] -= factor[k][i] * step[k];
+      step[i] /= factor[i][i];
+    }
+    return { step, shifted: shift > 0 };
+  }
+  return null;
 }

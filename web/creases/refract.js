@@ -1,9 +1,9 @@
 /** Joints of a path across creases, without shores: moved until it is shortest. That is Snell's law where a density jumps, and what is straight when unfolded on a fold. */
 
-import { dot, largest, minus, norm, product, sumOf } from '../vector.js';
+import { dot, minus, norm, product, sumOf } from '../vector.js';
 import { directions, settle } from './crease.js';
 import { changes, isInside, LEG, leastBeside, lengthOf, lineOf, placesOf, roundingOf, solveAll, solveLeg } from './legs.js';
-import { ahead, scaled } from './linear.js';
+import { ahead, descend, scaled } from './linear.js';
 
 /** @typedef {import('./legs.js').Joint} Joint */
 /** @typedef {import('./legs.js').Leg} Leg */
@@ -144,34 +144,4 @@ function differentiate(question, { legs, joints }, least, { ways, moved }) {
   );
   for (const [j, length] of least.entries()) matrix[j][j] += FLAT / length;
   return { slopes, matrix };
-}
-
-/** Newton's step downhill, by Cholesky's factors of the matrix, shifted until it is positive definite; null: it is none, or not finite. @param {number[][]} matrix @param {number[]} slope */
-function descend(matrix, slope) {
-  const size = largest(matrix.flat());
-  if (!(size > 0 && size < Infinity)) return null;
-  for (let shift = 0; shift <= 4 * size; shift = shift ? 4 * shift : 1e-3 * size) {
-    const factor = matrix.map((row) => row.map(() => 0));
-    const isPositive = matrix.every((row, i) => {
-      for (let j = 0; j <= i; j++) {
-        let sum = row[j] + (i === j ? shift : 0);
-        for (let k = 0; k < j; k++) sum -= factor[i][k] * factor[j][k];
-        if (i === j && !(sum > 1e-9 * size)) return false;
-        factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
-      }
-      return true;
-    });
-    if (!isPositive) continue;
-    const step = slope.map((x) => -x);
-    for (let i = 0; i < step.length; i++) {
-      for (let k = 0; k < i; k++) step[i] -= factor[i][k] * step[k];
-      step[i] /= factor[i][i];
-    }
-    for (let i = step.length - 1; i >= 0; i--) {
-      for (let k = i + 1; k < step.length; k++) step[i] -= factor[k][i] * step[k];
-      step[i] /= factor[i][i];
-    }
-    return { step, shifted: shift > 0 };
-  }
-  return null;
 }

@@ -4,7 +4,7 @@
  */
 
 import { changes, LEG, lengthOf, nodesOf, placesOf, solvePulled, span } from '../creases/legs.js';
-import { ahead, scaled, solveLinear } from '../creases/linear.js';
+import { ahead, descend, scaled } from '../creases/linear.js';
 import { isGeodesic, mostOf, stalled } from '../path.js';
 import { holds } from '../search/candidates.js';
 import { shortestWay, tableOf } from '../search/chain.js';
@@ -12,7 +12,7 @@ import { concatenate, inOrder, joinLegs, reverse } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
 import { roughlyIn } from '../search/rough.js';
 import { drawLine, findWays, solveAlong } from '../search/routes.js';
-import { dot, gap, sumOf } from '../vector.js';
+import { dot, gap, largest, sumOf } from '../vector.js';
 import { AT_REST, crossingsFrom, jetOf } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -78,8 +78,25 @@ function leadOver(field, net, crossings, ends, options, known) {
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
   const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
   const drawn = [...ways, ...waysOver(field, net.crossings, crossings, ends)].sort((a, b) => a.length - b.length);
+  const followed = followAll(field, ends, drawn, mostOf(known));
+  const solved = solveShortest(field, ends, options, followed.routes, mostOf(known));
+  const chosen = solved.best ?? (isGeodesic(known) ? null : followed.routes[0]);
+  if (!chosen) return known;
+  const { legs, joints } = chosen;
+  const places = placesOf({ ends }, joints);
+  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
+    solveAlong(field, [places[k], places[k + 1]], solved.best ? asked : roughlyIn(asked.points), legs[k].line);
+  const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
+  const missed = Math.min(followed.missed, solved.missed);
+  return missed < path.length ? { ...stalled(path), lengthError: path.length - missed } : path;
+}
+
+/**
+ * The routes that polylines lead to, over all or some of the crossings that these pass, the shortest first; missed: as long as that, at most, is what a polyline leads along that leads to no route.
+ * @param {Field} field @param {number[][]} ends @param {Drawn[]} drawn the shortest first @param {number} shortest what is longer is of no interest
+ */
+function followAll(field, ends, drawn, shortest) {
   const asked = { field, ends, budget: { moves: Infinity } };
-  let shortest = mostOf(known);
   let missed = Infinity;
   /** @type {{ joints: Crossing[], path: Solved | null }[]} */
   const tried = [];
@@ -103,32 +120,28 @@ function leadOver(field, net, crossings, ends, options, known) {
     shortest = Math.min(shortest, least || Infinity);
     if (least > most) missed = Math.min(missed, most);
   }
-  const found = tried.flatMap(({ path }) => path ?? []).sort((a, b) => a.length - b.length);
+  return { routes: tried.flatMap(({ path }) => path ?? []).sort((a, b) => a.length - b.length), missed };
+}
+
+/**
+ * The shortest of these routes, as exact as it is asked for; missed: as long as that, at least, is one that is not to be had so exactly.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Solved[]} routes the shortest first @param {number} shortest what is longer is of no interest
+ */
+function solveShortest(field, ends, options, routes, shortest) {
   /** @type {Solved | null} */
   let best = null;
-  shortest = mostOf(known);
-  for (const route of found) {
+  for (const route of routes) {
     const isRough = passesEdge(route);
     const least = route.length * (isRough ? 1 - ROUGH : 1);
     if (least > shortest) break;
     const path = isRough ? solveExactly(field, ends, route, options.tolerance) : route;
-    if (!path) {
-      /* Where one edge is lost in rounding, others are. */
-      missed = Math.min(missed, least);
-      break;
-    }
+    /* Where one edge is lost in rounding, others are. */
+    if (!path) return { best, missed: least };
     if (path.length >= shortest) continue;
     best = path;
     shortest = path.length;
   }
-  const chosen = best ?? (isGeodesic(known) ? null : found[0]);
-  if (!chosen) return known;
-  const { legs, joints } = chosen;
-  const places = placesOf({ ends }, joints);
-  const solve = (/** @type {number} */ k, /** @type {SolveOptions} */ asked) =>
-    solveAlong(field, [places[k], places[k + 1]], best ? asked : roughlyIn(asked.points), legs[k].line);
-  const { path } = joinLegs(/** @type {any} */ (legs), options, solve, null);
-  return missed < path.length ? { ...stalled(path), lengthError: path.length - missed } : path;
+  return { best, missed: Infinity };
 }
 
 /** A route over edges, solved as exactly as they allow; null: not so exactly as asked. @param {Field} field @param {number[][]} ends @param {Route} route @param {number} tolerance @returns {Solved | null} */
@@ -240,9 +253,10 @@ function without({ joints, legs }, j) {
  * this changes is a difference.
  * @param {Question} question @param {Pick<Leg, 'line'>} leg @param {number[][]} places @param {(Crossing | undefined)[]} joints which of these are joints @returns {Leg | null}
  */
-function solveLeg({ field, exactness: { options, aside }, budget }, { line }, places, joints) {
+function solveLeg(question, { line }, places, joints) {
+  const { field, exactness, budget } = question;
   const solve = (/** @type {number[][]} */ between, /** @type {Float64Array} */ near) => {
-    const solved = budget.moves > 0 ? solvePulled(field, between, near, options) : null;
+    const solved = budget.moves > 0 ? solvePulled(field, between, near, exactness.options) : null;
     budget.moves -= solved?.work ?? 0;
     return solved && holds(solved) ? solved : null;
   };
@@ -252,7 +266,7 @@ function solveLeg({ field, exactness: { options, aside }, budget }, { line }, pl
   for (const [end, joint] of joints.entries()) {
     if (!joint?.isEdge) continue;
     const [back, ahead] = [-1, 1].map((sign) => {
-      const place = moved(field, { ...joint, place: places[end] }, sign * aside * path.length, path.length)?.place;
+      const place = moved(question, { ...joint, place: places[end] }, sign * exactness.aside * path.length)?.place;
       const other = place && solve(end ? [places[0], place] : [place, places[1]], path.points);
       return other && { along: dot(place, joint.along), length: other.path.length };
     });
@@ -269,28 +283,21 @@ function solveAll(question, { joints, legs }) {
   return solved.every((leg) => leg !== null) ? { joints, legs: solved, length: lengthOf(solved) } : null;
 }
 
-/** A crossing moved along its curve. @param {Field} field @param {Crossing} crossing @param {number} by @param {number} size of what is between the ends @returns {Crossing | null} */
-const moved = ({ jets }, { place, along }, by, size) =>
-  crossingsFrom(jets, [ahead(place, along, by)], Math.abs(by) + AT_REST * size, size)[0];
+/** A crossing moved along its curve. @param {Question} question @param {Crossing} crossing @param {number} by @returns {Crossing | null} */
+function moved({ field: { jets }, ends }, { place, along }, by) {
+  const size = gap(ends[0], ends[1]);
+  return crossingsFrom(jets, [ahead(place, along, by)], Math.abs(by) + AT_REST * size, size)[0];
+}
 
 /** How long the shorter, or the longer, of the two legs beside each joint is. @param {Leg[]} legs @param {(a: number, b: number) => number} choose */
 const beside = (legs, choose) => legs.slice(1).map(({ length }, j) => choose(legs[j].length, length));
-
-/** Whether a matrix is positive definite, that is zero but on its diagonal and beside it. @param {number[][]} matrix */
-function isPositive(matrix) {
-  let pivot = Infinity;
-  return matrix.every((row, j) => {
-    pivot = row[j] - (j > 0 ? row[j - 1] ** 2 / pivot : 0);
-    return pivot > 0;
-  });
-}
 
 /**
  * Moves joints until the length does not change with them; null: they do not come to rest, or where it is no minimum.
  * @param {Question} question @param {Route} route @returns {Solved | null}
  */
 function balance(question, route) {
-  const { field, ends, exactness } = question;
+  const { exactness } = question;
   let now = route.joints.length > 0 ? solveAll(question, route) : null;
   for (let move = 0; now && move < MOST_MOVES; move++) {
     const { joints, legs } = now;
@@ -299,27 +306,24 @@ function balance(question, route) {
       placesOf(question, joints),
       joints.map(({ along }) => along),
       beside(legs, Math.min).map((least) => exactness.aside * least),
-      (j, by) => moved(field, joints[j], by, gap(ends[0], ends[1])),
+      (j, by) => moved(question, joints[j], by),
       (i, from, to) => solveLeg(question, legs[i], [from, to], [joints[i - 1], joints[i]]),
     );
-    const isBent = isPositive(matrix);
-    if (slopes.every((slope) => Math.abs(slope) <= exactness.balanced)) return isBent ? now : null;
-    const step = isBent ? solveLinear(matrix, slopes) : slopes;
-    now = step && descend(question, now, step);
+    const down = descend(matrix, slopes);
+    if (largest(slopes) <= exactness.balanced) return down && !down.shifted ? now : null;
+    now = down && moveJoints(question, now, down.step);
   }
   return null;
 }
 
-/** A path whose joints are moved back by a step, or a part of it, and that is no longer; null: there is none. @param {Question} question @param {Solved} route @param {number[]} step @returns {Solved | null} */
-function descend(question, route, step) {
-  const { field, ends, exactness } = question;
-  const size = gap(ends[0], ends[1]);
+/** A path whose joints are moved by a step, or a part of it, and that is no longer; null: there is none. @param {Question} question @param {Solved} route @param {number[]} step @returns {Solved | null} */
+function moveJoints(question, route, step) {
   const longest = beside(route.legs, Math.max);
   const most = Math.max(1, ...step.map((x, j) => Math.abs(x) / (FARTHEST * longest[j])));
   for (let factor = 1 / most; factor > SHORTEST; factor /= 2) {
-    const joints = route.joints.map((joint, j) => moved(field, joint, -factor * step[j], size));
+    const joints = route.joints.map((joint, j) => moved(question, joint, factor * step[j]));
     const tried = joints.every((joint) => joint !== null) ? solveAll(question, { joints, legs: route.legs }) : null;
-    if (tried && tried.length <= route.length * (1 + exactness.options.tolerance)) return tried;
+    if (tried && tried.length <= route.length * (1 + question.exactness.options.tolerance)) return tried;
   }
   return null;
 }
