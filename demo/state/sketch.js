@@ -114,9 +114,10 @@ export function readSketch(given) {
   return sketch;
 }
 
-/** @param {Sketch} sketch @param {any} given */
+/** All of them are given: one of the entry's that is missing was taken away. @param {Sketch} sketch @param {any} given */
 function readParameters(sketch, given) {
   if (typeof given !== 'object' || given === null) return;
+  for (const name of Object.keys(sketch.parameters)) if (!(name in given)) delete sketch.parameters[name];
   for (const [name, value] of Object.entries(given).slice(0, MOST_PARAMETERS))
     if (isName(name) && name.length <= LONGEST_FORMULA && Number.isFinite(value)) sketch.parameters[name] = /** @type {number} */ (value);
 }

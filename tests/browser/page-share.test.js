@@ -206,6 +206,8 @@ test('every sketch comes back from its link', () => {
     points: 12,
   };
   assert.deepEqual(fromHash(toHash(sketch)), sketch);
+  const lessOne = { ...sketchOf('parametricTorus'), parameters: { R: 4 } };
+  assert.deepEqual(fromHash(toHash(lessOne)), lessOne, 'without a slider that was removed');
 });
 
 test('a link with points on the way and several starts has what is computed of them', () => {
