@@ -111,7 +111,8 @@ function questionOf(sketch, shown) {
   return { definition: surfaceOf(shown), ends, via, options: { task, algorithm, tolerance, points, start, angle, reach } };
 }
 
-const question = () => questionOf(state.sketch, /** @type {Sketch} */ (state.shown));
+/** What is asked now. */
+export const question = () => questionOf(state.sketch, state.shown ?? state.sketch);
 
 /** What neither end alone is at fault for. @param {unknown} error @returns {import('../state/ends.js').EndProblem} */
 const endProblemOf = (error) => ({ end: -1, coordinate: 0, message: messageOf(error) });

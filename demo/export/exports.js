@@ -1,11 +1,11 @@
 /** What can be taken away: a link, a picture, the plane, the points, everything as data, and the surface with its path for 3D programs. */
 
 import { linkNow } from '../state/change.js';
+import { question } from '../compute/flow.js';
 import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
 import { planeFile } from '../plots/plane-picture.js';
 import { runsOf } from '../compute/legs.js';
-import { surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 
 /** @typedef {import('../stage/scene.js').View} View */
@@ -102,17 +102,10 @@ function table(path) {
   return `${[head.join(), ...rows].join('\n')}\n`;
 }
 
+/** What is seen: where a formula is wrong, the last good surface, as the path is of that one. */
 function contents() {
-  const path = chosenPath();
-  const { ends, via, task, algorithm, tolerance, points, start } = state.sketch;
-  return {
-    surface: surfaceOf(state.sketch),
-    from: ends[0],
-    to: ends[1],
-    via,
-    options: { task, algorithm, tolerance, points, start },
-    path,
-  };
+  const { definition: surface, ends, via, options } = question();
+  return { surface, from: ends[0], to: ends[1], via, options, path: chosenPath() };
 }
 
 /** Typed arrays as lists. @param {string} _name @param {unknown} value */

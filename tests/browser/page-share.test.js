@@ -325,6 +325,16 @@ describe('exports', () => {
     assert.equal(document.path.points.length, 3 * 66);
   });
 
+  test('JSON: where a formula is wrong, the surface that is seen; straight ahead, whither and how far', async () => {
+    await page.fill('#field-z', 'a*sin(w)');
+    await page.waitForSelector('#status[data-old]');
+    assert.equal(JSON.parse((await take('json')).toString()).surface.z, 'a*sin(v)');
+    await openSketch(page, { entry: 'parametricTorus', task: 'trace', angle: 40, reach: 3 });
+    const { angle, reach } = JSON.parse((await take('json')).toString()).options;
+    assert.deepEqual([angle, reach], [40, 3]);
+    await openEntry(page, 'parametricTorus');
+  });
+
   test('SVG: the plane with the path', async () => {
     const svg = (await take('svg')).toString().replace(/<style>.*<\/style>/s, '');
     const points = await page.evaluate((source) => {
