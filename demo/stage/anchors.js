@@ -157,18 +157,18 @@ function alongPath(end) {
 /** A box about a place. @param {number} x @param {number} y @param {number} across half its width @param {number} [down] half its height */
 const boxAt = (x, y, across, down = across) => ({ left: x - across, top: y - down, right: x + across, bottom: y + down });
 
-/** A letter stands on the side where the path does not run, as near as it can without covering its point, if nothing stands over that. @param {View} view @returns what is covered by handles, letters and all else */
+/** A letter stands on the side where the path does not run, as near as it can without covering its point, if nothing stands there, nor the points and letters before it. @param {View} view @returns what is covered by handles, letters and all else */
 function placeLetters(view) {
-  const over = boxesOver(view);
+  const covered = boxesOver(view);
   const { width: right, height: bottom } = view.size;
   const isFree = (/** @type {import('./place-labels.js').Box} */ box) =>
-    isInside(box, { left: 0, top: 0, right, bottom }) && !over.some((other) => overlap(box, other));
+    isInside(box, { left: 0, top: 0, right, bottom }) && !covered.some((other) => overlap(box, other));
   const letters = handles.flatMap((handle, i) => {
     if (!handle) return [];
     const letter = /** @type {HTMLElement} */ (handle.element.lastElementChild);
     return [{ i, handle, letter, half: [letter.offsetWidth / 2, letter.offsetHeight / 2] }];
   });
-  const covered = letters.flatMap(({ i, handle, letter, half }) => {
+  for (const { i, handle, letter, half } of letters) {
     const [x, y] = view.toScreen(handle.position.toArray());
     const beside = alongPath(i);
     const [ox, oy] = beside ? view.toScreen(beside) : [x, y];
@@ -183,7 +183,7 @@ function placeLetters(view) {
     const boxOf = (/** @type {number[]} */ [across, down]) => boxAt(x + across, y + down, half[0], half[1]);
     const place = places.find((one) => isFree(boxOf(one))) ?? places[0];
     letter.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px)`;
-    return [boxAt(x, y, MARKER), boxOf(place)];
-  });
-  return [...over, ...covered];
+    covered.push(boxAt(x, y, MARKER), boxOf(place));
+  }
+  return covered;
 }

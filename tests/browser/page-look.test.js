@@ -112,6 +112,23 @@ test('letters stand beside what is over the view', async () => {
   await page.setViewportSize({ width: 1040, height: 640 });
 });
 
+test('letters of points near to each other stand beside each other', async () => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const via = [
+    [1, 1],
+    [2, 2],
+    [3, 3],
+  ];
+  await openSketch(page, { entry: 'parametricTorus', via });
+  await nextFrame(page);
+  const boxes = await page.$$eval('.letter-tag', (letters) => letters.map((letter) => letter.getBoundingClientRect().toJSON()));
+  assert.equal(boxes.length, 5);
+  for (const [i, a] of boxes.entries())
+    for (const b of boxes.slice(0, i))
+      assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, 'a letter covers another one');
+  await page.setViewportSize({ width: 1040, height: 640 });
+});
+
 describe('the view follows a surface that changes its size', () => {
   const doing = async (/** @type {() => Promise<unknown>} */ work) => {
     await work();
