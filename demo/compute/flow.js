@@ -17,7 +17,7 @@ import {
   surfaceNow,
 } from './footing.js';
 import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
-import { surfaceOf } from '../state/sketch.js';
+import { pointsOf, surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
 import { describeNoMeasure } from '../panels/words.js';
 import { askLong, live } from './workers.js';
@@ -201,8 +201,7 @@ function look(mesh) {
 export async function solve(animated) {
   const mine = begin();
   if (!isReady()) return;
-  const { kind, ends, via } = state.sketch;
-  const endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
+  const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), pointsOf(state.sketch));
   if (endProblem) return give({ endProblem, solved: UNSOLVED });
   state.endProblem = null;
   render();
@@ -229,10 +228,10 @@ function settleSoon() {
 /** The path after an end has moved: from the last one, at once. */
 export function follow() {
   const last = chosenPath();
-  const { ends, via, points, task, kind } = state.sketch;
+  const { via, points, task, kind } = state.sketch;
   begin();
   if (!isReady()) return render();
-  state.endProblem = findBadEnd(kind, surfaceNow(), [...ends, ...via]);
+  state.endProblem = findBadEnd(kind, surfaceNow(), pointsOf(state.sketch));
   if (state.endProblem) return give({ solved: UNSOLVED });
   if (task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
   if (last && Number.isFinite(last.length)) followFrom(last, Math.min(points, 200));

@@ -6,7 +6,7 @@ import { create, find, say } from './dom.js';
 import { numberIn } from '../compute/flow.js';
 import { runsOf } from '../compute/legs.js';
 import { chooseEnds, letterOf, onto, radiusOf, rangesOf, shorten } from '../state/ends.js';
-import { MOST_POINTS, MOST_VIA, surfaceOf } from '../state/sketch.js';
+import { MOST_POINTS, MOST_VIA, pointsOf, surfaceOf } from '../state/sketch.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
 
@@ -206,13 +206,12 @@ function placeOfRow({ drawn, shown, building, sketch }, row, point) {
 
 /** @param {State} state */
 function renderEnds(state) {
-  const { kind, ends, via, task } = state.sketch;
-  const points = [...ends, ...via];
-  const wanted = `${kind} ${points.length} ${task === 'trace'}`;
+  const { kind } = state.sketch;
+  const points = pointsOf(state.sketch);
+  const wanted = `${kind} ${points.length}`;
   if (built !== wanted) {
     built = wanted;
     const rows = points.map((_, row) => endRow(coordinates(kind), letterOf(row), row));
-    if (task === 'trace') rows.splice(1, 1);
     find('ends').replaceChildren(...rows);
   }
   const { surface, shown } = state;

@@ -2,8 +2,8 @@
 
 import { mayLeap, unbroken } from '../compute/curves.js';
 import { find } from './dom.js';
-import { isOnSurface } from '../state/ends.js';
-import { surfaceOf } from '../state/sketch.js';
+import { isOnSurface, nameOf } from '../state/ends.js';
+import { pointsOf, surfaceOf } from '../state/sketch.js';
 import { chosenPath, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
 
@@ -36,6 +36,9 @@ function describeStart(length, start) {
   const longer = share > 0 && share < MOST_SHARE ? ` (+${share} %)` : '';
   return `${formatNumber(start, 4)}${longer}`;
 }
+
+/** The statuses of a path one point of which may not lie on the surface. */
+const OFF = ['off-surface', 'singular-metric'];
 
 /** @param {import('../state/state.js').State} state */
 function renderResult(state) {
@@ -76,13 +79,10 @@ function renderResult(state) {
 /** @param {import('surfpath').Path} path @param {import('../state/state.js').State} state */
 function describePath(path, { sketch, moving, building, drawn, shown }) {
   // In the middle of a sphere no way leads to it: to the solver that is a tip. Ends of a surface that is on its way are none of the one that is seen.
-  const isOff =
-    path.status === 'singular-metric' &&
-    !building &&
-    drawn &&
-    shown &&
-    sketch.ends.some((end) => !isOnSurface(drawn, surfaceOf(shown), end));
-  return describeStatus(isOff ? 'off-surface' : path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
+  const mayBeOff = OFF.includes(path.status) && !building && drawn && shown;
+  const off = mayBeOff ? pointsOf(sketch).findIndex((point) => !isOnSurface(drawn, surfaceOf(shown), point)) : -1;
+  if (off >= 0) return ['No path', `${nameOf(off)} lies too far from the surface: move it nearer.`];
+  return describeStatus(path.status, sketch, { isFollowed: moving, leaps: leaps(path, sketch) });
 }
 
 /** Whether a path leaps over what is no surface. @param {import('surfpath').Path} path @param {import('../state/sketch.js').Sketch} sketch */

@@ -2,6 +2,7 @@
 
 import { coordinates } from '../state/definition.js';
 import { inside, liftNear, unrollings } from '../state/lifts.js';
+import { pointsOf } from '../state/sketch.js';
 import { chosenPath, state } from '../state/state.js';
 import { indicatrices } from './indicatrices.js';
 import { frameOf, MARGIN, WIDTH } from './plane-frame.js';
@@ -66,10 +67,10 @@ export function picture(frame) {
   const path = chosenPath();
   // What is half written has no place, nor what lies where SVG, which has 32 bits, has no numbers.
   const isPlace = (/** @type {number[]} */ point) => frame.to(point).every((x) => Number.isFinite(Math.fround(x)));
-  const ends = sketch.task === 'trace' ? sketch.ends.slice(0, 1) : sketch.ends;
+  const [ends, via] = [pointsOf(sketch).slice(0, 2), pointsOf(sketch).slice(2)];
   const handles = ends.flatMap((end, i) => (isPlace(end) ? [handleOf(frame, end, i)] : []));
   const others = solved.paths.filter((_, i) => i !== chosen).flatMap(({ parameters }) => curve(parameters ?? [], frame, 'other'));
-  const isWay = ends.length === 2 && ends.every(isPlace) && sketch.via.length === 0;
+  const isWay = ends.length === 2 && ends.every(isPlace) && via.length === 0;
   const starts = isWay ? startsOf(frame).flatMap((line) => curve(line, frame, 'straight')) : [];
   const clip = svg(
     'clipPath',
@@ -78,7 +79,7 @@ export function picture(frame) {
   );
   const inner = svg('g', { 'clip-path': 'url(#plane-clip)' }, ...indicatrices(frame), ...starts, ...others);
   if (path?.parameters) inner.append(...curve(path.parameters, frame, 'path-halo'), ...curve(path.parameters, frame, 'path'));
-  const vias = sketch.via.filter(isPlace).map((point) => {
+  const vias = via.filter(isPlace).map((point) => {
     const [x, y] = frame.to(inside(frame.domain, point));
     return svg('circle', { cx: x, cy: y, r: 4, class: 'via' });
   });

@@ -9,7 +9,7 @@ import { findBadEnd, letterOf, onto } from '../state/ends.js';
 import { boxesOver, placeLengths, renderLengths } from './lengths.js';
 import { liftNear } from '../state/lifts.js';
 import { isInside, overlap } from './place-labels.js';
-import { surfaceOf } from '../state/sketch.js';
+import { pointsOf, surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('./scene.js').View} View */
 
@@ -39,9 +39,6 @@ export function startAnchors(view) {
   view.onDraw = () => placeLengths(view, placeLetters(view));
 }
 
-/** All points that can be moved: A, B, then those between. */
-const points = () => (state.sketch.task === 'trace' ? state.sketch.ends.slice(0, 1) : [...state.sketch.ends, ...state.sketch.via]);
-
 /** A periodic coordinate by whole turns as near as may be to the last one. @param {number[]} point @param {number[]} last */
 function unwind(point, last) {
   const domain = state.surface?.domain;
@@ -53,7 +50,7 @@ function move(index, given) {
   if (state.building) return;
   state.dragged = true;
   const { ends, via } = state.sketch;
-  const point = unwind(given, points()[index]);
+  const point = unwind(given, pointsOf(state.sketch)[index]);
   if (index < 2) change({ ends: ends.map((end, i) => (i === index ? point : end)) }, `move ${index}`);
   else change({ via: via.map((one, i) => (i === index - 2 ? point : one)) }, `move ${index}`);
 }
@@ -117,7 +114,7 @@ function renderHandles(view) {
   const { drawn, mesh, building } = state;
   // The sketch's points belong to a surface that is not here yet.
   if (building) return;
-  const wanted = drawn && mesh && state.shown?.entry === state.sketch.entry ? points() : [];
+  const wanted = drawn && mesh && state.shown?.entry === state.sketch.entry ? pointsOf(state.sketch) : [];
   while (handles.length > wanted.length) handles.pop()?.dispose();
   if (!drawn || !state.shown) return;
   if (themeOfHandles !== view.theme) colourHandles(view);

@@ -20,7 +20,7 @@ const DOT = 0.02;
 export const letterOf = (index) => (index < 2 ? 'AB'[index] : String(index - 1));
 
 /** @param {number} index */
-const nameOf = (index) => (index < 2 ? letterOf(index) : `Point ${letterOf(index)}`);
+export const nameOf = (index) => (index < 2 ? letterOf(index) : `Point ${letterOf(index)}`);
 
 /** @param {import('./kinds.js').Kind} kind @param {Surface} surface @param {number[][]} points A, B, then the points on the way @returns {EndProblem | null} */
 export function findBadEnd(kind, { domain }, points) {

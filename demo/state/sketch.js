@@ -76,6 +76,9 @@ export function surfaceOf({ kind, texts, parameters, density, tensor }) {
   return definition;
 }
 
+/** The points that a path is asked for with: A, then, but for straight ahead, B and those on the way. @param {Sketch} sketch */
+export const pointsOf = ({ ends, via, task }) => (task === 'trace' ? ends.slice(0, 1) : [...ends, ...via]);
+
 /** The names that stand in the formulas of a sketch. @param {Sketch} sketch @returns {Set<string>} */
 export const namesIn = ({ texts, density, tensor }) =>
   new Set([...Object.values(texts), density, ...tensor].flatMap((text) => text.match(NAMES) ?? []));

@@ -165,7 +165,31 @@ describe('changes that overtake each other', () => {
     await openEntry(page, 'sphere');
     for (const i of [0, 1, 2]) await page.fill(`#end-0-${i}`, '0');
     await rest();
-    assert.match(await text('#advice'), /An end lies too far from the surface/);
+    assert.match(await text('#advice'), /^A lies too far from the surface/);
+  });
+
+  test('which point is too far from a surface is said', async () => {
+    const sketch = { entry: 'sphere', via: [[0, 0, 1]] };
+    await openSketch(page, sketch);
+    await page.fill('#end-2-0', '40');
+    await rest();
+    assert.match(await text('#advice'), /^Point 1 lies too far from the surface/);
+    await openSketch(page, { ...sketch, via: [] });
+    await page.fill('#end-1-0', '40');
+    await rest();
+    assert.match(await text('#advice'), /^B lies too far from the surface/);
+  });
+
+  test('straight ahead asks for nothing but A', async () => {
+    await openSketch(page, { entry: 'parametricTorus', via: [[1, 1]] });
+    await page.fill('#end-1-0', '');
+    await rest();
+    assert.equal(await text('#status'), 'No path');
+    await page.check('[name=task][value=trace]');
+    await rest();
+    assert.equal(await text('#status'), 'Converged');
+    assert.equal(await text('#ends'), 'Auv');
+    assert.equal(await page.locator('#plane .via').count(), 0);
   });
 
   test('but where a link says that they are, they stay', async () => {
