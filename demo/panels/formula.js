@@ -123,6 +123,7 @@ function renderFormula({ sketch, shown, problem }) {
   }
   showProblem(problem);
   if (shown && shown !== typesetFor) renderTypeset(shown);
+  find('typeset').toggleAttribute('data-old', problem !== null && shown?.texts !== texts);
 }
 
 /** @param {import('../state/sketch.js').Sketch} shown */

@@ -244,6 +244,24 @@ describe('changes that overtake each other', () => {
     assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
+  test('a formula is typeset as of before while what is written of it cannot be drawn', async () => {
+    await openEntry(page, 'parametricTorus');
+    const opacity = () => page.$eval('#typeset', (element) => getComputedStyle(element).opacity);
+    const seen = [await opacity()];
+    for (const [field, value] of [
+      ['density', '1+'],
+      ['density', ''],
+      ['z', 'a*sin(v'],
+      ['z', 'a*sin(v)'],
+    ]) {
+      await page.evaluate(() => document.querySelector('#measure-card')?.setAttribute('open', ''));
+      await page.fill(`#field-${field}`, value);
+      await rest();
+      seen.push(await opacity());
+    }
+    assert.deepEqual(seen, ['1', '1', '1', '0.5', '1']);
+  });
+
   test('a slow hill repeats where the surface closes: paths go on over the seam', async () => {
     const ends = [
       [0.3, 0.2],
