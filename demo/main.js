@@ -61,7 +61,7 @@ function listen() {
   find('colour').addEventListener('change', ({ target }) =>
     change({ colour: /** @type {any} */ (/** @type {HTMLSelectElement} */ (target).value) }),
   );
-  find('play').addEventListener('click', () => player.play(1));
+  find('play').addEventListener('click', () => player.play());
   find('moment').addEventListener('input', ({ target }) => showStep(/** @type {HTMLInputElement} */ (target).valueAsNumber));
   find('moment').addEventListener('keydown', (event) => {
     const direction = STEPS_OF_KEYS[event.key];
@@ -119,7 +119,7 @@ function solved(animated) {
     performance.mark('first path');
     requestAnimationFrame(() => setTimeout(() => performance.mark('first path drawn')));
   }
-  if (animated) player.play(1);
+  if (animated) player.play();
   else player.stop();
   if (state.sketch.colour !== 'plain') recolour();
   refreshPlot();

@@ -4,14 +4,12 @@ import { linkNow } from '../state/change.js';
 import { question } from '../compute/flow.js';
 import { coordinates } from '../state/definition.js';
 import { find, say } from '../panels/dom.js';
-import { planeFile } from '../plots/plane-picture.js';
+import { NO_PLANE, planeFile } from '../plots/plane-picture.js';
 import { runsOf } from '../compute/legs.js';
 import { chosenPath, onRender, state } from '../state/state.js';
 
 /** @typedef {import('../stage/scene.js').View} View */
 /** @typedef {{ name: string, type: string, content: BlobPart }} File */
-
-const NO_PLANE = 'A surface f(x, y, z) = 0 has no parameters.';
 
 /** @type {Record<string, (view: View | null) => Promise<File | string> | File | string>} a string: why there is none */
 const EXPORTS = {

@@ -18,9 +18,8 @@ const [CHARACTERS, MOST_LINES] = [34, 7];
 const PATIENCE = 150;
 const UNKNOWN = /^Unknown name (\S+?)(?=[;,.]?(?:\s|$))/u;
 
-let timer = 0;
-/** The texts that the reader is changing, while not all that was written has been taken. @type {import('../state/definition.js').Texts | null} */
-let written = null;
+/** Whether the reader is writing formulas that have not been taken. */
+let isWriting = () => false;
 /** What the fields were built for. */
 let built = '';
 /** @type {unknown} */ let typesetFor = null;
@@ -32,25 +31,40 @@ export function startFormula() {
     return create('label', { title: hint }, input, create('span', {}, title));
   });
   find('kinds').replaceChildren(...labels);
-  find('fields').addEventListener('input', () => {
-    clearTimeout(timer);
-    written = state.sketch.texts;
-    timer = window.setTimeout(takeFields, PATIENCE);
-  });
-  // Who leaves a field in a hurry has written all the same.
-  find('fields').addEventListener('change', takeFields);
+  isWriting = takeFrom(
+    find('fields'),
+    () => state.sketch.texts,
+    () => change({ texts: readFields() }, 'texts'),
+  );
   find('fields').addEventListener('keydown', (event) => {
     if (event.key === 'Enter') event.preventDefault();
   });
   onRender(renderFormula);
 }
 
-function takeFields() {
-  clearTimeout(timer);
-  // Something else may have been opened meanwhile.
-  const isOurs = written === state.sketch.texts;
-  written = null;
-  if (isOurs) change({ texts: readFields() }, 'texts');
+/**
+ * Takes what is written in fields once it rests, unless something else has been opened meanwhile.
+ * @param {HTMLElement} fields @param {() => unknown} subject what is written about: another one, as soon as anything else changes it @param {() => void} take
+ * @returns {() => boolean} whether not all that was written has been taken
+ */
+export function takeFrom(fields, subject, take) {
+  let timer = 0;
+  /** @type {unknown} */ let written = null;
+  const isWritten = () => written === subject();
+  const finish = () => {
+    clearTimeout(timer);
+    const isOurs = isWritten();
+    written = null;
+    if (isOurs) take();
+  };
+  fields.addEventListener('input', () => {
+    clearTimeout(timer);
+    written = subject();
+    timer = window.setTimeout(finish, PATIENCE);
+  });
+  // Who leaves a field in a hurry has written all the same.
+  fields.addEventListener('change', finish);
+  return isWritten;
 }
 
 const readFields = () =>
@@ -117,7 +131,7 @@ function renderFormula({ sketch, shown, problem }) {
   // What the reader is writing is not written over, unless something else is opened.
   for (const name of fieldNames(kind)) {
     const input = /** @type {HTMLInputElement | HTMLTextAreaElement} */ (find(`field-${name}`));
-    if (written === texts || input.value === texts[name]) continue;
+    if (isWriting() || input.value === texts[name]) continue;
     input.value = texts[name];
     if (input instanceof HTMLTextAreaElement) grow(input);
   }
@@ -174,10 +188,7 @@ function showProblem(problem) {
   if (problem === problemShown) return;
   problemShown = problem;
   const form = find('form');
-  for (const element of form.querySelectorAll('.formula .problem, .range .problem')) {
-    element.replaceChildren();
-    /** @type {HTMLElement} */ (element).hidden = true;
-  }
+  for (const element of form.querySelectorAll('.formula .problem, .range .problem')) say(/** @type {HTMLElement} */ (element), null);
   for (const input of form.querySelectorAll('.formula [aria-invalid], .range [aria-invalid]')) input.removeAttribute('aria-invalid');
   const field = problem?.field && document.getElementById(`field-${problem.field}`) ? problem.field : null;
   say(find('formula-problem'), problem && !field ? problem.message : null);

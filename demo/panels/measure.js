@@ -2,18 +2,16 @@
 
 import { change } from '../state/change.js';
 import { create, find, say } from './dom.js';
-import { formulaField } from './formula.js';
+import { formulaField, takeFrom } from './formula.js';
 import { tensorNames } from '../state/kinds.js';
 import { PRESETS } from '../state/presets.js';
 import { onRender, state } from '../state/state.js';
 
-const PATIENCE = 150;
 /** Entries off the diagonal, which are 0 where nothing is written. */
 const MIXED = ['xy', 'xz', 'yz'];
 
-let timer = 0;
-/** What the reader is changing, while not all that was written has been taken. */
-let written = '';
+/** Whether the reader is writing formulas that have not been taken. */
+let isWriting = () => false;
 /** What the fields were built for. */
 let built = '';
 
@@ -22,13 +20,7 @@ export function startMeasure() {
     const preset = /** @type {HTMLElement} */ (target).dataset.preset;
     if (preset) change(PRESETS[preset](), `preset ${preset}`, true);
   });
-  find('measure-fields').addEventListener('input', () => {
-    clearTimeout(timer);
-    written = tokenOf(state.sketch);
-    timer = window.setTimeout(takeFields, PATIENCE);
-  });
-  // Who leaves a field in a hurry has written all the same.
-  find('measure-fields').addEventListener('change', takeFields);
+  isWriting = takeFrom(find('measure-fields'), token, takeFields);
   onRender(renderMeasure);
 }
 
@@ -37,18 +29,15 @@ const field = (name) => /** @type {HTMLInputElement | null} */ (document.getElem
 
 const textOf = (/** @type {string} */ name) => field(name)?.value ?? '';
 
-/** @param {import('../state/sketch.js').Sketch} sketch */
-const tokenOf = ({ entry, kind, density, tensor }) => JSON.stringify([entry, kind, density, tensor]);
+function token() {
+  const { entry, kind, density, tensor } = state.sketch;
+  return JSON.stringify([entry, kind, density, tensor]);
+}
 
 /** Whether length is measured otherwise than by space. @param {{ density: string, tensor: string[] }} measure */
 const hasMeasure = ({ density, tensor }) => density.trim() !== '' || tensor.length > 0;
 
 function takeFields() {
-  clearTimeout(timer);
-  // Something else may have been opened meanwhile.
-  const isOurs = written === tokenOf(state.sketch);
-  written = '';
-  if (!isOurs) return;
   const names = tensorNames(state.sketch.kind);
   const texts = names.map((name) => textOf(`metric.${name}`));
   const some = texts.some((text) => text.trim());
@@ -78,7 +67,7 @@ function renderMeasure({ sketch, problem }) {
   const all = names.length === 3 ? 'all three of E, F and G' : 'xx, yy and zz';
   say(find('measure-problem'), half && !problem ? `Write ${all}, or none.` : null);
   // What the reader is writing is not written over, unless something else is opened.
-  if (written === tokenOf(sketch)) return;
+  if (isWriting()) return;
   const values = [['density', density], ...names.map((name, i) => [`metric.${name}`, tensor[i] ?? ''])];
   for (const [name, value] of values) {
     const input = field(name);

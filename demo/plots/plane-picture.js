@@ -10,6 +10,9 @@ import { pointList, svg, ticks } from './svg.js';
 
 /** @typedef {import('./plane-frame.js').Frame} Frame */
 
+/** Why there is no picture. */
+export const NO_PLANE = 'A surface f(x, y, z) = 0 has no parameters.';
+
 /** A curve, each part of it in the rectangle once. @param {ArrayLike<number>} parameters @param {Frame} frame @param {string} className */
 function curve(parameters, frame, className) {
   if (parameters.length === 0) return [];

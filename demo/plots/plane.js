@@ -6,7 +6,7 @@ import { onHover, setHover } from '../state/hover.js';
 import { inside } from '../state/lifts.js';
 import { onRender, state } from '../state/state.js';
 import { frameOf } from './plane-frame.js';
-import { picture } from './plane-picture.js';
+import { NO_PLANE, picture } from './plane-picture.js';
 
 /** @typedef {import('./plane-frame.js').Frame} Frame */
 
@@ -74,10 +74,7 @@ function drag(event) {
 
 function renderPlane() {
   const { domain } = state.surface ?? { domain: null };
-  say(
-    find('plane-hint'),
-    domain ? 'The ends can be dragged here too.' : state.surface ? 'A surface f(x, y, z) = 0 has no parameters.' : null,
-  );
+  say(find('plane-hint'), domain ? 'The ends can be dragged here too.' : state.surface ? NO_PLANE : null);
   if (!(/** @type {HTMLDetailsElement} */ (find('plane-card')).open)) return;
   if (!domain) {
     drawn = null;

@@ -1,4 +1,4 @@
-/** Plays a number from 0 to an end in a fixed time, slow at both ends; at once for readers who asked for less motion. */
+/** Plays a number from 0 to 1 in a fixed time, slow at both ends; at once for readers who asked for less motion. */
 
 const DURATION = 1200;
 
@@ -13,14 +13,13 @@ export class Player {
     this.#show = show;
   }
 
-  /** @param {number} end */
-  play(end) {
+  play() {
     this.stop();
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches || end <= 0) return this.#show(end);
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return this.#show(1);
     const begin = performance.now();
     const step = (/** @type {number} */ now) => {
       const t = Math.min(Math.max((now - begin) / DURATION, 0), 1);
-      this.#show(end * ease(t));
+      this.#show(ease(t));
       if (t < 1) this.#frame = requestAnimationFrame(step);
     };
     this.#frame = requestAnimationFrame(step);

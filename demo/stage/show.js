@@ -37,9 +37,10 @@ function applyTheme(view) {
 
 /** What lies between two iterates, t from 0, the first, to 1, the last. @param {Float64Array[]} film @param {number} t */
 function frameAt(film, t) {
-  const last = film.length - 1;
-  const before = Math.min(Math.floor(t * last), Math.max(last - 1, 0));
-  return last === 0 ? film[0] : blend(film[before], film[before + 1], t * last - before);
+  const place = t * (film.length - 1);
+  const first = Math.max(Math.ceil(place) - 1, 0);
+  const [before, after] = film.slice(first);
+  return after ? blend(before, after, place - first) : before;
 }
 
 /** @param {View} view */

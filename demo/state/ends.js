@@ -2,7 +2,7 @@
 
 import { coordinates } from './definition.js';
 import { boxOf } from '../../web/view/origin.js';
-import { gap, isWithin } from '../../web/vector.js';
+import { diagonalOf, gap, isWithin } from '../../web/vector.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /** @typedef {import('../compute/drawable.js').SurfaceMesh} SurfaceMesh */
@@ -60,11 +60,9 @@ const FAR = 0.1;
  */
 export function onto(drawn, { bounds }, point) {
   if (drawn.kind !== 'implicit') return placeOf(drawn, point) && point;
-  if (!point.every(Number.isFinite)) return null;
-  const diagonal = Math.hypot(...bounds.map((/** @type {number[]} */ [low, high]) => high - low));
   try {
     const place = drawn.project(point, point);
-    return Math.hypot(...place.map((x, k) => x - point[k])) <= FAR * diagonal ? place : null;
+    return gap(place, point) <= FAR * diagonalOf(bounds.flat()) ? place : null;
   } catch {
     return null;
   }
