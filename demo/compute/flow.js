@@ -16,7 +16,7 @@ import {
   repairEnds,
   surfaceNow,
 } from './footing.js';
-import { closeSurfaces, openSurfaces, setParameters } from './opened.js';
+import { closeSurfaces, describeWall, openSurfaces, setParameters } from './opened.js';
 import { pointsOf, surfaceOf } from '../state/sketch.js';
 import { choiceOf, chosenPath, render, state, UNSOLVED } from '../state/state.js';
 import { describeNoMeasure } from '../panels/words.js';
@@ -187,7 +187,7 @@ function adopt(sketch, opened, mesh) {
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
   look(mesh);
-  state.note ??= describeFar(endPlaces(), state.seen);
+  state.note ??= describeFar(endPlaces(), state.seen) ?? describeWall(surfpath, opened.surface, sketch);
   render();
 }
 

@@ -2,6 +2,7 @@
 
 import { drawnOf } from './drawn.js';
 import { openGauge } from './gauge.js';
+import { surfaceOf } from '../state/sketch.js';
 
 /** @typedef {import('surfpath').Surface} Surface */
 /**
@@ -20,6 +21,18 @@ export function openSurfaces(surfpath, definition) {
     surface.dispose();
     throw error;
   }
+}
+
+/**
+ * That a surface closes in space, but not as its length is measured, which makes a wall of the seam; null: none does.
+ * @param {import('surfpath').Surfpath} surfpath @param {Surface} surface @param {import('../state/sketch.js').Sketch} sketch of it
+ */
+export function describeWall(surfpath, { domain }, sketch) {
+  if (!`${sketch.density}${sketch.tensor}`) return null;
+  const inSpace = surfpath.surface(/** @type {any} */ (surfaceOf({ ...sketch, density: '', tensor: [] })));
+  const isSame = JSON.stringify(inSpace.domain?.periodic) === JSON.stringify(domain?.periodic);
+  inSpace.dispose();
+  return isSame ? null : 'Beyond its seam length is measured otherwise: no path crosses it.';
 }
 
 /** Each of them once. @param {{ [name in keyof Surfaces]: Surfaces[name] | null }} surfaces */

@@ -262,6 +262,25 @@ describe('changes that overtake each other', () => {
     assert.deepEqual(seen, ['1', '1', '1', '0.5', '1']);
   });
 
+  test('where a density or a metric does not repeat beyond a seam, so that no path crosses it, the page says so', async () => {
+    const said = async (/** @type {object} */ sketch) => {
+      await openSketch(page, sketch);
+      assert.equal(await status(), 'converged');
+      return /Beyond its seam length is measured otherwise/.test(await text('#advice'));
+    };
+    assert.deepEqual(
+      [
+        await said({ entry: 'moebius', density: '1+exp(-(u-1.8)^2)' }),
+        await said({ entry: 'moebius', density: '1+exp(-(x-1)^2)' }),
+        await said({ entry: 'parametricTorus', tensor: ['1+u', '0', '1'] }),
+        await said({ entry: 'parametricTorus', density: '1.5+cos(u)' }),
+        await said({ entry: 'sphere', density: '1+x^2' }),
+        await said({ entry: 'hyperbolicDisc' }),
+      ],
+      [true, false, true, false, false, false],
+    );
+  });
+
   test('a slow hill repeats where the surface closes: paths go on over the seam', async () => {
     const ends = [
       [0.3, 0.2],
