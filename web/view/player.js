@@ -49,14 +49,15 @@ export class PathPlayer {
   #colour = new Color();
   /** @type {NonNullable<PathPlayerOptions['onFrame']>} */ #onFrame = () => {};
   /** @type {boolean | undefined} */ #reducedMotion;
-  /** The iterates, all with as many points as the path; last the path itself. @type {Float64Array[]} */ #frames = [];
+  /** The iterates, all with as many points as the path; last the path itself, null where it was not found. None: it was let go of. @type {(Float64Array | null)[]} */ #frames =
+    [];
   #request = 0;
   /** @type {(() => void) | null} */ #finish = null;
   #moment = 1;
 
   /**
    * @param {import('./line.js').GeodesicLine} line that shows it; stays the caller's
-   * @param {Path | null} path of `shortestPath(…, { record: true })`; without `record` there is nothing but the end to play
+   * @param {Path | null} path of `shortestPath(…, { record: true })`; without `record` there is only the end to play
    * @param {PathPlayerOptions} [options]
    */
   constructor(line, path, options = {}) {
@@ -91,7 +92,7 @@ export class PathPlayer {
     this.stop();
     const points = readPoints('PathPlayer', path);
     const iterates = (path?.history ?? []).flatMap((iterate) => (iterate.points && iterate.points.length >= 6 ? [iterate.points] : []));
-    this.#frames = points ? [...iterates, points].map((frame) => resample(frame, points.length / 3)) : [];
+    this.#frames = points ? [...iterates, points].map((frame) => resample(frame, points.length / 3)) : [null];
     // The path itself as it is: its points may be spaced otherwise.
     if (points) this.#frames[this.#frames.length - 1] = Float64Array.from(points);
     this.scrub(1);
@@ -104,20 +105,15 @@ export class PathPlayer {
   scrub(moment) {
     if (!(moment >= 0 && moment <= 1)) refuseNumber('PathPlayer: moment', 'a number between 0 and 1', moment);
     this.#moment = moment;
-    const last = this.#frames.length - 1;
-    const place = moment * last;
-    const first = Math.min(Math.floor(place), last - 1);
+    const place = moment * this.iterations;
+    const first = Math.max(Math.ceil(place) - 1, 0);
+    const [before, after] = this.#frames.slice(first);
+    if (before === undefined) return;
+    const share = place - first;
     const { cool, warm } = this.#colours;
-    if (last > 0) this.#line.setPath(this.#blend(first, place - first));
-    else this.#line.setPath(this.#frames[0] ?? null);
-    this.#line.setColours({ colour: this.#colour.lerpColors(cool, warm, last > 0 ? moment : 1) });
+    this.#line.setPath(before && after ? before.map((x, i) => (1 - share) * x + share * after[i]) : before);
+    this.#line.setColours({ colour: this.#colour.lerpColors(cool, warm, after ? moment : 1) });
     this.#onFrame(moment, Math.round(place));
-  }
-
-  /** @param {number} first @param {number} share */
-  #blend(first, share) {
-    const [a, b] = [this.#frames[first], this.#frames[first + 1]];
-    return a.map((x, i) => (1 - share) * x + share * b[i]);
   }
 
   /** What is not named stays. @param {{ cool?: import('three').ColorRepresentation, warm?: import('three').ColorRepresentation }} colours */

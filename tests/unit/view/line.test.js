@@ -223,6 +223,18 @@ for (const [title, { draw, THREE }] of await loadReleases())
         }
       });
 
+      test('leaves the line alone once it is disposed', async () => {
+        const line = new draw.GeodesicLine();
+        let drawn = 0;
+        const player = new draw.PathPlayer(line, film, { onFrame: () => drawn++ });
+        player.dispose();
+        for (const use of [() => player.play(), () => player.finish(), () => player.scrub(0), () => player.setColours({ warm: 'red' })])
+          await use();
+        assert.deepEqual([drawn, asked.size, line.children[0].visible], [0, 0, true]);
+        player.setPath(path);
+        assert.equal(drawn, 1, 'it takes another path');
+      });
+
       test('plays iterates of elements, whose numbers of points differ', () => {
         const levels = torus.shortestPath(from, to, { record: true });
         const line = new draw.GeodesicLine();
