@@ -238,6 +238,65 @@ test('where two pipes meet, whose walls are thinner than cells of the first grap
   tee.dispose();
 });
 
+test('from the front of a pipe to its back, past a thinner one that meets it: over that, as long as with both unrolled, and so in mirrors', () => {
+  const [thick, thin] = [0.5, 0.4];
+  const tee = surfpath.implicit({ f: `min(hypot(x, y) - ${thick}, hypot(y, z) - ${thin})`, bounds: cube(1.5) });
+  const low = -1.3;
+  /** A place where they meet, by its angle around the thin one. @param {number} angle */
+  const joint = (angle) => {
+    const [y, z] = [thin * Math.cos(angle), thin * Math.sin(angle)];
+    return { x: Math.sqrt(thick ** 2 - y ** 2), z, around: Math.asin(y / thick) };
+  };
+  const across = (
+    /** @type {number} */ from,
+    /** @type {number} */ to,
+    /** @type {number} */ high,
+    /** @type {number[]} */ [first, last],
+  ) => {
+    const [onto, off] = [joint(first), joint(last)];
+    const over = Math.hypot(thin * (last - first), off.x - onto.x);
+    return Math.hypot(thick * (onto.around - from), onto.z - low) + over + Math.hypot(thick * (to - off.around), high - off.z);
+  };
+  /** Downhill to where no small step leads. @param {number} from @param {number} to @param {number} high */
+  const downhill = (from, to, high) => {
+    let [at, step] = [[-0.7, -0.1], 0.1];
+    const of = (/** @type {number[]} */ angles) => across(from, to, high, angles);
+    while (step > 1e-8) {
+      const next = [-step, step]
+        .flatMap((by) => [
+          [at[0] + by, at[1]],
+          [at[0], at[1] + by],
+        ])
+        .find((angles) => of(angles) < of(at));
+      if (next) at = next;
+      else step /= 2;
+    }
+    return of(at);
+  };
+  for (const [from, to, high] of [
+    [-1.3496, 1.5702, 0.673],
+    [-1.4006, 1.6186, 0.573],
+    [-1.5757, 1.2905, 0.473],
+  ]) {
+    const exact = downhill(from, to, high);
+    const place = (/** @type {number} */ around, /** @type {number} */ z, /** @type {number[]} */ [i, j]) => [
+      ...[i * thick * Math.cos(around), j * thick * Math.sin(around)],
+      z,
+    ];
+    for (const mirror of [
+      [1, 1],
+      [-1, 1],
+      [1, -1],
+      [-1, -1],
+    ]) {
+      const path = tee.shortestPath(place(from, low, mirror), place(to, high, mirror));
+      assert.equal(path.status, 'converged', `${from} to ${to}, mirrored by ${mirror}`);
+      assert.ok(Math.abs(path.length - exact) < RIGHT * exact, `${path.length}, not ${exact}`);
+    }
+  }
+  tee.dispose();
+});
+
 test('geodesics of a cube: the shortest is the shortest path, which leads over edges as unfolded', () => {
   const body = surfpath.implicit({ f: 'max(abs(x), abs(y), abs(z)) - 1', bounds: cube(1.2) });
   const random = createRandom(15);

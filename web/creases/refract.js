@@ -27,9 +27,15 @@ const GONE = 1e-6;
 
 /** Moves the joints until the path is shortest. @param {Question} question @param {Route} route @returns {Route | null} null: that leads nowhere */
 export function refract(question, route) {
-  const { isPlain } = question.field;
   if (route.joints.length === 0) return route;
-  let now = isPlain ? pull(question, route) : route;
+  const pulled = question.field.isPlain ? pull(question, route) : route;
+  /* Springs know nothing of how legs bend: where these are long they may pull away from a path that is near. */
+  return shorten(question, pulled) ?? (pulled === route ? null : shorten(question, route));
+}
+
+/** As {@link refract}, by steps of Newton alone. @param {Question} question @param {Route} route @returns {Route | null} */
+function shorten(question, route) {
+  let now = route;
   for (let step = 0, near = 0; step < MOST_STEPS; step++) {
     const next = improve(question, now);
     if (!next) return null;
