@@ -117,12 +117,13 @@ function findMoving(field, ends, options, start) {
 
 /** As {@link findPath}, where length is measured by numbers at both ends. @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {import('./pieces/pieces.js').Start} start @returns {Path} */
 function findFinite(field, ends, options, start) {
-  const creased = findCreased(field, ends, options, start);
+  /* Across creases elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
+  const find = (/** @type {SolveOptions} */ asked) =>
+    findSmooth(field, ends, { ...asked, maxIterations: Math.min(asked.maxIterations, STEPS) }, start);
+  const creased = findCreased(field, ends, options, start, 0, (asked) => [find(asked)]);
   if (!creased) return findSmooth(field, ends, options, start);
   if (creased.known) return creased.known;
-  /* Across creases elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
-  const maxIterations = Math.min(options.maxIterations, STEPS);
-  const path = shorter(findSmooth(field, ends, { ...options, maxIterations }, start), creased.path);
+  const path = shorter(find(options), creased.path);
   if (path.converged && path.length <= creased.most) return path;
   /* Cells that are wider than a wall lead through it. */
   const mayBeThin = start === 'global' && !field.domain && field.isPlain && !isGeodesic(path) && !creased.path;
@@ -202,7 +203,7 @@ function findStretched(field, stretched, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGeodesics(field, ends, options, most) {
-  const creased = findCreased(field, ends, options, 'all')?.paths;
+  const creased = findCreased(field, ends, options, 'all', 0, (asked) => findAllByPieces(field, ends, asked, most))?.paths;
   if (creased?.length) return creased.slice(0, most);
   const paths = findAllByPieces(field, ends, options, most);
   const again = paths.length === 1 ? instead(field, paths[0], options) : null;

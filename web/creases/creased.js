@@ -9,6 +9,7 @@ import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, settleEnd, solveAlong } from '../search/routes.js';
 import { gap, sumOf } from '../vector.js';
 import { cut } from './cut.js';
+import { areFaint } from './faint.js';
 import { follow } from './follow.js';
 import { isOnEdge, LEG, lengthOf, lineOf, placesOf, roundingOf } from './legs.js';
 import { followPinned } from './pinned.js';
@@ -40,6 +41,8 @@ const UNTOLD = 1.01;
 const BLIND = 1.05;
 /** A path is the straight line in space if it is longer by no more than this part. */
 const STRAIGHT = 1e-9;
+/** Paths are solved to this part of their length where those next to them are. */
+const NEAR = 1e-6;
 /** Polylines lead the same way that are nowhere farther apart than this part of their length, or than the second if they cross the same creases. */
 const [APART, ALIKE] = [0.02, 0.1];
 
@@ -51,9 +54,10 @@ const [APART, ALIKE] = [0.02, 0.1];
 /**
  * The shortest path near a start, or of all that are found; or all of them, shortest first.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Sought} start @param {number} [finer] as findWays takes it
+ * @param {((options: SolveOptions) => Path[]) | null} [findSmooth] finds them as if there were no creases
  * @returns {Creased | null} null: there are no creases
  */
-export function findCreased(field, ends, options, start, finer = 0) {
+export function findCreased(field, ends, options, start, finer = 0, findSmooth = null) {
   const { domain, pieces } = field;
   const isWhole = pieces.length === 0 && !domain?.turn;
   if (!field.sides || !isWhole || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations)
@@ -69,6 +73,8 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const ways = findWays(field, asked, start, finer);
   /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
   if (finer && ways.ways.length === 0) return null;
+  const smooth = findSmooth && field.isPlain && !domain && areFaint(sides, ways.ways) ? solveAcross(field, ends, options, findSmooth) : [];
+  if (smooth.length > 0) return { path: smooth[0], known: smooth[0], paths: smooth, most: Infinity, rough: () => null };
   const ask = () => ({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } });
   const { routes, least, most } = findRoutes(ask(), ways, start);
   const length = leastOf(routes);
@@ -85,6 +91,21 @@ export function findCreased(field, ends, options, start, finer = 0) {
   const [path = null] = paths;
   const known = path && path.length <= most ? path : null;
   return { path, known, paths, most, rough: () => least && turn(roughly(field, asked, least, options.points)) };
+}
+
+/**
+ * The paths across creases that they do not notice: where joints come to rest near those that elements follow, they are as exact as on smooth sides; else as these are.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {(options: SolveOptions) => Path[]} findSmooth @returns {Path[]}
+ */
+function solveAcross(field, ends, options, findSmooth) {
+  const tolerance = Math.max(options.tolerance, NEAR);
+  const solve = (/** @type {SolveOptions} */ asked) => findSmooth(asked).filter(({ converged }) => converged);
+  const found = solve({ ...options, tolerance });
+  const exact = found.flatMap((path) => {
+    const near = findCreased(field, ends, options, path.points)?.path;
+    return near && Math.abs(near.length - path.length) <= tolerance * path.length ? near : [];
+  });
+  return exact.length === found.length ? exact : solve(options);
 }
 
 /** The routes that polylines lead to, each once, the best one first, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {Sought} start @returns {{ routes: Route[], least: Way | null, most: number }} */
