@@ -86,7 +86,7 @@ function tryAll(problem, starts, tried, most) {
   for (const [i, start] of starts.entries()) {
     const isEnough = most === 1 && i >= ENOUGH;
     if (isEnough && tried.every(({ path }) => holds({ path }) && path.iterations <= STRAIGHT && isSame(path, tried[0].path))) break;
-    tried.push(solveRoughly(problem, start, tried));
+    tried.push(solveRoughly(problem, start, tried, most));
   }
   return { tried, rough: holding(problem, tried) };
 }

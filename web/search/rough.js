@@ -62,14 +62,14 @@ export const isOneOfMany = (one, path) => one.status === ILL_CONDITIONED && Math
 export const stallsAtBranch = ({ branches }, { coarse }) => coarse.status === STALLED && branches.length > 0;
 
 /**
- * Solves with few points, and with more where that does not hold, unless that was done.
- * @param {Problem} problem @param {Start} start @param {Tried[]} tried
+ * Solves with few points, and with more where that does not hold, unless that was done, or the start is a straight line beside others and one path is wanted.
+ * @param {Problem} problem @param {Start} start @param {Tried[]} tried @param {number} [most] paths wanted
  * @returns {Tried}
  */
-export function solveRoughly(problem, { to, start, fine }, tried) {
-  const coarse = problem.solve(to, start, roughlyIn(ROUGH[0]));
-  const more = (start || !tried.length) && !isKnown(problem, { to, coarse }, tried) && !stallsAtBranch(problem, { coarse });
-  const one = { to, start, fine, path: coarse, coarse };
+export function solveRoughly(problem, start, tried, most = 1) {
+  const coarse = problem.solve(start.to, start.start, roughlyIn(ROUGH[0]));
+  const one = { ...start, path: coarse, coarse };
+  const more = (start.start || most > 1 || !tried.length) && !isKnown(problem, one, tried) && !stallsAtBranch(problem, one);
   return more ? solveFiner(problem, one) : one;
 }
 

@@ -140,3 +140,14 @@ describe('an end that is dragged past poles, each path the start of the next', (
     }
   });
 });
+
+test('geodesics: the straight line to a neighbouring turn leads to its path, also where 32 chords stall', () => {
+  const [r, h] = ['(2 + cos(u/2)*sin(v) - sin(u/2)*sin(2v))', 'sin(u/2)*sin(v) + cos(u/2)*sin(2v)'];
+  const bottle = surfpath.parametric({ x: `${r}*cos(u)`, y: `${r}*sin(u)`, z: h, u: [0, '2pi'], v: [0, '2pi'] });
+  const { length } = bottle.shortestPath([1, 2], [2.5, 4.2], { start: [1, 2, 2.5, 4.2 - 2 * Math.PI] });
+  const lengths = bottle.geodesics([1, 2], [2.5, 4.2]).map((path) => path.length);
+  assert.ok(
+    lengths.some((one) => Math.abs(one / length - 1) < TWO_TOLERANCES),
+    `${length} of ${lengths}`,
+  );
+});
