@@ -3,18 +3,15 @@
  * joints.
  */
 
-import { cross, norm } from '../vector.js';
+import { cross, largest, norm } from '../vector.js';
 import { beyond, settle } from './crease.js';
 import { cut } from './cut.js';
-import { span } from './legs.js';
 
 /** @typedef {import('../manifold/sides.js').Sides} Sides */
 /** @typedef {import('./legs.js').Joint} Joint */
 
 /** Normals are the same if the sine between them is below this. */
 const PARALLEL = 1e-6;
-/** A polyline passes creases of the surface no farther from that than this part of its length; what it passes elsewhere, within the body, may bend. */
-const BESIDE = 1 / 64;
 
 /** Whether polylines cross creases, and the surface none at which it bends. @param {Sides} sides @param {Float64Array[]} ways */
 export function areFaint(sides, ways) {
@@ -23,17 +20,16 @@ export function areFaint(sides, ways) {
     const route = cut(sides, way, { most: Infinity });
     if (!route) return false;
     count += route.joints.length;
-    const far = BESIDE * span(way, sides.scale);
-    if (route.joints.some((joint) => isSharp(sides, joint, far))) return false;
+    if (route.joints.some((joint) => isSharp(sides, joint))) return false;
   }
   return count > 0;
 }
 
-/** Whether the surface has another normal beyond a crease. @param {Sides} sides @param {Joint} joint @param {number} far from the surface it is none of it */
-function isSharp(sides, joint, far) {
-  const seen = (/** @type {number[]} */ place) =>
-    [joint.signs, beyond(joint.signs, joint.crease)].map((signs) => Array.from(sides.on(signs)?.values(place) ?? []));
-  if (!seen(joint.place).every(([f, ...slope]) => Math.abs(f) <= far * norm(slope))) return false;
-  const [one, other] = seen(settle(sides, joint, joint.place)).map(([, ...slope]) => slope);
+/** Whether the surface has another normal beyond a crease. Within the body, where f is constant or from where nothing leads to the surface, it has none. @param {Sides} sides @param {Joint} joint */
+function isSharp(sides, joint) {
+  const slopes = (/** @type {number[]} */ place) =>
+    [joint.signs, beyond(joint.signs, joint.crease)].map((signs) => Array.from(sides.on(signs)?.values(place).slice(1) ?? []));
+  if (!slopes(joint.place).every(largest)) return false;
+  const [one, other] = slopes(settle(sides, joint, joint.place));
   return norm(cross(one, other)) > PARALLEL * norm(one) * norm(other);
 }
