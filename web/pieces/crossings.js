@@ -12,7 +12,7 @@ import { concatenate, inOrder, joinLegs, reverse } from '../search/join.js';
 import { CONVERGED } from '../runtime/status.js';
 import { roughlyIn } from '../search/rough.js';
 import { drawLine, findWays, solveAlong } from '../search/routes.js';
-import { dot, gap, largest, sumOf } from '../vector.js';
+import { dot, gap, largest } from '../vector.js';
 import { AT_REST, crossingsFrom, jetOf } from './singular.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -22,6 +22,7 @@ import { AT_REST, crossingsFrom, jetOf } from './singular.js';
 /** @typedef {{ points: Float64Array, length: number }} Drawn a polyline on the surface */
 /** @typedef {{ line: Float64Array, length: number, pulls: number[][] }} Leg */
 /** @typedef {{ legs: Pick<Leg, 'line'>[], joints: Crossing[] }} Route polylines of legs, and one joint less */
+/** spanned: how long the polyline is that leads over these joints. @typedef {Route & { spanned: number }} Split */
 /** @typedef {{ legs: Leg[], joints: Crossing[], length: number }} Solved */
 /** @typedef {{ field: Field, ends: number[][], exactness: Exactness, budget: { moves: number } }} Question budget: of nodes, for all that is tried */
 
@@ -76,8 +77,9 @@ export function overCrossings(field, net, ends, options, known) {
 /** As {@link overCrossings}, over some of these, from the lexicographically smaller end. @param {Field} field @param {{ crossings: Crossing[] }} net @param {Crossing[]} crossings @param {number[][]} ends @param {SolveOptions} options @param {Path} known @returns {Path} */
 function leadOver(field, net, crossings, ends, options, known) {
   const lines = [...(known.points.length > 0 ? [known.points] : []), ...findWays(field, ends, 'global').ways];
-  const ways = lines.map((line) => drawLine(field, ends, line, DRAWN)).filter(({ length }) => length >= 0);
-  const drawn = [...ways, ...waysOver(field, net.crossings, crossings, ends)].sort((a, b) => a.length - b.length);
+  const ways = lines.map((line) => drawLine(field, ends, line, DRAWN));
+  const drawn = [...ways, ...waysOver(field, net.crossings, crossings, ends)].filter(({ length }) => length >= 0);
+  drawn.sort((a, b) => a.length - b.length);
   const followed = followAll(field, ends, drawn, mostOf(known));
   const solved = solveShortest(field, ends, options, followed.routes, mostOf(known));
   const chosen = solved.best ?? (isGeodesic(known) ? null : followed.routes[0]);
@@ -105,7 +107,7 @@ function followAll(field, ends, drawn, shortest) {
     const first = split(field, ends, points);
     let least = first.joints.length > 0 ? Infinity : 0;
     /* Near a place where such curves meet, a polyline may cross some that a path passes by. */
-    for (const open = [first]; open.length > 0 && tried.length < MOST_ROUTES; ) {
+    for (const /** @type {Route[]} */ open = [first]; open.length > 0 && tried.length < MOST_ROUTES; ) {
       const route = /** @type {Route} */ (open.shift());
       const { joints } = route;
       let one = tried.find((other) => areBeside(joints, other.joints, BESIDE * length));
@@ -116,7 +118,7 @@ function followAll(field, ends, drawn, shortest) {
       least = Math.min(least, one.path?.length ?? Infinity);
       if (joints.length > 1) open.push(...joints.map((_, j) => without(route, j)));
     }
-    const most = sumOf(first.legs.map(({ line }) => span(line, SPACE))) * (1 + (passesEdge(first) ? OVER_EDGE : ROUGH));
+    const most = first.spanned * (1 + (passesEdge(first) ? OVER_EDGE : ROUGH));
     shortest = Math.min(shortest, least || Infinity);
     if (least > most) missed = Math.min(missed, most);
   }
@@ -161,7 +163,7 @@ function solveExactly(field, ends, route, tolerance) {
 function waysOver(field, all, near, ends) {
   const places = all.map(({ place }) => place);
   const stops = [...places, ...ends];
-  return field.run((heap, record) => {
+  const found = field.run((heap, record) => {
     const graph = field.graphs.find(heap, record, field, 0);
     if (graph?.status !== CONVERGED) return [];
     const measured = (/** @type {number[]} */ from) => heap.measureField(record, graph, from, places.flat()).lengths;
@@ -179,14 +181,22 @@ function waysOver(field, all, near, ends) {
     /** @type {typeof over} */
     const kept = [];
     for (const one of over) if (!kept.some(({ joints }) => areBeside(joints, one.joints, APART * one.length))) kept.push(one);
-    return kept.flatMap(({ way, length }) => {
+    return kept.map(({ way }) => {
       const points = Math.floor((DRAWN - 1) / (way.length - 1));
-      const lines = way
-        .slice(1)
-        .flatMap((to, k) => heap.searchGraph(record, graph, stops[way[k]], stops[to], points, false).candidates.slice(0, 1));
-      return lines.length === way.length - 1 ? [{ points: concatenate(lines, 3), length }] : [];
+      return way.slice(1).map((stop, k) => {
+        const between = [stops[way[k]], stops[stop]];
+        return { between, points, line: heap.searchGraph(record, graph, between[0], between[1], points, false).candidates[0] };
+      });
     });
   });
+  /* The graph's own lines cut off what is curved. */
+  return found
+    .filter((legs) => legs.every(({ line }) => line))
+    .map((legs) => {
+      const drawn = legs.map(({ between, points, line }) => drawLine(field, between, line, points));
+      const lines = drawn.map(({ points }) => points);
+      return { points: concatenate(lines, 3), length: lengthOf(drawn) };
+    });
 }
 
 /** Whether joints lie on the same curve, as far as directions tell. @param {Crossing} one @param {Crossing} other */
@@ -209,13 +219,13 @@ function withEdges(jets, nodes, far, size) {
   });
 }
 
-/** A polyline cut where it passes crossings; its nodes beside these may lie on any sheet. @param {Field} field @param {number[][]} ends @param {Float64Array} line @returns {Route} */
+/** A polyline cut where it passes crossings; its nodes beside these may lie on any sheet. @param {Field} field @param {number[][]} ends @param {Float64Array} line @returns {Split} */
 function split({ jets }, ends, line) {
   const nodes = nodesOf(line, 3);
   const step = Math.max(...nodes.slice(1).map((node, i) => gap(node, nodes[i])));
   const size = gap(ends[0], ends[1]);
   const inner = withEdges(jets, nodes.slice(1, -1), BEYOND * step, size);
-  /** @type {{ joint: Crossing, away: number, last: number }[]} */
+  /** @type {{ joint: Crossing, away: number, nearest: number, last: number }[]} */
   const passed = [];
   /** @type {number[][][]} */
   const between = [[]];
@@ -228,16 +238,20 @@ function split({ jets }, ends, line) {
     const before = passed.at(-1);
     if (before?.last !== i - 1 || !areAlike(joint, before.joint)) {
       between.push([]);
-      passed.push({ joint, away, last: i });
+      passed.push({ joint, away, nearest: i, last: i });
       continue;
     }
-    if (away <= before.away) Object.assign(before, { joint, away });
+    if (away <= before.away) Object.assign(before, { joint, away, nearest: i });
     before.last = i;
   }
   const joints = passed.map(({ joint }) => joint);
   const places = placesOf({ ends }, joints);
+  /* A chord from sheet to sheet cuts the crossing off, as do those from the nodes beside it. */
+  const over = [ends[0], ...inner, ends[1]];
+  for (const { joint, nearest } of passed) over[nearest + 1] = joint.place;
   return {
     joints,
+    spanned: span(over.flat(), SPACE),
     legs: between.map((own, k) => ({ line: Float64Array.from([places[k], ...own, places[k + 1]].flat()) })),
   };
 }
