@@ -3,6 +3,7 @@
  * space: where sheets cross or lie close to each other they jump over, and nothing leads back. Over u and v alone there is no other sheet. MATH.md, "Intrinsic paths".
  */
 
+import { findAtPole, poleBeside, polesOf, withPoles } from './creases/at-poles.js';
 import { findCreased } from './creases/creased.js';
 import { GAUSS } from './gauss.js';
 import { vector } from './manifold/rectangle.js';
@@ -120,9 +121,21 @@ function findFinite(field, ends, options, start) {
   /* Across creases elements do not come to rest, and chords lie in the air: what they say soon they say as well as later. */
   const find = (/** @type {SolveOptions} */ asked) =>
     findSmooth(field, ends, { ...asked, maxIterations: Math.min(asked.maxIterations, STEPS) }, start);
-  const creased = findCreased(field, ends, options, start, 0, (asked) => [find(asked)]);
+  /** @type {Map<number, Path[]>} */
+  const around = new Map();
+  const findAround = (/** @type {number} */ pole) => {
+    const paths =
+      around.get(pole) ?? findAtPole(field, ends, start, pole, (flat, places, line) => [findFinite(flat, places, options, line)]);
+    around.set(pole, paths);
+    return paths;
+  };
+  const creased = findCreased(field, ends, options, start, 0, { findSmooth: (asked) => [find(asked)], findAround });
   if (!creased) return findSmooth(field, ends, options, start);
-  if (creased.known) return creased.known;
+  const { known } = creased;
+  const passed = known ? poleBeside(field.domain, known.parameters) : polesOf(field.domain);
+  const [beside = null] = passed.flatMap(findAround).sort((a, b) => a.length - b.length);
+  if (beside && beside.length <= (known ? known.length : creased.bound)) return beside;
+  if (known) return known;
   const path = shorter(find(options), creased.path);
   if (path.converged && path.length <= creased.most) return path;
   /* Cells that are wider than a wall lead through it. */
@@ -203,8 +216,13 @@ function findStretched(field, stretched, ends, options, start) {
  * @returns {Path[]}
  */
 export function findGeodesics(field, ends, options, most) {
-  const creased = findCreased(field, ends, options, 'all', 0, (asked) => findAllByPieces(field, ends, asked, most))?.paths;
-  if (creased?.length) return creased.slice(0, most);
+  const others = {
+    findSmooth: (/** @type {SolveOptions} */ asked) => findAllByPieces(field, ends, asked, most),
+    findAround: (/** @type {number} */ pole) =>
+      findAtPole(field, ends, 'global', pole, (flat, places) => findGeodesics(flat, places, options, most)),
+  };
+  const creased = findCreased(field, ends, options, 'all', 0, others)?.paths;
+  if (creased?.length) return withPoles(field, creased, others.findAround).slice(0, most);
   const paths = findAllByPieces(field, ends, options, most);
   const again = paths.length === 1 ? instead(field, paths[0], options) : null;
   if (!again) return paths;

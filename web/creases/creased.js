@@ -8,6 +8,7 @@ import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, settleEnd, solveAlong } from '../search/routes.js';
 import { gap, sumOf } from '../vector.js';
+import { poleBeside } from './at-poles.js';
 import { cut } from './cut.js';
 import { areFaint } from './faint.js';
 import { follow } from './follow.js';
@@ -48,16 +49,17 @@ const [APART, ALIKE] = [0.02, 0.1];
 
 /** @typedef {{ line: Float64Array, crossed: string | null }} Understood a polyline that was followed, and which creases it crosses; null: not known, or past corners, of which that does not tell the side */
 /** @typedef {{ line: Float64Array, measured: number }} Way a polyline, and how long it is on the surface */
+/** findSmooth finds paths as if there were no creases; findAround over the plane around a pole. @typedef {{ findSmooth: (options: SolveOptions) => Path[], findAround: (pole: number) => Path[] }} Others */
 /** all: every path that is found, not the shortest one alone. @typedef {import('../pieces/pieces.js').Start | 'all'} Sought */
-/** paths: `converged`; path: the first of them, or null; most: no path is shorter than that is: beyond it a shorter way was seen; known: a path within that; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, known: Path | null, paths: Path[], most: number, rough: () => Path | null }} Creased */
+/** paths: `converged`; path: the first of them, or null; bound: the shortest is no longer, by what was measured; most: nor, by ways, too, that could not be followed: beyond it a shorter one was seen; known: a path within that; rough: the shortest polyline, if any is measured, as a path that is `stalled`. @typedef {{ path: Path | null, known: Path | null, paths: Path[], bound: number, most: number, rough: () => Path | null }} Creased */
 
 /**
  * The shortest path near a start, or of all that are found; or all of them, shortest first.
  * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {Sought} start @param {number} [finer] as findWays takes it
- * @param {((options: SolveOptions) => Path[]) | null} [findSmooth] finds them as if there were no creases
+ * @param {Others | null} [others]
  * @returns {Creased | null} null: there are no creases
  */
-export function findCreased(field, ends, options, start, finer = 0, findSmooth = null) {
+export function findCreased(field, ends, options, start, finer = 0, others = null) {
   const { domain, pieces } = field;
   const isWhole = pieces.length === 0 && !domain?.turn;
   if (!field.sides || !isWhole || options.algorithm !== ELEMENTS || options.record || options.maxIterations < LEG.maxIterations)
@@ -73,10 +75,10 @@ export function findCreased(field, ends, options, start, finer = 0, findSmooth =
   const ways = findWays(field, asked, start, finer);
   /* A finer graph that does not join the ends, as one on an edge, tells nothing of them. */
   if (finer && ways.ways.length === 0) return null;
-  const smooth = findSmooth && field.isPlain && !domain && areFaint(sides, ways.ways) ? solveAcross(field, ends, options, findSmooth) : [];
-  if (smooth.length > 0) return { path: smooth[0], known: smooth[0], paths: smooth, most: Infinity, rough: () => null };
+  const known = others ? findElse(field, ends, options, { sides, ways, isAll: start === 'all' }, others) : [];
+  if (known.length > 0) return { path: known[0], known: known[0], paths: known, bound: Infinity, most: Infinity, rough: () => null };
   const ask = () => ({ field, sides, ends: asked, budget: { steps: MOST_NEWTON } });
-  const { routes, least, most } = findRoutes(ask(), ways, start);
+  const { routes, least, bound, most } = findRoutes(ask(), ways, start);
   const length = leastOf(routes);
   /* A graph that knows no way nearly as short may know none where the shortest leads; in the rectangle a finer one may see more where it is not certain. */
   const isOpen = ways.distance > length * BLIND || (field.domain && length > most);
@@ -89,8 +91,25 @@ export function findCreased(field, ends, options, start, finer = 0, findSmooth =
     .map((route) => turn(write(ask(), route, options)))
     .filter((path) => path.converged);
   const [path = null] = paths;
-  const known = path && path.length <= most ? path : null;
-  return { path, known, paths, most, rough: () => least && turn(roughly(field, asked, least, options.points)) };
+  return {
+    path,
+    known: path && path.length <= most ? path : null,
+    paths,
+    bound,
+    most,
+    rough: () => least && turn(roughly(field, asked, least, options.points)),
+  };
+}
+
+/**
+ * Paths that are better found by others: across creases that they do not notice, and beside the pole that the shortest way passes.
+ * @param {Field} field @param {number[][]} ends @param {SolveOptions} options @param {{ sides: import('../manifold/sides.js').Sides, ways: ReturnType<typeof findWays>, isAll: boolean }} known @param {Others} others @returns {Path[]}
+ */
+function findElse(field, ends, options, { sides, ways: { ways, distance }, isAll }, { findSmooth, findAround }) {
+  const { domain } = field;
+  if (!domain) return field.isPlain && areFaint(sides, ways) ? solveAcross(field, ends, options, findSmooth) : [];
+  const [pole] = isAll ? [] : poleBeside(domain, ways[0] ?? null);
+  return pole ? findAround(pole).filter(({ length }) => length <= distance * (1 + COARSE)) : [];
 }
 
 /**
@@ -108,7 +127,7 @@ function solveAcross(field, ends, options, findSmooth) {
   return exact.length === found.length ? exact : solve(options);
 }
 
-/** The routes that polylines lead to, each once, the best one first, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {Sought} start @returns {{ routes: Route[], least: Way | null, most: number }} */
+/** The routes that polylines lead to, each once, the best one first, the shortest of these, if it was measured, and what no path is shorter than that is. @param {Question} question @param {ReturnType<typeof findWays>} found @param {Sought} start @returns {{ routes: Route[], least: Way | null, bound: number, most: number }} */
 function findRoutes(question, { ways, distance: told }, start) {
   const { field, sides, ends } = question;
   const width = ends[0].length;
@@ -179,13 +198,14 @@ function findRoutes(question, { ways, distance: told }, start) {
   /* A shorter way that could not be followed leaves it open what is the shortest; where no way at all was found, what lies between the ends is the least there may be. */
   const isUnseen = start === 'global' && field.isPlain && !field.domain && distance === Infinity;
   const seen = missed.map(({ length }) => length * (field.isPlain ? 1 + ROUGHER : 1 - LOOSE));
-  const most = isUnseen
+  const bound = isUnseen
     ? gap(ends[0], ends[1]) * (1 + STRAIGHT)
-    : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE), ...seen);
+    : Math.min((least?.measured ?? Infinity) * (1 + ROUGH), distance * (1 + COARSE));
+  const most = isUnseen ? bound : Math.min(bound, ...seen);
   routes.sort((one, other) => lengthOf(one.legs) - lengthOf(other.legs));
   const lines = routes.map(({ legs }) => lineOf(legs, width));
   const isNew = (/** @type {number} */ i) => !lines.slice(0, i).some((line) => isBeside(lines[i], line, sides.scale, APART));
-  return { routes: routes.filter((_, i) => isNew(i)), least, most };
+  return { routes: routes.filter((_, i) => isNew(i)), least, bound, most };
 }
 
 /** How long the shortest is, infinite if there is none. @param {Route[]} routes */

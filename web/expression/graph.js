@@ -13,6 +13,9 @@ const ID_RANGE = 2 ** 21;
 /** Integer exponents up to this size are products. */
 const LARGEST_INTEGER_POWER = 64;
 
+/** @param {number} operation @param {number} a @param {number} b */
+const keyOf = (operation, a, b) => (operation * ID_RANGE + a) * ID_RANGE + b;
+
 /** Builds nodes; every method takes and returns node numbers. */
 export class Graph {
   /** @type {number[]} */ operations = [];
@@ -279,9 +282,14 @@ export class Graph {
     return a < b ? this.#node(operation, a, b) : this.#node(operation, b, a);
   }
 
+  /** From now on what builds a node gives another, whose value is the same. @param {number} node @param {number} other */
+  equate(node, other) {
+    if (node !== other) this.#known.set(keyOf(this.operations[node], this.left[node], this.right[node]), other);
+  }
+
   /** The node with this operation and these operands, made only if there is none yet. @param {number} operation @param {number} a @param {number} b */
   #node(operation, a, b) {
-    const key = (operation * ID_RANGE + a) * ID_RANGE + b;
+    const key = keyOf(operation, a, b);
     const known = this.#known.get(key);
     if (known !== undefined) return known;
     const id = this.#append(operation, a, b);

@@ -13,6 +13,7 @@ import { Graphs } from './graphs.js';
 import { Installation, writeRecords } from './installation.js';
 import { KIND, SHAPE } from './kind.js';
 import { freeName, lowerShape, steepnessOf } from './lowered.js';
+import { flattenShape, intoPlane, outOfPlane } from './polar.js';
 import { compileMetric, factorOf, METRIC, readMeasure } from './metric.js';
 import { ReferenceFinder } from './reference.js';
 import { scaleOf } from './scale.js';
@@ -46,6 +47,8 @@ export class Manifold {
   /** Of its creases, once somebody asks. @type {Sides | null} */ #sides = null;
   /** What boxes hold of an implicit surface, once somebody asks. @type {Bodies | null} */ #bodies = null;
   /** Its like with lower heights, once somebody asks. @type {Manifold | null} */ #low = null;
+  /** It over the planes around its poles, once somebody asks; null: there is no room for it. @type {Map<number, Manifold | null>} */ #flat =
+    new Map();
   /** What questions need of it, once one is asked. @type {import('../search/routes.js').Field | null} */ #field = null;
   /** A coarse mesh, in which projections look for where to begin, once one has. @type {import('../mesh/projection.js').Coarse | null} */ coarse =
     null;
@@ -158,6 +161,7 @@ export class Manifold {
       sides: this.#compiled.isCreased ? () => this.#findSides() : null,
       jumps: this.#compiled.isCreased || this.#compiled.hasFloors ? () => this.#findSides() : null,
       bodies: this.kind === 'implicit' && !this.#measure.metric ? () => this.bodies : null,
+      flattened: this.kind !== 'implicit' && this.#compiled.isCreased ? (pole) => this.#findFlattened(pole) : null,
       lowered: this.kind === 'parametric' && !this.#compiled.metric && !this.#compiled.isCreased ? () => this.#findLowered() : null,
     };
     return this.#field;
@@ -181,6 +185,32 @@ export class Manifold {
       return this.#low.field();
     } catch {
       /* No memory, or more parameters than a module may have. */
+      return null;
+    }
+  }
+
+  /** It over the plane around one of its poles; null: there is no room for it, or it is carried along a curve. @param {number} pole @returns {import('../creases/at-poles.js').Flattened | null} */
+  #findFlattened(pole) {
+    const domain = /** @type {Domain} */ (this.domain);
+    const { apply } = this.#solver;
+    if (!this.#flat.has(pole)) this.#flat.set(pole, this.#flatten(domain, pole));
+    const flat = this.#flat.get(pole);
+    if (!flat) return null;
+    return {
+      field: flat.field(),
+      into: (places) => intoPlane(domain, pole, places, apply),
+      back: (places, ends) => outOfPlane(domain, pole, places, ends, apply),
+    };
+  }
+
+  /** @param {Domain} domain @param {number} pole */
+  #flatten(domain, pole) {
+    const shape = flattenShape(this.#shape, domain, pole, this.kind === 'metric');
+    const { density, metric } = this.#measure;
+    try {
+      return shape && new Manifold(this.#solver, this.kind, { periodic: {}, parameters: this.parameters, density, metric }, shape);
+    } catch {
+      /* No memory, or more than a module may hold. */
       return null;
     }
   }
@@ -385,6 +415,8 @@ export class Manifold {
     this.#bodies = null;
     this.#low?.dispose();
     this.#low = null;
+    for (const flat of this.#flat.values()) flat?.dispose();
+    this.#flat.clear();
     for (const graphs of this.#graphs.flat()) graphs.drop(heap);
   }
 }

@@ -86,17 +86,19 @@ export function squareOf({ graph, read }, { density }, variables, known) {
 export function nodesOf(kind, measure, shape, reference, formulas) {
   const { graph, read } = formulas;
   const { metric, isOwn } = measure;
-  const { variables } = shape;
+  const { variables, lifted } = shape;
   const known = (/** @type {Record<string, number>} */ nodes) =>
     Object.fromEntries(Object.entries(nodes).filter(([name]) => !variables.includes(name)));
   /** @type {Record<string, number>} */
-  const places = kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
+  const places = lifted ? lifted.places(formulas) : kind === 'implicit' ? {} : { u: graph.variable(0), v: graph.variable(1) };
   const shaped = shapeNodes(shape, formulas, reference);
   const [x, y, z] = shaped;
   const everything = kind === 'implicit' ? places : { ...places, x, y, z };
   const square = squareOf(formulas, measure, variables, known(everything));
   const entry = (/** @type {string} */ name) => read(/** @type {any} */ (metric)[name], `metric.${name}`, variables, known(places));
-  const tensor = isOwn ? induced(formulas, shaped, variables) : metric ? TENSOR[kind].order.map(entry) : [graph.one];
+  const written = metric && TENSOR[kind].order.map(entry);
+  const own = written && lifted ? lifted.pullBack(formulas, written) : written;
+  const tensor = isOwn ? induced(formulas, shaped, variables) : (own ?? [graph.one]);
   return { shaped, measured: tensor.map((component) => graph.multiply(component, square)) };
 }
 

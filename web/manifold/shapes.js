@@ -60,6 +60,8 @@ import { componentsOf } from './reference.js';
  * @property {[string, Range][]} ranges of the variables, with what the caller calls them; none for implicit surfaces
  * @property {Expression[] | Construction} outputs
  * @property {Curve} [curve] along which something is carried
+ * @property {{ places: (formulas: Formulas) => Record<string, number>, pullBack: (formulas: Formulas, tensor: number[]) => number[] }} [lifted] where its variables are not those of formulas: nodes of these, and E, F and G
+ *   of these as they measure over its own
  */
 
 const POSITION = ['x', 'y', 'z'];
@@ -90,14 +92,14 @@ const SHAPES = {
     const { r, z } = definition;
     return turning(kind, definition, ({ graph, read }) => {
       const [radius, height] = [read(r, 'r', ['t']), read(z, 'z', ['t'])];
-      return [...around(graph, radius), height];
+      return [...around(graph, radius, read('u', 'u', ['u'])), height];
     });
   },
   tube(kind, definition) {
     checkDefinition(kind, definition, ['centreline', 'radius', 't'], ['radius']);
     const curve = curveOf(kind, definition, 'centreline');
     const { radius } = definition;
-    const carried = carriedAlong(curve, ({ graph, read }) => around(graph, read(radius, 'radius', ['u', 't'])));
+    const carried = carriedAlong(curve, ({ graph, read }) => around(graph, read(radius, 'radius', ['u', 't']), graph.variable(0)));
     return { ...turning(kind, definition, carried), curve };
   },
   sweep(kind, definition) {
@@ -138,9 +140,8 @@ function turning(kind, definition, outputs) {
   return { variables: ['u', 't'], names: POSITION, ranges: [['u', [0, 2 * Math.PI]], ...ranges], outputs };
 }
 
-/** r cos u, r sin u. @param {import('../expression/graph.js').Graph} graph @param {number} radius */
-function around(graph, radius) {
-  const angle = graph.variable(0);
+/** r cos u, r sin u. @param {import('../expression/graph.js').Graph} graph @param {number} radius @param {number} angle */
+function around(graph, radius, angle) {
   return [COS, SIN].map((circular) => graph.multiply(radius, graph.call(circular, angle)));
 }
 

@@ -134,7 +134,7 @@ function unwound({ lower, upper, periodic, poles }, parameters) {
 
 /**
  * The pole nearest to a chord of a path that turns around it by this part of a turn, or more, so that the rectangle's coordinates are no good there; null: none.
- * @param {import('../manifold/domain.js').Domain} domain @param {Float64Array} parameters @param {number} part
+ * @param {import('../manifold/domain.js').Domain} domain @param {ArrayLike<number>} parameters @param {number} part
  */
 export function passedTip({ lower, upper, tips }, parameters, part) {
   /** @type {Tip | null} */

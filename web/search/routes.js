@@ -34,6 +34,7 @@ import { findStarts } from './starts.js';
  * @property {((places: ArrayLike<number>) => Float64Array) | null} [chords] of a rectangle: how long chords between places u v one after the other are
  * @property {(() => import('../manifold/sides.js').Sides | null) | null} [jumps] the same, also where formulas have only floors, which no side tells apart
  * @property {(() => import('../manifold/bodies.js').Bodies) | null} [bodies] what boxes hold of an implicit surface; null: it has a metric, or is no such surface
+ * @property {((pole: number) => import('../creases/at-poles.js').Flattened | null) | null} [flattened] a surface with creases over the plane around a pole; null: it has none, or cannot be written so
  * @property {(() => import('./raised.js').Lowered | null) | null} [lowered] a surface over x and y with lower heights; null: it is no such surface, or not smooth
  * @property {Field[]} pieces where the rectangle hangs together in points: what lies between them, in order; else none
  * @property {number[] | null} box of an implicit surface
