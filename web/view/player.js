@@ -133,18 +133,19 @@ export class PathPlayer {
       this.scrub(1);
       return Promise.resolve();
     }
-    this.scrub(0);
     return new Promise((resolve) => {
       this.#finish = resolve;
       /** @type {number | null} */ let begin = null;
       const step = (/** @type {number} */ now) => {
         begin ??= now;
         const share = this.#duration > 0 ? Math.min((now - begin) / this.#duration, 1) : 1;
-        this.scrub(ease(share));
+        // Before it is shown: onFrame may stop it, or play again.
         if (share < 1) this.#request = requestAnimationFrame(step);
         else this.stop();
+        this.scrub(ease(share));
       };
       this.#request = requestAnimationFrame(step);
+      this.scrub(0);
     });
   }
 

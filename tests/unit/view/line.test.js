@@ -223,6 +223,27 @@ for (const [title, { draw, THREE }] of await loadReleases())
         }
       });
 
+      test('does what it is told while it shows a frame', async () => {
+        for (const end of /** @type {const} */ (['stop', 'finish', 'dispose', 'setPath']))
+          for (const count of [1, 2]) {
+            let frames = 0;
+            const player = new draw.PathPlayer(new draw.GeodesicLine(), film, { onFrame: () => ++frames === count && player[end](film) });
+            const played = player.play();
+            if (count === 2) frame(100);
+            assert.equal(asked.size, 0, end);
+            await played;
+          }
+        let isOver = false;
+        const again = new draw.PathPlayer(new draw.GeodesicLine(), film, { onFrame: (moment) => isOver || moment < 1 || again.play() });
+        const played = again.play();
+        frame(100);
+        frame(2000);
+        await played;
+        assert.deepEqual([again.moment, asked.size], [0, 1], 'it plays in a loop');
+        isOver = true;
+        again.dispose();
+      });
+
       test('leaves the line alone once it is disposed', async () => {
         const line = new draw.GeodesicLine();
         let drawn = 0;
