@@ -39,6 +39,12 @@ const FRAME = 12;
 /** Counts changes of the surface, and of the path: an answer to an older one is of no use. */
 let [builds, turn] = [0, 0];
 let timer = 0;
+/** The turn of the newest draft, while it is on its way: the surface has moved, and is not seen yet where it is. */
+let drafting = 0;
+/** Whether what is seen of the surface is a draft. */
+let isDraft = false;
+/** Ways left to move ends onto a surface that may have left them behind; none: that has been seen to. @type {(() => number[][])[]} */
+let remedies = [];
 /** What is wished of the next surface that is there, as a mistake in the formulas leaves it wished: to look at all of it, and from where. @type {Framing | null} */
 let framing = null;
 /** How the surface that is seen was looked at first. @type {Framing} */ let framed = {};
@@ -95,7 +101,7 @@ function begin() {
 }
 
 /** Whether what is seen is what the sketch began with, so that the sketch's points lie on it. */
-const isReady = () => state.surface !== null && !state.building && state.shown?.entry === state.sketch.entry;
+const isReady = () => state.surface !== null && !state.building && !drafting && state.shown?.entry === state.sketch.entry;
 
 /** What was to be computed cannot be: says why, and comes to rest. @param {Partial<import('../state/state.js').State>} why */
 function give(why) {
@@ -125,6 +131,7 @@ const messageOf = (/** @type {unknown} */ error) => sentence(error instanceof Er
 /** The surface of the formulas, anew, and its path; a mistake in them keeps the last good one. @param {{ frame: boolean } & Framing} options */
 export async function rebuild({ frame, direction, view }) {
   const [mine, asked] = [++builds, begin()];
+  drafting = 0;
   if (frame) framing = { direction, view };
   const { sketch } = state;
   const problem = findBadBound(sketch.kind, sketch.texts);
@@ -165,20 +172,24 @@ export async function rebuild({ frame, direction, view }) {
   }
   if (!isSeen && opened) closeSurfaces(opened);
   if (!isSeen || mine !== builds) return;
-  repairEnds();
-  if (solved && asked === turn) show(solved, true);
-  else await (fetched ?? solve(true));
-  await fetchEnds();
+  if (!solved || asked !== turn) return fetched ?? solve(true);
+  show(solved, true);
+  return fetchEnds();
+}
+
+/** The surface has changed, and may have left its ends behind. @param {boolean} isDrafted */
+function unsettle(isDrafted) {
+  isDraft = isDrafted;
+  remedies = [mended, projected, () => chooseEnds(surfaceNow(), meshNow(), state.seen)];
 }
 
 /** Ends that are left behind by the surface are moved onto it: to the nearest places, else anywhere. */
 async function fetchEnds() {
-  const mine = builds;
-  for (const elsewhere of [mended, projected, () => chooseEnds(surfaceNow(), meshNow(), state.seen)]) {
-    if (mine !== builds || state.moving || !areLeftBehind()) return;
-    moveEnds(elsewhere());
-    await solve(true);
-  }
+  const [remedy, ...others] = areLeftBehind() ? remedies : [];
+  remedies = others;
+  if (!remedy) return;
+  moveEnds(remedy());
+  await solve(true);
 }
 
 /** Takes a surface in place of the last one. @param {Sketch} sketch @param {Surfaces} opened @param {SurfaceMesh} mesh */
@@ -186,6 +197,7 @@ function adopt(sketch, opened, mesh) {
   closeSurfaces(state);
   Object.assign(state, opened, { mesh, shown: sketch, building: false, moving: false });
   Object.assign(state, { solved: UNSOLVED, chosen: 0, shade: null, shadeProblem: null, endProblem: null });
+  unsettle(false);
   look(mesh);
   state.note ??= describeFar(endPlaces(), state.seen) ?? describeWall(surfpath, opened.surface, sketch);
   render();
@@ -197,26 +209,46 @@ function look(mesh) {
   state.seen = stage?.setSurface(mesh, endPlaces(), state.shown?.kind === 'graph' ? 2 : 3) ?? [];
 }
 
-/** The path, exactly. @param {boolean} animated */
+/** The path, exactly, on a surface that is as exact, with its ends on it. @param {boolean} animated */
 export async function solve(animated) {
   const mine = begin();
   if (!isReady()) return;
-  const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), pointsOf(state.sketch));
-  if (endProblem) return give({ endProblem, solved: UNSOLVED });
-  state.endProblem = null;
-  render();
   try {
+    if (isDraft) await redraw();
+    if (mine !== turn) return;
+    if (remedies.length > 0) repairEnds();
+    const endProblem = findBadEnd(state.sketch.kind, surfaceNow(), pointsOf(state.sketch));
+    if (endProblem) return give({ endProblem, solved: UNSOLVED });
+    state.endProblem = null;
+    render();
     const solved = await live.ask('solve', question());
-    if (mine === turn && solved) show(solved, animated);
+    if (mine !== turn || !solved) return;
+    show(solved, animated);
   } catch (error) {
-    if (mine === turn) give(unsolved(error));
+    if (mine !== turn) return;
+    give(unsolved(error));
   }
+  await fetchEnds();
 }
 
 /** @param {Solved} solved @param {boolean} animated */
 function show(solved, animated) {
   give({ solved, chosen: choiceOf(state.sketch, solved), moment: 1 });
   onSolved(animated);
+}
+
+/** The surface exactly, after a parameter has come to rest. */
+async function redraw() {
+  const { surface, shown } = state;
+  if (surface?.kind === 'implicit') {
+    const mesh = await live.ask('mesh', { definition: surfaceOf(/** @type {Sketch} */ (shown)) });
+    if (!mesh || shown !== state.shown) return;
+    look(mesh);
+    Object.assign(state, { mesh, shade: null });
+  }
+  isDraft = false;
+  // Not while it moves: who changes its size sees it change.
+  stage?.refit();
 }
 
 /** Everything exactly, a moment after the last movement. */
@@ -232,8 +264,7 @@ export function follow() {
   begin();
   if (!isReady()) return render();
   state.endProblem = findBadEnd(kind, surfaceNow(), pointsOf(state.sketch));
-  if (state.endProblem) return give({ solved: UNSOLVED });
-  if (task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
+  if (state.endProblem || task === 'trace' || via.length > 0 || slow.has(surfaceNow())) return solve(false);
   if (last && Number.isFinite(last.length)) followFrom(last, Math.min(points, 200));
   render();
   return settleSoon();
@@ -261,6 +292,7 @@ function followFrom(last, points) {
 export async function deform(parameters) {
   if (!state.surface || !state.shown || state.problem || state.building) return rebuild({ frame: false });
   const [mine, built] = [begin(), builds];
+  drafting = mine;
   const shown = { ...state.shown, parameters };
   const start = chosenPath() ?? undefined;
   try {
@@ -269,39 +301,21 @@ export async function deform(parameters) {
     const draft = await live.ask('draft', { ...question(), definition: surfaceOf(shown), start, resolution });
     if (!draft || built !== builds) return;
     look(draft.mesh);
+    unsettle(true);
     Object.assign(state, { mesh: draft.mesh, shown, shade: null, moving: true });
     if (draft.path && Number.isFinite(draft.path.length)) state.solved = { ...UNSOLVED, paths: [draft.path] };
+    render();
+    if (mine !== drafting) return;
+    drafting = 0;
+    settleSoon();
   } catch (error) {
-    if (built !== builds) return;
+    // Where it has moved on, or the last one that could be drawn, and its path.
+    if (mine !== drafting) return;
+    drafting = 0;
     setParameters(state, state.shown.parameters);
-    return give({ problem: problemOf(error, shown.kind, shown.texts) });
+    give({ problem: problemOf(error, shown.kind, shown.texts) });
+    await solve(false);
   }
-  render();
-  if (mine !== turn) return;
-  clearTimeout(timer);
-  timer = window.setTimeout(refine, SETTLE);
-}
-
-/** Surface and path exactly, after a parameter has come to rest. */
-async function refine() {
-  const [mine, built] = [begin(), builds];
-  const shown = /** @type {Sketch} */ (state.shown);
-  try {
-    if (state.surface?.kind === 'implicit') {
-      const mesh = await live.ask('mesh', { definition: surfaceOf(shown) });
-      if (!mesh || mine !== turn || built !== builds) return;
-      look(mesh);
-      Object.assign(state, { mesh, shade: null });
-    }
-  } catch (error) {
-    if (mine === turn) give({ problem: problemOf(error, shown.kind, shown.texts) });
-    return;
-  }
-  // Not while it moves: who changes its size sees it change.
-  stage?.refit();
-  repairEnds();
-  await solve(false);
-  await fetchEnds();
 }
 
 /** Colours for the surface as the sketch wishes them. */

@@ -67,6 +67,44 @@ describe('changes that overtake each other', () => {
     assert.equal(await page.locator('.surfpath-handle').count(), 2);
   });
 
+  test('so are those that a slider has, whatever is changed before its path is there', async () => {
+    const lengths = [];
+    for (const [name, act] of /** @type {[string, () => Promise<unknown>][]} */ ([
+      ['nothing', async () => {}],
+      ['tolerance', () => page.selectOption('#tolerance', '1e-12')],
+      ['points', () => page.fill('#points', '100')],
+      ['start', () => page.selectOption('#start', 'straight')],
+      ['swap', () => page.click('#swap-ends')],
+      ['all', () => page.check('[name=task][value=all]', { force: true })],
+      ['end', () => page.fill('#end-1-0', '0.88')],
+    ])) {
+      await openEntry(page, 'ellipsoid');
+      await page.fill('#value-b', '0.39');
+      await act();
+      await rest();
+      assert.equal(await status(), 'converged', `${name}: ${await text('#advice')}`);
+      assert.match(await text('#advice'), /moved/, name);
+      if (name !== 'end') lengths.push((await length()).toFixed(7));
+    }
+    assert.equal(new Set(lengths).size, 1, `${lengths}`);
+  });
+
+  test('what is asked while a slider moves the surface is answered of where it goes, or stays', async () => {
+    const asked = async (/** @type {string} */ entry, /** @type {Record<string, string>[]} */ ...writings) => {
+      await openEntry(page, entry);
+      for (const values of writings) {
+        await writeAtOnce(values);
+        await rest();
+      }
+      return text('#length');
+    };
+    assert.equal(
+      await asked('parametricTorus', { 'value-a': '1.2', points: '100' }),
+      await asked('parametricTorus', { 'value-a': '1.2' }, { points: '100' }),
+    );
+    assert.equal(await asked('sphere', { 'value-r': '50', points: '100' }), await asked('sphere', { points: '100' }));
+  });
+
   test('one from which the solver gets nowhere downhill goes to the place nearby, not anywhere', async () => {
     const f = '(x^2+(9/4)y^2+z^2-1)^3-x^2z^3-(9/80)y^2z^3';
     const bounds = { 'x-from': '-1.5', 'x-to': '1.5', 'z-from': '-1.5', 'z-to': '1.5' };
