@@ -532,6 +532,37 @@ describe('with controls', () => {
     assert.equal(await page.locator('#hill').getByRole('button').count(), 0);
   });
 
+  test('colours are distances from where the start is let go', async () => {
+    const colour = (/** @type {string} */ name) => page.$eval('#torus', (element, value) => element.setAttribute('colour', value), name);
+    const picture = async () => {
+      await page.waitForTimeout(500);
+      return page.locator('#torus').screenshot();
+    };
+    const start = page.locator('#torus').getByRole('button', { name: 'Start of the path' });
+    await colour('distance');
+    for (const move of [
+      () => Promise.all(Array.from({ length: 4 }, () => start.press('ArrowLeft'))),
+      async () => {
+        const { x, y } = /** @type {{ x: number, y: number }} */ (await start.boundingBox());
+        await page.mouse.move(x + 12, y + 12);
+        await page.mouse.down();
+        await page.mouse.move(x + 42, y + 12, { steps: 3 });
+        await page.mouse.up();
+        await page.mouse.move(0, 0);
+      },
+    ]) {
+      await move();
+      const moved = await picture();
+      await colour('none');
+      await nextFrame(page);
+      await colour('distance');
+      const changed = await countDifferent(page, moved, await picture());
+      assert.ok(changed < 20, `${changed} pixels`);
+    }
+    await colour('none');
+    await nextFrame(page);
+  });
+
   test('the view is turned by keys, and comes nearer; the other element is no stop of the tabulator', async () => {
     const picture = () => page.locator('#torus').screenshot();
     const canvas = (/** @type {string} */ id) => page.locator(`#${id} canvas`);

@@ -187,8 +187,10 @@ export class SurfacePathElement extends BaseElement {
       what = this.#stale;
       this.#stale = 0;
       if (what === SURFACE) this.#build(surfpath);
-      if (what >= PATH) ({ asked: this.#asked, ends: this.#ends } = this.#readEnds());
-      if (what >= PATH) this.#solve();
+      if (what >= PATH) {
+        ({ asked: this.#asked, ends: this.#ends } = this.#readEnds());
+        this.#solve();
+      }
       this.#isUndrawn = true;
       this.#isUnplayed = what >= PATH;
       this.#show();
@@ -300,8 +302,12 @@ export class SurfacePathElement extends BaseElement {
     return stage;
   }
 
-  /** @param {number} end @param {number[]} point */
+  /** @param {number} end @param {number[]} [point] none: it is let go, and distances are from there */
   #drag(end, point) {
+    if (!point) {
+      if (end === 0 && this.#attribute('colour') === 'distance') this.#renew(LOOK);
+      return;
+    }
     this.#ends[end] = point;
     try {
       this.#solve(this.#path?.converged ? this.#path : null);

@@ -73,7 +73,7 @@ function readParameters(text) {
 /** @param {string} text 'none', or names of directions @returns {'auto' | { u: boolean, v: boolean }} */
 function readPeriodic(text) {
   const names = text.trim().split(/[\s,]+/);
-  if (text.trim() === 'auto') return 'auto';
+  if (names.join() === 'auto') return 'auto';
   if (!names.every((name) => ['u', 'v', 'none'].includes(name)))
     refuse('surface-path: periodic', "'auto', 'none', 'u', 'v' or 'u v'", text);
   return { u: names.includes('u'), v: names.includes('v') };

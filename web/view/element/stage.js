@@ -44,7 +44,6 @@ export class Stage {
   #line = new GeodesicLine();
   #player = new PathPlayer(this.#line, null, { onFrame: () => this.invalidate() });
   /** @type {(DragHandle | Marker)[]} */ #ends = [];
-  #areDragged = false;
   #size = { width: 0, height: 0, ratio: 1 };
   /** @type {ArrayLike<number>} */ #towards = [0, -1, 0];
   #isVisible = false;
@@ -106,12 +105,12 @@ export class Stage {
   /**
    * Puts the ends as points to look at, or to drag; those that are there are moved. Where the surface has no such point none is left, and it throws.
    * @param {Surface} surface @param {number[][]} points
-   * @param {((end: number, point: number[], handle: DragHandle) => void) | null} onDrag the same in every call; null: to look at
+   * @param {((end: number, point?: number[]) => void) | null} onDrag the same in every call, without a point where one is let go; null: to look at
    */
   setEnds(surface, points, onDrag) {
-    this.#switchControls(onDrag !== null);
-    this.#dropEnds(this.#areDragged === (onDrag !== null) ? points.length : 0);
-    this.#areDragged = onDrag !== null;
+    const isSwitched = (this.#controls === null) === (onDrag !== null);
+    if (isSwitched) this.#switchControls();
+    this.#dropEnds(isSwitched ? 0 : points.length);
     try {
       for (const [i, point] of points.entries()) {
         if (i < this.#ends.length) this.#moveEnd(this.#ends[i], surface, point);
@@ -137,15 +136,16 @@ export class Stage {
     else end.position.fromArray(placeOf(surface, point));
   }
 
-  /** @param {Surface} surface @param {number[]} point @param {number} i @param {(end: number, point: number[], handle: DragHandle) => void} onDrag */
+  /** @param {Surface} surface @param {number[]} point @param {number} i @param {(end: number, point?: number[]) => void} onDrag */
   #makeHandle(surface, point, i, onDrag) {
     return new DragHandle(surface, point, {
       camera: this.#camera,
       domElement: this.#canvas,
       mesh: this.#mesh,
-      ...(this.#controls ? { controls: this.#controls } : {}),
-      label: i === 0 ? 'Start of the path' : 'End of the path',
-      onDrag: (place, handle) => onDrag(i, place, handle),
+      controls: /** @type {OrbitControls} */ (this.#controls),
+      label: `${i === 0 ? 'Start' : 'End'} of the path`,
+      onDrag: (place) => onDrag(i, place),
+      onDragEnd: () => onDrag(i),
       onChange: () => this.invalidate(),
     });
   }
@@ -157,11 +157,9 @@ export class Stage {
     return marker;
   }
 
-  /** @param {boolean} on */
-  #switchControls(on) {
-    if (on === (this.#controls !== null)) return;
-    this.#dropControls();
-    if (on) this.#makeControls();
+  #switchControls() {
+    if (this.#controls) this.#dropControls();
+    else this.#makeControls();
     this.#isFitted = false;
   }
 

@@ -16,7 +16,7 @@ const PROBLEMS = {
 };
 
 /** @param {number} length */
-const format = (length) => Number(length < 10 ** DIGITS ? length.toPrecision(DIGITS) : length.toFixed()).toString();
+const format = (length) => Number(length < 10 ** DIGITS ? length.toPrecision(DIGITS) : length.toFixed());
 
 /** @param {Path} path */
 export function describePath({ status, converged, length }) {
