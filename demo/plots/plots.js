@@ -62,9 +62,10 @@ export async function refreshPlot() {
   const path = chosenPath();
   if (!(/** @type {HTMLDetailsElement} */ (find('plots-card')).open) || state.moving) return;
   const name = choice();
+  const turn = ++mine;
   if (!path || state.sketch.task === 'trace' || state.sketch.via.length > 0 ? name !== 'curvature' : false)
     return explain('This plot is for a path between two ends.');
-  const turn = ++mine;
+  if (name === 'curvature' && path?.points.length === 0) return explain('This path has no place in space, and so no curvature there.');
   const { ends, points } = state.sketch;
   const show = (/** @type {{ series: Series[] }} */ { series }) => {
     if (turn === mine) draw(name, series);

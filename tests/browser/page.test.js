@@ -562,6 +562,21 @@ test('plots are measured on the path that is seen', async () => {
   await page.click('#plots-card summary');
 });
 
+test('that a path in the plane of a metric is not curved in space is said, and nothing plotted before comes in its place', async () => {
+  await openEntry(page, 'own-metric');
+  await page.click('#plots-card summary');
+  await page.evaluate(() => {
+    const select = /** @type {HTMLSelectElement} */ (document.getElementById('plot-choice'));
+    for (const name of ['convergence', 'curvature']) {
+      select.value = name;
+      select.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+  });
+  await page.waitForFunction(() => !document.documentElement.hasAttribute('data-measuring'));
+  assert.equal(await text('#plot'), 'This path has no place in space, and so no curvature there.');
+  await page.click('#plots-card summary');
+});
+
 test('by keys the view is turned, and comes nearer', async () => {
   /** From what is looked at to the camera: the angle around the axis, above the ground, and the distance. */
   const place = () =>
