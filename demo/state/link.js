@@ -5,7 +5,7 @@ import { readSketch, sketchOf } from './sketch.js';
 /** @typedef {import('./sketch.js').Sketch} Sketch */
 
 const VERSION = '1';
-/** Characters: a sketch of the longest formulas, in every field and of every letter, is shorter. */
+/** Characters: a sketch of the longest formulas that can be read, in every field and of every letter, is shorter. */
 const LONGEST = 500_000;
 /** Degrees, and radii of the surface. */
 const FARTHEST = 360;

@@ -40,7 +40,8 @@ const NUMBERS = { angle: [-3600, 3600], reach: [0, 1e12], tolerance: [1e-15, 0.1
 export const MOST_VIA = 8;
 /** More sliders than anyone makes by hand. */
 const MOST_PARAMETERS = 1000;
-const LONGEST_FORMULA = 4096;
+/** Characters: no formula that can be read has more. */
+const LONGEST_NAME = 4096;
 const WHOLE = /** @type {const} */ (['points', 'chosen']);
 export const MOST_POINTS = NUMBERS.points[1];
 
@@ -86,8 +87,8 @@ export const namesIn = ({ texts, density, tensor }) =>
 /** @param {unknown} value @param {number} dimension @returns {value is number[]} */
 const isPoint = (value, dimension) => Array.isArray(value) && value.length === dimension && value.every((x) => Number.isFinite(x));
 
-/** @param {unknown} value @returns {value is string} */
-const isFormula = (value) => typeof value === 'string' && value.length <= LONGEST_FORMULA;
+/** Of any length: what is too long to be read is the writer's to shorten. @param {unknown} value @returns {value is string} */
+const isFormula = (value) => typeof value === 'string';
 
 /**
  * A sketch from what a stranger wrote: what is wrong with it is left as the entry has it.
@@ -122,7 +123,7 @@ function readParameters(sketch, given) {
   if (typeof given !== 'object' || given === null) return;
   for (const name of Object.keys(sketch.parameters)) if (!(name in given)) delete sketch.parameters[name];
   for (const [name, value] of Object.entries(given).slice(0, MOST_PARAMETERS))
-    if (isName(name) && name.length <= LONGEST_FORMULA && Number.isFinite(value)) sketch.parameters[name] = /** @type {number} */ (value);
+    if (isName(name) && name.length <= LONGEST_NAME && Number.isFinite(value)) sketch.parameters[name] = /** @type {number} */ (value);
 }
 
 /** @param {Sketch} sketch @param {any} given */

@@ -249,6 +249,14 @@ describe('changes that overtake each other', () => {
     await other.waitForSelector('#problem-density pre');
     assert.equal(await other.getAttribute('#field-density', 'aria-invalid'), 'true');
     assert.equal(await other.isVisible('#formula-problem'), false);
+    const z = `u^2${'+v/1000'.repeat(700)}`;
+    await other.fill('#field-z', z);
+    await other.waitForSelector('#problem-z pre');
+    const complaint = await other.textContent('#problem-z');
+    await other.reload();
+    await other.waitForSelector('#problem-z pre');
+    assert.equal(await other.textContent('#problem-z'), complaint);
+    assert.equal(await other.inputValue('#field-z'), z);
     await other.close();
   });
 

@@ -206,6 +206,8 @@ test('every sketch comes back from its link', () => {
     points: 12,
   };
   assert.deepEqual(fromHash(toHash(sketch)), sketch);
+  const tooLong = { ...sketchOf('saddle'), texts: { ...sketchOf('saddle').texts, z: 'u+'.repeat(2500) } };
+  assert.deepEqual(fromHash(toHash(tooLong)), tooLong, 'and is complained of as when it was written');
   const lessOne = { ...sketchOf('parametricTorus'), parameters: { R: 4 } };
   assert.deepEqual(fromHash(toHash(lessOne)), lessOne, 'without a slider that was removed');
 });
