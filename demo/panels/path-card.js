@@ -7,7 +7,7 @@ import { numberIn } from '../compute/flow.js';
 import { runsOf } from '../compute/legs.js';
 import { chooseEnds, letterOf, onto, radiusOf, rangesOf, shorten } from '../state/ends.js';
 import { MOST_POINTS, MOST_VIA, pointsOf, surfaceOf } from '../state/sketch.js';
-import { chosenPath, onRender, state } from '../state/state.js';
+import { chosenPath, onRender, rest, state } from '../state/state.js';
 import { formatLonger, formatNumber } from './words.js';
 
 /** @typedef {import('../state/state.js').State} State */
@@ -36,7 +36,8 @@ export function startPathCard() {
     change({ ends: [...state.sketch.ends].reverse(), via: [...state.sketch.via].reverse() }),
   );
   find('add-via').addEventListener('click', () => {
-    adding = adding.then(addVia);
+    const { entry } = state.sketch;
+    adding = adding.then(rest).then(() => entry === state.sketch.entry && addVia());
   });
   onRender(renderPathCard);
 }
@@ -104,7 +105,7 @@ function whyNoVia({ sketch }) {
   return Number.isFinite(chosenPath()?.length) ? null : 'There is no path to put a point on.';
 }
 
-/** Until there is a path through the last point that was added: its legs tell where the next one goes. @type {Promise<unknown>} */
+/** Until there is a path through the last point that was added, and of what was changed meanwhile: its legs tell where the next one goes. @type {Promise<unknown>} */
 let adding = Promise.resolve();
 
 /** A point in the middle of the longest leg of the path, to be dragged away. */
@@ -114,13 +115,13 @@ function addVia() {
   const { legs } = state.solved;
   const dimension = coordinates(kind).length;
   const all = dimension === 2 ? path?.parameters : path?.points;
-  const isOfOthers = state.building || legs.length !== (via.length && via.length + 1);
+  const isOfOthers = legs.length !== (via.length && via.length + 1);
   if (whyNoVia(state) || isOfOthers || !path || !all) return;
   const longest = legs.reduce((best, { length }, i) => (length > legs[best].length ? i : best), 0);
   const middle = dimension * middleOf(runsOf(path, legs), legs, longest);
   const point = Array.from(all.slice(middle, middle + dimension));
   const next = [...via.slice(0, longest), point, ...via.slice(longest)];
-  return change({ via: next, task: 'path', start: 'global' }, `via ${performance.now()}`);
+  change({ via: next, task: 'path', start: 'global' }, `via ${performance.now()}`);
 }
 
 /** The point in the middle of a leg. @param {number[]} runs @param {import('../compute/legs.js').Leg[]} legs none: there is one @param {number} leg */

@@ -4,7 +4,7 @@ import { mayLeap, unbroken } from '../compute/curves.js';
 import { find } from './dom.js';
 import { isOnSurface, nameOf } from '../state/ends.js';
 import { pointsOf, surfaceOf } from '../state/sketch.js';
-import { chosenPath, stepsShown, onRender } from '../state/state.js';
+import { chosenPath, isBusy, stepsShown, onRender } from '../state/state.js';
 import { describeStatus, describeWork, formatEstimate, formatEstimateOf, formatNumber, formatTime, formatTo } from './words.js';
 
 /** Said of a surface whose formula is not the one that is written. */
@@ -46,7 +46,7 @@ function renderResult(state) {
   const path = chosenPath();
   const exists = path !== null && Number.isFinite(path.length);
   const busy = live !== null || building;
-  document.documentElement.toggleAttribute('data-busy', busy || moving);
+  document.documentElement.toggleAttribute('data-busy', isBusy());
   find('result').setAttribute('aria-busy', String(busy));
   // All digits, for those who read the page by program.
   find('length').dataset.exact = exists ? String(path.length) : '';

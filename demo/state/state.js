@@ -49,7 +49,25 @@ export const onRender = (renderer) => renderers.push(renderer);
 
 export function render() {
   for (const renderer of renderers) renderer(state);
+  wake();
 }
+
+/** Whether what is seen is not yet what is asked for. */
+export const isBusy = () => state.live !== null || state.building || state.moving;
+
+/** Who waits until it is. @type {(() => void)[]} */
+const waiting = [];
+
+function wake() {
+  if (!isBusy()) for (const go of waiting.splice(0)) go();
+}
+
+/** All that was asked for has been computed. @returns {Promise<void>} */
+export const rest = () =>
+  new Promise((resolve) => {
+    waiting.push(resolve);
+    wake();
+  });
 
 /** The path that is looked at. */
 export const chosenPath = () => state.solved.paths[state.chosen] ?? null;

@@ -89,6 +89,20 @@ describe('changes that overtake each other', () => {
     assert.equal(new Set(lengths).size, 1, `${lengths}`);
   });
 
+  test('a point on the way is added to the path of what was just written, or moved', async () => {
+    const points = () => page.$$eval('#ends .end', (rows) => rows.length);
+    await openEntry(page, 'saddle');
+    await page.fill('#field-z', 'u^2-v^2+u');
+    await page.click('#add-via');
+    await rest();
+    assert.deepEqual([await points(), await status()], [3, 'converged']);
+    await openEntry(page, 'ellipsoid');
+    await page.fill('#value-b', '0.39');
+    await page.click('#add-via');
+    await rest();
+    assert.deepEqual([await points(), await status()], [3, 'converged'], await text('#advice'));
+  });
+
   test('what is asked while a slider moves the surface is answered of where it goes, or stays', async () => {
     const asked = async (/** @type {string} */ entry, /** @type {Record<string, string>[]} */ ...writings) => {
       await openEntry(page, entry);
