@@ -87,6 +87,9 @@ const NAMES = new Set(
   Object.values(KINDS).flatMap(({ formulas, ranges, coordinates }) => [...Object.keys(formulas), ...ranges, ...coordinates]),
 );
 
+/** So begins what is said of any other name: of a function, of a parameter. */
+const OF_NAME = /^\S+ (?:is (?:not )?a|takes) /;
+
 /** What the library advises those who write programs, and what a reader of the page does instead. */
 const [FOR_PROGRAMS, FOR_READERS] = ['or give it a value in parameters', 'or make it a slider'];
 /** What it advises of an equation; and what to do where the formula of a coordinate was to be written. */
@@ -103,7 +106,7 @@ export function sentence(message) {
     .replace(/\[([^,]+), ?([^,]+)\]/, '$1 to $2')
     .replace(/\d+\.\d{6,}/g, (number) => brief(Number(number)));
   const [word] = text.split(' ');
-  const first = NAMES.has(word) || text.includes(`${word}(`) ? text[0] : text[0].toUpperCase();
+  const first = NAMES.has(word) || OF_NAME.test(text) ? text[0] : text[0].toUpperCase();
   return `${first}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 

@@ -20,5 +20,11 @@ test('a message begins with a capital, unless it begins with a name', () => {
     'Unknown name w; the names here are u, v; or make it a slider.',
   );
   assert.equal(sentence('the formula has no value'), 'The formula has no value.');
-  assert.equal(sentence('x: sin is a function; write sin(…) with brackets'), 'sin is a function; write sin(…) with brackets.');
+  for (const message of [
+    'sin is a function; write sin(…) with brackets.',
+    'sin is a function; give the parameter another name.',
+    'k is not a function; write k*(…) for a product.',
+    'sqrt takes one argument, not 2; write sqrt(…).',
+  ])
+    assert.equal(sentence(`x: ${message}`), message);
 });
