@@ -717,6 +717,27 @@ test('removed elements leave nothing behind: no context, no element', async () =
   assert.deepEqual(left, [0, 0]);
 });
 
+test('removed while the browser has taken its context, it complains of nothing', async () => {
+  const own = await openBrowser([], COARSE);
+  await own.context.addInitScript(watch);
+  const { page: other, complaints: said } = await openPage(own.context, `${site.address}/empty`);
+  await other.evaluate(async () => {
+    const { seen } = /** @type {any} */ (window);
+    await customElements.whenDefined('surface-path');
+    const element = document.createElement('surface-path');
+    element.setAttribute('surface', 'saddle');
+    document.querySelector('main')?.append(element);
+    while (seen.pictures === 0) await new Promise(requestAnimationFrame);
+    const [context] = seen.contexts;
+    const lost = new Promise((resolve) => context.canvas.addEventListener('webglcontextlost', resolve));
+    context.getExtension('WEBGL_lose_context').loseContext();
+    await lost;
+    element.remove();
+  });
+  await own.close();
+  assert.deepEqual(said, []);
+});
+
 test('moved in the page it goes on', async () => {
   const before = await page.evaluate(() => /** @type {any} */ (window).seen.events.length);
   await page.$eval('#hill', (element) => element.parentElement?.prepend(element));

@@ -4,8 +4,7 @@ import { NeutralToneMapping, WebGLRenderer } from 'three';
 
 /** @type {WebGLRenderer | null} */ let renderer = null;
 let users = 0;
-/** What it has room for, in CSS pixels: growing is slow. */
-let room = { width: 0, height: 0, ratio: 0 };
+/** What it has room for, in CSS pixels: growing is slow. @type {{ width: number, height: number, ratio: number }} */ let room;
 
 /** Makes the context if it is the first to ask. Throws where there is no WebGL. @param {() => void} redraw called when the browser, which may take the context away, has given it back */
 export function acquireRenderer(redraw) {
@@ -24,7 +23,7 @@ export function releaseRenderer(redraw) {
   users--;
   if (users > 0 || !renderer) return;
   renderer.dispose();
-  renderer.forceContextLoss();
+  if (!renderer.getContext().isContextLost()) renderer.forceContextLoss();
   renderer = null;
 }
 
