@@ -35,6 +35,8 @@ const PARTS = 32;
 const TORN = 1e-9;
 /** A path that is not converged is kept where it is longer than a polyline by no more than this part. */
 const NO_LONGER = 2e-3;
+/** Elements that agree to this part of a length have found a path, if not to the tolerance. */
+const NEARLY = 1e-6;
 /** So much of the coordinates is what they leave open of a length. */
 const ROUNDING = 1e-15;
 /** Finer graphs than the first that may tell ways over creases. */
@@ -88,6 +90,9 @@ const isUnsolved = ({ status }) => status === 'stalled' || ON_SURFACE.includes(s
 /** Whether a path is one, if not to the tolerance. @param {Path} path */
 const isRoughlyKnown = ({ status, length, lengthError }) => ON_SURFACE.includes(status) && lengthError < length;
 
+/** Whether a path is one, and nearly to the tolerance. @param {Path} path */
+const isNearlyKnown = ({ status, length, lengthError }) => status === 'tolerance-not-met' && lengthError <= NEARLY * length;
+
 /** Whether the surface is not torn under a path. @param {Field} field @param {Path} path */
 function isWhole(field, { parameters }) {
   if (!parameters) return false;
@@ -138,8 +143,8 @@ function findFinite(field, ends, options, start) {
   if (known) return known;
   const path = shorter(find(options), creased.path);
   if (path.converged && path.length <= creased.most) return path;
-  /* Cells that are wider than a wall lead through it. */
-  const mayBeThin = start === 'global' && !field.domain && field.isPlain && !isGeodesic(path) && !creased.path;
+  /* Cells that are wider than a wall lead through it, and elements come to no rest. */
+  const mayBeThin = start === 'global' && !field.domain && field.isPlain && !isGeodesic(path) && !isNearlyKnown(path) && !creased.path;
   for (let finer = 1; mayBeThin && finer <= FINER; finer++) {
     const other = findCreased(field, ends, options, start, finer);
     if (other?.known) return other.known;
