@@ -8,7 +8,7 @@ import { ELEMENTS } from '../search/candidates.js';
 import { isAfter, joinLegs, placed, reverse } from '../search/join.js';
 import { drawLine, findWays, settleEnd, solveAlong } from '../search/routes.js';
 import { gap, sumOf } from '../vector.js';
-import { poleBeside } from './at-poles.js';
+import { poleBeside, polesOf } from './at-poles.js';
 import { cut } from './cut.js';
 import { areFaint } from './faint.js';
 import { follow } from './follow.js';
@@ -108,8 +108,13 @@ export function findCreased(field, ends, options, start, finer = 0, others = nul
 function findElse(field, ends, options, { sides, ways: { ways, distance }, isAll }, { findSmooth, findAround }) {
   const { domain } = field;
   if (!domain) return field.isPlain && areFaint(sides, ways) ? solveAcross(field, ends, options, findSmooth) : [];
-  const [pole] = isAll ? [] : poleBeside(domain, ways[0] ?? null);
-  return pole ? findAround(pole).filter(({ length }) => length <= distance * (1 + COARSE)) : [];
+  const passed = isAll ? [] : poleBeside(domain, ways[0] ?? null);
+  /* Over the plane around one pole others are circles, which may be in the way. */
+  for (const pole of passed.length > 0 ? new Set([...passed, ...polesOf(domain)]) : []) {
+    const paths = findAround(pole).filter(({ length }) => length <= distance * (1 + COARSE));
+    if (paths.length > 0) return paths;
+  }
+  return [];
 }
 
 /**
