@@ -35,7 +35,7 @@ const PARTS = 32;
 const TORN = 1e-9;
 /** A path that is not converged is kept where it is longer than a polyline by no more than this part. */
 const NO_LONGER = 2e-3;
-/** Elements that agree to this part of a length have found a path, if not to the tolerance. */
+/** Elements that agree to this part of a length lead over the surface, through no wall, if not where it is shortest. */
 const NEARLY = 1e-6;
 /** So much of the coordinates is what they leave open of a length. */
 const ROUNDING = 1e-15;
@@ -90,7 +90,7 @@ const isUnsolved = ({ status }) => status === 'stalled' || ON_SURFACE.includes(s
 /** Whether a path is one, if not to the tolerance. @param {Path} path */
 const isRoughlyKnown = ({ status, length, lengthError }) => ON_SURFACE.includes(status) && lengthError < length;
 
-/** Whether a path is one, and nearly to the tolerance. @param {Path} path */
+/** Whether elements nearly agree. @param {Path} path */
 const isNearlyKnown = ({ status, length, lengthError }) => status === 'tolerance-not-met' && lengthError <= NEARLY * length;
 
 /** Whether the surface is not torn under a path. @param {Field} field @param {Path} path */

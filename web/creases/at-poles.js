@@ -1,12 +1,12 @@
 /**
- * Paths across creases beside poles, where the rectangle's coordinates turn: a joint that moves along a crease to a pole and beyond finds an edge there. They are looked for over the plane around a pole.
+ * Paths across creases beside poles, where the rectangle's coordinates turn, and what vanishes on a crease vanishes on all of the edge that is the pole. They are looked for over the plane around a pole.
  * MATH.md, "Creases at poles".
  */
 
 import { holdsPoint } from '../manifold/domain.js';
 import { edgeOf } from '../manifold/rectangle.js';
 import { replaced } from '../search/join.js';
-import { passedTip } from '../search/poles.js';
+import { passedTip, SHARP } from '../search/poles.js';
 import { nodesOf } from './legs.js';
 
 /** @typedef {import('../path.js').Path} Path */
@@ -20,13 +20,10 @@ import { nodesOf } from './legs.js';
  * @property {(places: ArrayLike<number>, ends: number[][]) => Float64Array} back a path over the plane in the rectangle, between these ends
  */
 
-/** A path passes a pole if it turns around it by this part of a turn from node to node. */
-const SHARP = 0.05;
-
 /** The poles around which a coordinate closes. @param {Domain | null} domain */
 export const polesOf = (domain) => (domain ? domain.poles.filter((pole) => domain.periodic[edgeOf(pole).along]) : []);
 
-/** The pole that a line passes; none if it passes none. @param {Domain | null} domain @param {ArrayLike<number> | null} line of the rectangle @returns {number[]} */
+/** The pole that a line passes, turning sharply from node to node; none if it passes none. @param {Domain | null} domain @param {ArrayLike<number> | null} line of the rectangle @returns {number[]} */
 export function poleBeside(domain, line) {
   const passed = domain && line && passedTip(domain, line, SHARP);
   return polesOf(domain).filter((pole) => pole === passed?.pole);

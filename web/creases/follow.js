@@ -57,7 +57,15 @@ function comeToRest(question, line, near, most) {
     if (places === tried) break;
     tried = places;
     const pieces = first && landed(question, first);
-    if (pieces && hasFreeJoint(question, pieces)) return null;
+    if (
+      pieces &&
+      hasFreeJoint(
+        question,
+        pieces,
+        pieces.slice(1).map(({ on, line: own }) => ({ ...on, place: own.slice(0, width) })),
+      )
+    )
+      return null;
     route = pieces && join(question, pieces);
   }
   if (!route || isTornAnywhere(question, route)) return null;
@@ -97,13 +105,15 @@ function comeToRest(question, line, near, most) {
   return null;
 }
 
-/** Whether a joint is where a crease has no length, as where a density is zero along it: what leads there comes to no rest, however long it is solved. @param {Question} question @param {import('./parts.js').Piece[]} pieces */
-function hasFreeJoint(question, pieces) {
+/** Whether a joint is where a crease has no length, as where a density is zero along it, or at a pole: what leads there comes to no rest, however long it is solved, or anywhere. @param {Question} question @param {{ signs: number[], line: ArrayLike<number> }[]} legs @param {Pick<Joint, 'crease' | 'signs' | 'place'>[]} joints */
+function hasFreeJoint(question, legs, joints) {
   const width = question.sides.scale.length;
   const speedAt = (/** @type {import('./crease.js').On} */ on, /** @type {number[]} */ place) =>
     speedOn(question, on.signs, place, directions(question.sides, on, place).along);
-  const usual = largest(pieces.map(({ on, signs, line }) => speedAt({ ...on, signs }, middleOf(line, width))));
-  return pieces.slice(1).some(({ on, line }) => speedAt(on, line.slice(0, width)) <= FREE * usual);
+  const usual = largest(
+    joints.flatMap(({ crease }, j) => legs.slice(j, j + 2).map(({ signs, line }) => speedAt({ crease, signs }, middleOf(line, width)))),
+  );
+  return joints.some((joint) => speedAt(joint, joint.place) <= FREE * usual);
 }
 
 /** What tells a route at rest from others. @param {Route} route */
@@ -143,7 +153,7 @@ const isOff = (question, { signs }, place) => !question.field.domain && isTorn(q
 /** @param {Question} question @param {Route} route at rest @returns {Route | null} */
 function finish(question, route) {
   /* A leg between two sheets may have gone. */
-  if (isTornAnywhere(question, route)) return null;
+  if (isTornAnywhere(question, route) || hasFreeJoint(question, route.legs, route.joints)) return null;
   if (!hasShores(route)) return route;
   return isShortest(question, route) ? surveyAll(question, route) : null;
 }

@@ -23,7 +23,7 @@ import { comesNear } from './distinct.js';
 /** A chord that turns around a pole by so much of a turn is not meant. */
 const MOST_OF_A_TURN = 0.75;
 /** A chord that turns around a pole by this part of a turn passes it nearby. */
-const SHARP = 0.05;
+export const SHARP = 0.05;
 /** Near a pole of its own chart a path takes 10 to 25 steps; near another one hundreds, and for nothing. */
 const BESIDE_STEPS = 60;
 /** Over a pole it takes 105 at most, if there is a path: under a density paths wind into some cusps for ever. */
